@@ -1,5 +1,4 @@
-// Reads the items of a line of commands, with errors at the item.
-// Used by the interpreter, expressions and shapes.
+// Reads the items of a line of commands, with positions in errors. Used by the interpreter, expressions and shapes.
 #pragma once
 
 #include <fmt/format.h>
@@ -24,14 +23,14 @@ class Cursor {
   [[nodiscard]] bool is(Kind kind) const { return !at_end() && line_[at_].kind == kind; }
   [[nodiscard]] const Item& peek() const { return line_[at_]; }
   const Item& take() { return line_[at_++]; }
-  /// Consumes the item and returns true if it is `what`.
+  /// If the next item is `what`, consumes it and returns true.
   bool take_if(std::string_view what) {
     if (!is(what)) return false;
     ++at_;
     return true;
   }
 
-  /// Consumes the next item, which must be of that kind; `what` names it in messages.
+  /// Consumes the next item, which must be of the given kind; `what` names it in messages.
   const Item& word(std::string_view what) { return expected(Kind::word, what); }
   double number(std::string_view what) { return expected(Kind::number, what).number; }
   double above_0(std::string_view what) {
@@ -42,7 +41,7 @@ class Cursor {
   void sign(std::string_view text, std::string_view where) {
     if (!take_if(text)) fail_here(fmt::format("expected `{}` {}", text, where));
   }
-  /// Consumes all numbers up to the next item of another kind.
+  /// Consumes all numbers before the next item of another kind.
   std::vector<double> numbers() {
     std::vector<double> all;
     while (is(Kind::number)) all.push_back(take().number);

@@ -13,7 +13,7 @@ model::Operator to_operator(const Item& sign) {
 
 int strength(const Item& sign) { return sign.text == "*" ? 2 : 1; }
 
-/// Dijkstra's shunting yard, which handles parentheses of any depth.
+/// Dijkstra's shunting-yard algorithm, which handles parentheses of any depth.
 class Yard {
  public:
   Yard(Cursor& line, const Algebra& algebra) : line_(line), algebra_(algebra) {}
@@ -52,7 +52,7 @@ class Yard {
     line_.take();
   }
 
-  /// Applies the operators of at least that strength, back to an open parenthesis.
+  /// Applies the waiting operators of at least the given strength, back to an open parenthesis.
   void reduce(int weakest) {
     while (!waiting_.empty() && !waiting_.back()->is("(") && strength(*waiting_.back()) >= weakest) {
       const std::uint32_t right = solids_.back();

@@ -16,8 +16,8 @@ struct Algebra {
   std::function<std::uint32_t(model::Operator op, std::uint32_t left, std::uint32_t right, const Item& sign)> combine;
 };
 
-/// Reads an expression up to the end of the line: names, + (union), - (difference), * (intersection), which binds more
-/// tightly than the others, and parentheses. Operators of equal strength are left-associative.
+/// Reads an expression up to the end of the line: names, + (union), - (difference), * (intersection), and parentheses.
+/// * binds more tightly than + and -; operators of equal precedence are left-associative.
 std::uint32_t read_expression(Cursor& line, const Algebra& algebra);
 
 }  // namespace csgsim::commands

@@ -6,7 +6,7 @@
 
 #include "host/read/grammar.h"
 
-/// Words, numbers and signs in lines. The interpreter handles the meaning of lines, so that nothing nests here.
+/// Words, numbers and signs in lines. The interpreter parses the lines, so no rule of this grammar nests.
 namespace csgsim::commands::grammar {
 
 namespace peg = tao::pegtl;

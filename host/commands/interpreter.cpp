@@ -68,7 +68,7 @@ class Interpreter {
   read::Source& source_;
   Model model_;
   std::map<std::string_view, Named> names_;
-  std::string_view last_;  ///< the last name that a line assigned a solid to
+  std::string_view last_;  ///< the last name to which a line assigned a solid
   model::FacetControl facets_;
   double tolerance_ = usual_tolerance;
 };
@@ -228,7 +228,7 @@ void Interpreter::colour(Cursor& line) {
   const std::uint32_t offset = line.offset();
   const std::vector<double> numbers = line.numbers();
   if (numbers.size() != 3 || std::ranges::any_of(numbers, [](double one) { return one < 0 || one > 1; }))
-    line.fail(offset, "a colour is red, green and blue, each from 0 to 1");
+    line.fail(offset, "a colour must be red, green and blue, each from 0 to 1");
   solid.solid = add({Coloured{{numbers[0], numbers[1], numbers[2]}, solid.solid}, {}}, name.offset);
 }
 
@@ -237,7 +237,7 @@ void Interpreter::set_facets(Cursor& line) {
   const double count = line.number("the number of facets of a circle");
   constexpr double most = 100'000;
   if (!(count >= 3 && count <= most && count == std::floor(count)))
-    line.fail(offset, fmt::format("a circle has 3 to {} facets", most));
+    line.fail(offset, fmt::format("a circle must have 3 to {} facets", most));
   facets_.fn = count;
 }
 
@@ -249,7 +249,7 @@ const Curve& Interpreter::curve_named(Cursor& line, std::string_view use, std::s
     line.fail(name.offset, fmt::format("there is no curve {0} before this line; write `{0} = curve ...` above",
                                        read::shown(name.text)));
   if (curve->numbers < fewest || curve->numbers > most)
-    line.fail(name.offset, fmt::format("the points of a {} have {} numbers, but those of {} have {}", use,
+    line.fail(name.offset, fmt::format("the points of a {} must have {} numbers, but those of {} have {}", use,
                                        fewest == most ? fmt::format("{}", most) : fmt::format("{} or {}", fewest, most),
                                        read::shown(name.text), curve->numbers));
   return *curve;

@@ -26,7 +26,7 @@ class Reader {
       const std::optional<double> number = read::parse_number(text);
       if (!number)
         source_.fail(item.offset,
-                     fmt::format("number out of range: {} is more than a double holds", read::shown(text)));
+                     fmt::format("number out of range: {} exceeds the range of doubles", read::shown(text)));
       item.number = *number;
     }
     line_.push_back(item);

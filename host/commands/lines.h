@@ -22,7 +22,7 @@ struct Item {
   [[nodiscard]] bool is(std::string_view what) const { return kind != Kind::number && text == what; }
 };
 
-/// The lines that are not empty. Throws InputError for text that the grammar does not allow.
+/// Splits the text into lines, without empty lines. Throws InputError for text that the grammar does not allow.
 std::vector<std::vector<Item>> split_lines(read::Source& source);
 
 }  // namespace csgsim::commands

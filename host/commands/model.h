@@ -18,7 +18,7 @@ namespace csgsim::commands {
 
 inline constexpr std::uint32_t nothing = 0xffffffffU;
 
-/// A sweep of a file.
+/// A sweep defined in a file.
 struct SweptSolid {
   std::string_view name;
   std::uint32_t offset = 0;
@@ -26,7 +26,7 @@ struct SweptSolid {
   double tolerance = 0;
 };
 
-/// A patch of a file, which is not a solid.
+/// A patch defined in a file; a patch is not a solid.
 struct Patch {
   std::string_view name;
   std::uint32_t offset = 0;
@@ -54,7 +54,7 @@ struct Swept {
   std::uint32_t number = 0;  ///< index into Model::sweeps
 };
 
-/// A solid defined by a line from earlier ones. Several others may use it.
+/// A solid that a line defines, possibly from earlier solids. Several later solids may refer to it.
 struct Solid {
   std::variant<model::Shape, Swept, Combined, Moved, Coloured> made;
   model::Location location;
@@ -65,7 +65,8 @@ struct Model {
   std::vector<Solid> solids;
   std::vector<SweptSolid> sweeps;
   std::vector<Patch> patches;
-  std::uint32_t drawn = nothing;  ///< index of the solid to draw: `Object`, or else the last one assigned to a name
+  /// Index of the solid to draw: `Object` if defined, otherwise the last solid assigned to a name.
+  std::uint32_t drawn = nothing;
 };
 
 }  // namespace csgsim::commands

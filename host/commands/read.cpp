@@ -19,7 +19,7 @@ namespace csgsim::commands {
 
 namespace {
 
-/// Expands the solids to a tree; a solid that several others use is copied for each.
+/// Expands the solids to a tree. A solid that several others use is copied for each of them.
 class TreeMaker {
  public:
   TreeMaker(read::Source& source, const Model& model) : source_(source), model_(model), pieces_(model.sweeps.size()) {}
@@ -46,7 +46,7 @@ class TreeMaker {
     std::uint32_t solid = nothing;
     glm::dmat4 matrix{1};
     std::optional<glm::dvec3> colour;
-    std::optional<model::Operator> closes{};  ///< the last two trees are its operands
+    std::optional<model::Operator> closes{};  ///< if set, this entry is an operator on the last two trees
   };
 
   void visit(const Waiting& one) {
@@ -74,7 +74,7 @@ class TreeMaker {
     if (tree_.primitives.size() >= read::max_primitives)
       fail(solid.location, fmt::format("more than {} solids; split the model", read::max_primitives));
     if (read::empties(one.matrix))
-      fail(solid.location, "moving and scaling exceeds the range of numbers; use other numbers");
+      fail(solid.location, "moving and scaling exceed the range of numbers; use smaller numbers");
     children_.push_back(model::add_leaf(tree_, {}));
     model::Primitive& primitive = tree_.primitives.back();
     primitive.shape = std::move(shape);
@@ -116,7 +116,8 @@ class TreeMaker {
     }
     if (made.defect)
       fail(solid.location, fmt::format("sweep: its surface does not bound a solid: {}", made.defect->what));
-    if (made.pieces.empty()) fail(solid.location, "sweep: the solid has no volume");
+    if (made.pieces.empty())
+      fail(solid.location, "sweep: the solid has no volume; move the points of its contour apart");
     for (const read::Remark& remark : made.remarks) source_.tell(sweep.offset, fmt::format("sweep: {}", remark.what));
     pieces = std::move(made.pieces);
     return *pieces;

@@ -16,18 +16,18 @@ namespace csgsim::commands {
 /// InputError with file:line:column. Of the options, only the limit on work applies.
 model::Tree read_text(std::string_view text, std::string_view name, const read::Options& options = {});
 
-/// A surface of a file of commands that can be subdivided.
+/// A surface in a file of commands, which can be subdivided.
 struct NamedSurface {
   std::string name;
   bool is_sweep = false;
-  swept::Sweep sweep;  ///< if is_sweep
+  swept::Sweep sweep;  ///< valid if is_sweep
   swept::Net net;
   double tolerance = 0;  ///< tolerance given in the file
   model::Location location;
 };
 
-/// All sweeps and patches of a file, in the order of its lines; the last one of each name. Throws InputError as
-/// read_text does.
+/// All sweeps and patches of a file, in the order of its lines; of several with one name, only the last. Throws
+/// InputError as read_text() does.
 std::vector<NamedSurface> surfaces_in(std::string_view text, std::string_view name);
 
 }  // namespace csgsim::commands

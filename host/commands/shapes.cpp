@@ -50,7 +50,7 @@ glm::dvec3 read_point(Cursor& line, std::size_t& numbers) {
   const std::vector<double> point = line.numbers();
   line.sign(")", "after the numbers of a point");
   if (point.empty() || point.size() > 3)
-    line.fail(offset, fmt::format("a point has 1 to 3 numbers, not {}", point.size()));
+    line.fail(offset, fmt::format("a point must have 1 to 3 numbers, not {}", point.size()));
   if (numbers != 0 && point.size() != numbers)
     line.fail(
         offset,
@@ -58,7 +58,8 @@ glm::dvec3 read_point(Cursor& line, std::size_t& numbers) {
             "this point has a different number of coordinates ({}) than those before it ({}); use the same number",
             point.size(), numbers));
   if (std::ranges::any_of(point, [](double one) { return std::abs(one) > model::max_coordinate; }))
-    line.fail(offset, fmt::format("the point is farther than {:g} from the origin", model::max_coordinate));
+    line.fail(offset,
+              fmt::format("the point is farther than {:g} from the origin; move it closer", model::max_coordinate));
   numbers = point.size();
   return {point[0], numbers > 1 ? point[1] : 0, numbers > 2 ? point[2] : 0};
 }
@@ -89,7 +90,7 @@ Curve read_curve(Cursor& line) {
     const std::uint32_t offset = line.offset();
     const double degree = line.number("a degree: 0 (constant), 1, 2 or 3");
     if (!(degree >= 0 && degree <= highest_degree && degree == std::floor(degree)))
-      line.fail(offset, "a degree is 0 (constant), 1, 2 or 3");
+      line.fail(offset, "a degree must be 0 (constant), 1, 2 or 3");
     made.curve.degree = static_cast<std::uint32_t>(degree);
   }
   if (!line.take_if("points")) line.fail_here("expected `closed`, `degree` or `points`, in this order");
@@ -105,7 +106,7 @@ swept::Net read_net(Cursor& line) {
   const double width = line.number("the number of points in a row");
   constexpr double most = 10'000;
   if (!(width >= 4 && width <= most && width == std::floor(width)))
-    line.fail(offset, "a row of a patch has at least 4 points");
+    line.fail(offset, "a row of a patch must have at least 4 points");
   if (!line.take_if("points")) line.fail_here("expected `points`");
   swept::Net net;
   std::size_t numbers = 0;
@@ -113,7 +114,7 @@ swept::Net read_net(Cursor& line) {
     if (net.rows.empty() || net.rows.back().size() == static_cast<std::size_t>(width)) net.rows.emplace_back();
     const std::uint32_t place = line.offset();
     net.rows.back().push_back(read_point(line, numbers));
-    if (numbers != 3) line.fail(place, "a point of a patch has three numbers");
+    if (numbers != 3) line.fail(place, "a point of a patch must have three numbers");
   }
   if (const std::string fault = swept::fault_of(net); !fault.empty()) line.fail(begin, fault);
   return net;

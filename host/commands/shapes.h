@@ -14,7 +14,7 @@
 
 namespace csgsim::commands {
 
-/// A curve of a file; `numbers` is the count of numbers in each of its points.
+/// A curve defined in a file. `numbers`: count of numbers in each of its points.
 struct Curve {
   swept::Curve curve;
   std::size_t numbers = 0;
@@ -27,13 +27,13 @@ bool is_solid_word(std::string_view word);
 /// The name of a primitive solid that is similar to the word; empty if there is none.
 std::string_view similar_solid_word(std::string_view word);
 
-/// Reads a primitive solid after its word; round ones get these facets.
+/// Reads a primitive solid after its word. `facets` determines the facets of round solids.
 model::Shape read_solid(std::string_view word, Cursor& line, const model::FacetControl& facets);
 
 /// Reads a curve after the word `curve`.
 Curve read_curve(Cursor& line);
 
-/// Reads a patch after the word `patch`, up to its tolerance, if any.
+/// Reads a patch after the word `patch`. Stops before the tolerance, which is optional.
 swept::Net read_net(Cursor& line);
 
 }  // namespace csgsim::commands

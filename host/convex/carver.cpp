@@ -62,7 +62,7 @@ std::vector<std::uint32_t> Carver::faces_found() {
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   std::uint64_t corners = 0;
   for (const std::uint32_t face : faces) corners += polytope_.faces[face].corners.size();
-  // Each vertex is a corner of at least three faces.
+  // Divides by 3, because each vertex is a corner of at least three faces.
   visited_ = std::max(visited_, corners / 3);
   return faces;
 }

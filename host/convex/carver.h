@@ -13,9 +13,9 @@
 
 namespace csgsim::convex {
 
-/// Clips one polytope by a sequence of half-spaces, with results bit-identical to clip(), but without visiting vertices
-/// and faces far from each plane. A cut visits all corners of the faces that it meets, so solids whose faces all share
-/// a corner or a face still take time quadratic in their half-spaces. Keeps references to its arguments.
+/// Clips one polytope by a sequence of half-spaces. Results are bit-identical to those of clip(), but vertices and
+/// faces far from a plane are not visited. A cut visits all corners of the faces that it meets, so solids whose faces
+/// all share a corner or a face still take time quadratic in their half-spaces. Keeps references to its arguments.
 class Carver {
  public:
   Carver(Polytope polytope, const facet::PlaneTable& planes);
@@ -28,14 +28,14 @@ class Carver {
   Polytope take();
 
  private:
-  /// Whether some vertex is farther behind the plane than `near`.
+  /// Whether some vertex is more than `near` behind the plane.
   bool has_depth(const facet::Plane& plane, double near);
-  /// Finds the vertices that are not inside, and stores their sides. Returns whether any is outside.
+  /// Finds the vertices that are not inside, and stores their sides. Returns whether any vertex is outside.
   bool find_sides(const facet::Plane& plane, double near);
-  /// The faces at the vertices found, in ascending order.
+  /// The faces at the found vertices, in ascending order.
   std::vector<std::uint32_t> faces_found();
   void apply(Cut made, facet::Halfspace halfspace);
-  /// Adds a vertex on a face with that normal.
+  /// Adds a vertex on a face whose normal is `normal`.
   void add_vertex(const glm::dvec3& place, const glm::dvec3& normal);
   /// Removes vertices with only two faces left, which merges their edges there, and faces without area.
   void drop_flat(std::vector<std::uint32_t> doubtful);
@@ -47,10 +47,10 @@ class Carver {
   using FacesAt = boost::container::small_vector<std::uint32_t, 4>;
 
   const facet::PlaneTable& planes_;
-  Polytope polytope_;  ///< includes vertices without faces, and faces without corners
+  Polytope polytope_;  ///< also contains vertices without faces, and faces without corners
   std::uint32_t faces_ = 0;
   std::vector<FacesAt> at_;        ///< faces at each vertex
-  std::vector<bool> is_alive_;     ///< a face uses the vertex
+  std::vector<bool> is_alive_;     ///< whether a face uses the vertex
   std::vector<VertexSide> sides_;  ///< sides relative to the half-space; `in` except for found vertices
   VertexIndex index_;
   std::vector<std::uint32_t> found_;

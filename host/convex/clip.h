@@ -9,27 +9,27 @@
 
 namespace csgsim::convex {
 
-/// Points closer to a plane than this, relative to the model's diagonal, count as on it. Planes that differ by less
-/// than facet::coincidence_tolerance are treated as one plane, so a multiple of that distinguishes shared corners from
-/// distinct ones. Rounding errors are about 1e-15.
+/// Points closer to a plane than this, relative to the model's diagonal, are treated as on it. Planes that differ by
+/// less than facet::coincidence_tolerance are treated as one plane, so this is a multiple of that tolerance, to
+/// distinguish shared corners from distinct ones. Rounding errors are about 1e-15.
 inline constexpr double relative_tolerance = 10.0 * facet::coincidence_tolerance;
 
-/// The same in model units.
+/// The tolerance in model units.
 double tolerance(const facet::PlaneTable& planes);
 
 /// The part of a polytope inside a half-space. Vertices are not moved: a vertex on the plane stays, even if it is
 /// outside by up to the tolerance, and new vertices are added where edges cross the plane. Lost parts are thinner than
-/// the tolerance, in a sheet along the plane; if no vertex is farther inside, the whole polytope is lost. Excess parts
-/// are equally thin.
+/// the tolerance, in a sheet along the plane; if no vertex is farther inside than the tolerance, the whole polytope is
+/// lost. Excess parts are equally thin.
 ///
 /// If vertices within the tolerance make the cut something other than one polygon, it is repeated with fractions and
-/// then with multiples of the tolerance until it is one.
+/// then with multiples of the tolerance until it is one polygon.
 Polytope clip(Polytope polytope, facet::Halfspace halfspace, const facet::PlaneTable& planes);
 
 /// Approximate cost, in steps of work (hw/base/work.h), of one cut that visits `vertices` vertices.
 std::uint64_t clip_steps(std::uint64_t vertices);
 
-/// The same for clip().
+/// Approximate cost of clip(), in steps of work.
 std::uint64_t clip_steps(const Polytope& polytope);
 
 /// The half-space on the other side of the plane.

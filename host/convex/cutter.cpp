@@ -30,7 +30,7 @@ class Cutter {
     return vertex < sides_.size() ? sides_[vertex] : VertexSide::on;
   }
 
-  /// The vertex at which an edge crosses the plane; both of its faces share it.
+  /// The vertex at which an edge crosses the plane; both faces of the edge share it.
   std::uint32_t crossing(std::uint32_t a, std::uint32_t b) {
     const auto [low, high] = std::minmax(a, b);
     const auto next = static_cast<std::uint32_t>(polytope_.vertices.size() + cut_.added.size());
@@ -70,7 +70,7 @@ class Cutter {
     return leaves <= 1;
   }
 
-  /// Builds the cap, which runs opposite to the edges that lost the face on their other side.
+  /// Builds the cap. It runs opposite to the edges whose face on the other side was lost.
   bool close() {
     std::sort(on_plane_.begin(), on_plane_.end());
     if (std::adjacent_find(on_plane_.begin(), on_plane_.end()) != on_plane_.end()) return false;

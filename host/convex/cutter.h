@@ -19,11 +19,11 @@ enum class VertexSide : std::uint8_t { in, on, out };
 
 using FaceCorners = std::vector<std::uint32_t>;
 
-/// The next tolerance with which a cut is tried: starts at 1, continues with fractions down to the level of rounding,
-/// then with multiples.
+/// The tolerance to try after `times`, both in multiples of the usual tolerance. The sequence starts at 1, continues
+/// with fractions down to the level of rounding, and then with multiples.
 double next_tolerance(double times);
 
-/// The remaining part of a face that is not entirely inside; no corners if nothing remains.
+/// The remaining part of a face that is not entirely inside; it has no corners if nothing remains.
 struct CutFace {
   std::uint32_t face = 0;
   FaceCorners corners;
@@ -32,12 +32,12 @@ struct CutFace {
 /// The result of cutting a polytope by a plane: the changed faces and the polygon that closes the cut.
 struct Cut {
   std::vector<CutFace> faces;
-  std::vector<glm::dvec3> added;  ///< new vertices, numbered after those of the polytope
+  std::vector<glm::dvec3> added;  ///< new vertices, numbered consecutively after those of the polytope
   FaceCorners cap;
 };
 
-/// Cuts the faces with these indices, in ascending order; they have to include every face with a vertex that is not
-/// inside. `sides` are those of the vertices. Nothing if the cut is not a single polygon.
+/// Cuts the given faces, in ascending order, by a plane. `faces` must include every face with a vertex that is not
+/// inside; `sides` are the sides of all vertices. Empty if the cut is not a single polygon.
 std::optional<Cut> cut_faces(const Polytope& polytope, std::span<const std::uint32_t> faces, const facet::Plane& plane,
                              const std::vector<VertexSide>& sides);
 

@@ -26,7 +26,7 @@ facet::Box moved(const facet::Box& box, const glm::dvec3& by) {
 
 constexpr std::string_view searching = "searching for the extent";
 
-/// A convex part of a product, and the primitives still to be subtracted from it, the last one first.
+/// A convex part of a product, and the primitives not yet subtracted from it. The last one is subtracted next.
 struct Rest {
   Polytope polytope;
   std::vector<std::uint32_t> subtracted;
@@ -46,7 +46,7 @@ class BoxSearch {
     if (!is_found(part)) open_.push_back(std::move(part));
   }
 
-  /// The box of everything added.
+  /// The box of all parts added.
   facet::Box find() {
     while (!open_.empty()) {
       const Rest part = std::move(open_.back());
@@ -107,14 +107,14 @@ class BoxSearch {
   facet::Box found_;
 };
 
-/// Whether the folded boxes are already those of the model.
+/// Whether the tree contains only unions, so that the folded boxes are those of the model.
 bool is_union(const csg::PositiveTree& tree) {
   return std::all_of(tree.nodes.begin(), tree.nodes.end(), [](const csg::PositiveNode& node) {
     return node.is_leaf ? !node.complemented : node.op == csg::PositiveOperator::unite;
   });
 }
 
-/// Knowledge about the neighbourhood of a point: entirely outside, undecided, or entirely inside.
+/// What is known about the neighbourhood of a point: it is entirely outside, undecided, or entirely inside.
 enum class Known : std::uint8_t { out, maybe, in };
 
 /// Tests whether corners of primitives are corners of the model. Points are relative to PlaneTable::centre().
@@ -123,7 +123,7 @@ class CornerSearch {
   CornerSearch(const facet::Geometry& geometry, const csg::PositiveTree& tree)
       : geometry_(geometry), tree_(tree), known_(tree.nodes.size()) {}
 
-  /// Whether each side of geometry.box has such a corner.
+  /// Whether each side of geometry.box contains such a corner.
   bool reach_all_sides() {
     for (int axis = 0; axis < 3; ++axis) {
       if (!reach(axis, -1.0, geometry_.box.low[axis]) || !reach(axis, 1.0, geometry_.box.high[axis])) return false;
@@ -132,8 +132,8 @@ class CornerSearch {
   }
 
  private:
-  /// Maximum number of corners tested per side before it counts as undecided: after a flush cut leaves many undecided,
-  /// more tests rarely help.
+  /// Maximum number of corners tested per side; after these the side is undecided. If a flush cut leaves many corners
+  /// undecided, more tests rarely help.
   static constexpr int max_tested_corners = 64;
 
   bool reach(int axis, double sign, double side) {
@@ -152,8 +152,9 @@ class CornerSearch {
     return false;
   }
 
-  /// Near its corner the primitive is both inside and outside, and everything else known holds all around the corner.
-  /// If the tree is inside wherever the primitive is, the corner is on the model.
+  /// Whether a primitive's corner is a corner of the model. Near the corner the primitive is both inside and outside;
+  /// what is known about other primitives holds all around it. If the tree is inside wherever the primitive is, the
+  /// corner is on the model.
   bool is_corner(std::uint32_t primitive, const glm::dvec3& corner) {
     if (primitive_at(primitive, corner) == Known::out) return false;
     for (std::size_t i = 0; i < tree_.nodes.size(); ++i) {
@@ -193,7 +194,7 @@ class CornerSearch {
 
   const facet::Geometry& geometry_;
   const csg::PositiveTree& tree_;
-  std::vector<Known> known_;  ///< knowledge about each node
+  std::vector<Known> known_;  ///< what is known about each node
 };
 
 facet::Box searched(const facet::Geometry& geometry, const csg::PositiveTree& tree, std::size_t max_cuts,

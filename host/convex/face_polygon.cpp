@@ -14,14 +14,14 @@ namespace csgsim::convex {
 
 namespace {
 
-/// A square in a plane, centred at a point, that extends `reach` to each side.
+/// A square in the plane through `around`, centred there, that extends by `reach` to each side.
 std::vector<glm::dvec3> square(const glm::dvec3& around, const glm::dvec3& normal, double reach) {
   const auto [right, up] = plane_axes(normal);
   return {around - reach * (right + up), around + reach * (right - up), around + reach * (right + up),
           around - reach * (right - up)};
 }
 
-/// The same as clipped(), with a buffer for the second polygon. Returns whether the corners changed.
+/// Like clipped(), with a buffer for the second polygon. Returns whether the corners changed.
 bool clip_corners(std::vector<glm::dvec3>& corners, const facet::Plane& plane, double near,
                   std::vector<glm::dvec3>& kept) {
   double deepest = 0;
@@ -94,7 +94,7 @@ std::vector<glm::dvec3> face_polygon(const facet::Convex& solid, std::uint32_t p
   const double height = own.height(middle);
   if (!(std::abs(height) <= size + near)) return {};
   const double margin = 0.1 * size + 10.0 * near;
-  // The square covers the intersection of the plane with the box, and extends beyond it by more than the margin.
+  // The square covers the intersection of the plane and the box, and extends beyond it by more than the margin.
   std::vector<glm::dvec3> corners = square(middle - height * own.normal, own.normal, 2.0 * (size + margin));
   std::vector<glm::dvec3> kept;
   CornerBounds around(corners);

@@ -15,14 +15,14 @@ namespace csgsim::convex {
 /// Two orthogonal unit vectors in a plane.
 std::array<glm::dvec3, 2> plane_axes(const glm::dvec3& normal);
 
-/// The part of a convex polygon behind a plane; corners within `near` of the plane do not move. Empty if no corner is
-/// farther behind it.
+/// The part of a convex polygon behind a plane. Corners within `near` of the plane do not move. Empty if no corner is
+/// more than `near` behind the plane.
 std::vector<glm::dvec3> clipped(std::vector<glm::dvec3> corners, const facet::Plane& plane, double near);
 
 /// The corners of a primitive's face in a plane, in order around it, relative to PlaneTable::centre(). The face is the
-/// part of the plane inside the other half-spaces, so it takes one step per half-space, while make_polytope() makes all
-/// faces. Empty if the primitive has only an edge or a corner in the plane, if the face is no wider than the tolerance
-/// of clip(), or if the half-spaces leave it unbounded.
+/// part of the plane inside the other half-spaces, so its cost is one step per half-space, while make_polytope()
+/// computes all faces. Empty if the primitive has only an edge or a corner in the plane, if the face is no wider than
+/// the tolerance of clip(), or if the half-spaces leave it unbounded.
 std::vector<glm::dvec3> face_polygon(const facet::Convex& solid, std::uint32_t plane, const facet::PlaneTable& planes);
 
 }  // namespace csgsim::convex

@@ -39,7 +39,7 @@ class PolytopeMerger {
   }
 
  private:
-  /// Visits every plane once. Returns whether anything was merged.
+  /// Visits every plane once. Returns whether any polytopes were merged.
   bool pass() {
     boxes_.clear();
     std::vector<Entry> entries;
@@ -63,7 +63,7 @@ class PolytopeMerger {
     return joined;
   }
 
-  /// Merges two polytopes into the first if they are convex together.
+  /// Merges two polytopes into the first if their union is convex.
   bool join(std::uint32_t one, std::uint32_t other, std::uint32_t plane) {
     Polytope& first = polytopes_[one];
     Polytope& second = polytopes_[other];
@@ -71,7 +71,7 @@ class PolytopeMerger {
     work_.charge(first.faces.size() * second.vertices.size() + second.faces.size() * first.vertices.size(), merging);
     if (!has_face(first, {plane, true}) || !has_face(second, {plane, false})) return false;
     if (!holds(first, second, plane) || !holds(second, first, plane)) return false;
-    // All other half-spaces contain both polytopes, so each polytope is the intersection of these half-spaces with its
+    // The other half-spaces contain both polytopes, so each polytope is the intersection of these half-spaces with its
     // side of the plane.
     std::vector<facet::Halfspace> halfspaces;
     for (const Polytope* part : {&first, &second}) {

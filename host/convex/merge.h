@@ -10,9 +10,9 @@
 
 namespace csgsim::convex {
 
-/// Merges pairs of polytopes as long as two of them lie on opposite sides of a plane that holds a face of both, and are
-/// convex together within the tolerance of clip(). The polytopes must not overlap. Greedy, so the result is not
-/// minimal. Throws WorkError past the limit on work.
+/// Merges pairs of polytopes as long as some two lie on opposite sides of a plane that contains a face of both, and
+/// their union is convex within the tolerance of clip(). The polytopes must not overlap. The algorithm is greedy, so
+/// the result is not minimal. Throws WorkError if the work limit is exceeded.
 void merge(std::vector<Polytope>& polytopes, const facet::PlaneTable& planes, const Work& work = {});
 
 }  // namespace csgsim::convex

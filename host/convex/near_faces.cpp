@@ -17,11 +17,11 @@ namespace csgsim::convex {
 
 namespace {
 
-/// A direction by which planes are sorted, without any symmetry that models have.
+/// A direction along which planes are sorted; models have no symmetry with respect to it.
 constexpr glm::dvec3 sorting{0.4142, 0.5918, 0.6914};
 constexpr double sorting_offset = 0.7321;
 
-/// Maximum difference of the sort positions of near planes.
+/// Maximum difference between the sort positions of nearly equal planes.
 constexpr double window = near_normals * (sorting.x + sorting.y + sorting.z) + near_offsets * sorting_offset;
 
 /// A plane in one of its two orientations.
@@ -30,7 +30,7 @@ struct Oriented {
   std::uint32_t plane = 0;
   bool is_reversed = false;
 
-  /// Orders by position, then by plane, with the reversed orientation last.
+  /// Orders by position, then by plane; the reversed orientation of a plane comes last.
   bool operator<(const Oriented& other) const {
     if (place != other.place) return place < other.place;
     return plane != other.plane ? plane < other.plane : !is_reversed && other.is_reversed;
@@ -65,8 +65,8 @@ std::vector<Oriented> sorted(const facet::PlaneTable& planes) {
   return all;
 }
 
-/// A second direction whose values distinguish normals in single precision, so that several fit a vector register, and
-/// the maximum difference for near normals, including rounding.
+/// A second direction whose values distinguish normals. They are in single precision, so that several fit a vector
+/// register.
 constexpr glm::dvec3 discriminator{0.7333, -0.5477, 0.4019};
 constexpr float discriminator_window =
     static_cast<float>(near_normals * (discriminator.x - discriminator.y + discriminator.z)) + 4e-7F;
@@ -81,7 +81,7 @@ std::vector<float> discriminating_values(const std::vector<Oriented>& all, const
   return values;
 }
 
-/// Calls visit(j) for each j in [begin, end) whose value is within the window of near planes.
+/// Calls visit(j) for each j in [begin, end) whose value differs by at most the window of nearly equal planes.
 template <class Visit>
 void for_near_values(const std::vector<float>& values, float value, std::size_t begin, std::size_t end,
                      const Visit& visit) {
@@ -136,7 +136,7 @@ bool are_near(const facet::Plane& one, const facet::Plane& other, double sign, d
   return tilt <= near_normals && offset <= (is_parallel ? near_parallel_offsets : near_offsets);
 }
 
-/// The number of each primitive's node in the file.
+/// The number in the file of each primitive's node.
 std::vector<std::uint32_t> node_numbers(const model::Tree& tree) {
   std::vector<std::uint32_t> nodes;
   std::uint32_t node = 0;
@@ -149,7 +149,8 @@ std::vector<std::uint32_t> node_numbers(const model::Tree& tree) {
 
 using Outline = std::vector<glm::dvec2>;
 
-/// Whether every direction perpendicular to an edge of the first outline shows an overlap of more than `least`.
+/// Whether the outlines overlap by more than `least` along every direction perpendicular to an edge of the first
+/// outline.
 bool overlap_across(const Outline& one, const Outline& other, double least) {
   for (std::size_t i = 0; i < one.size(); ++i) {
     const glm::dvec2 edge = one[(i + 1) % one.size()] - one[i];
@@ -186,7 +187,7 @@ class PairSearch {
       while (end < planes.size() && planes[end].place - planes[i].place <= window) ++end;
       const std::size_t last = i + 1 + std::min<std::uint64_t>(left, end - (i + 1));
       for_near_values(values, values[i], i + 1, last, [&](std::size_t j) {
-        // Pairs of two reversed planes mirror pairs that are tested already.
+        // A pair of two reversed planes mirrors a pair that is tested anyway.
         if (!found_.is_incomplete && !(planes[i].is_reversed && planes[j].is_reversed)) test_pair(planes[i], planes[j]);
       });
       left -= last - (i + 1);
@@ -238,7 +239,7 @@ class PairSearch {
     const Outline a = outline(one, in, right, up);
     const Outline b = outline(other, in_other, right, up);
     if (a.empty() || b.empty()) return false;
-    // Adjacent faces, or faces smaller than the rounding error, do not overlap.
+    // Faces that are adjacent, or smaller than the rounding error, do not overlap.
     return overlap_across(a, b, slack()) && overlap_across(b, a, slack());
   }
 

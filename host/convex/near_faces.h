@@ -10,27 +10,28 @@
 
 namespace csgsim::convex {
 
-/// Normals whose components differ by less than this are certainly meant to be equal: six printed digits of a rotation
+/// Normals whose components differ by less than this are assumed to be meant as equal: six printed digits of a rotation
 /// cause errors of 5e-7 per entry, so a chain of ten matrices turns a normal by less.
 inline constexpr double near_normals = 1e-5;
 
-/// Limits of differences in offset, relative to the model's diagonal. For tilted planes the limit is that of normals.
-/// Parallel planes may be apart on purpose (an overlap of 0.001 in 300), but an overlap below two steps of 20-bit depth
-/// would have no effect.
+/// Limits of differences in offset, relative to the model's diagonal. For tilted planes the limit equals that of
+/// normals. Parallel planes may be apart on purpose (an overlap of 0.001 in 300), but an overlap below two steps of
+/// 20-bit depth would have no effect.
 inline constexpr double near_offsets = 1e-5;
 inline constexpr double near_parallel_offsets = 2e-6;
 
 /// Pairs of nodes of the file with overlapping faces in nearly equal planes.
 struct NearFaces {
   std::uint64_t pairs = 0;               ///< number of pairs of nodes
-  bool is_incomplete = false;            ///< the limit was reached before all pairs were tested
-  std::array<std::uint32_t, 2> first{};  ///< primitives of the first pair in file order, if any
+  bool is_incomplete = false;            ///< whether the limit was reached before all pairs were tested
+  std::array<std::uint32_t, 2> first{};  ///< primitives of the first pair in file order; valid if there are pairs
 };
 
-/// Maximum number of pairs of faces to be tested.
+/// Maximum number of pairs of faces that are tested.
 inline constexpr std::uint64_t max_near_faces = 1'000'000;
 
-/// Takes n log n time in the number of planes, plus the pairs of faces in near planes, at most max_near_faces of them.
+/// Finds the pairs. Takes n log n time in the number of planes, plus the time for at most max_near_faces pairs of faces
+/// in nearly equal planes.
 NearFaces near_faces(const model::Tree& tree, const facet::Geometry& geometry);
 
 }  // namespace csgsim::convex

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view taking_away = "subtracting solids from convex pieces";
 
-/// Whether the plane bounds the common part with a face and separates it from some of the rest.
+/// Whether a face of the common part lies in the plane, and part of the rest is beyond the plane.
 bool is_wall(facet::Halfspace halfspace, const Polytope& both, const Polytope& rest, const facet::PlaneTable& planes) {
   const bool has_face =
       std::any_of(both.faces.begin(), both.faces.end(), [&](const Face& face) { return face.halfspace == halfspace; });

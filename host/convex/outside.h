@@ -9,8 +9,8 @@
 namespace csgsim::convex {
 
 /// The part of a polytope outside a primitive, as convex parts that do not overlap; the polytope itself if the two are
-/// disjoint. Cuts only by half-spaces that bound the common part. Each cut may lose as much as clip() loses. Throws
-/// WorkError past the limit on work.
+/// disjoint. Cuts are made only by half-spaces that bound the common part. Each cut may lose as much as clip() loses.
+/// Throws WorkError if the work limit is exceeded.
 std::vector<Polytope> outside(Polytope polytope, const facet::Convex& solid, const facet::PlaneTable& planes,
                               const Work& work = {});
 

@@ -17,7 +17,8 @@ namespace {
 /// A convex part of a product, and the primitives still to be subtracted from it.
 struct Part {
   Polytope polytope;
-  std::vector<std::uint32_t> subtracted;  ///< primitives whose boxes meet the part's; the last one is subtracted first
+  /// Primitives whose boxes intersect the part's; the last one is subtracted first.
+  std::vector<std::uint32_t> subtracted;
 };
 
 class Division {
@@ -55,11 +56,11 @@ class Division {
   void require_few(std::size_t count) const {
     if (count > max_count_) {
       throw InputError("the model needs more than " + std::to_string(max_count_) +
-                       " convex pieces; give the subtracted solids fewer facets ($fn), or subtract less");
+                       " convex pieces; use fewer facets ($fn) for the subtracted solids, or subtract fewer");
     }
   }
 
-  /// Subtracts the last of its primitives from a part.
+  /// Subtracts the last of the part's primitives from it.
   void subtract(Part part) {
     const facet::Convex& solid = geometry_.solids[part.subtracted.back()];
     part.subtracted.pop_back();

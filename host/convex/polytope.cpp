@@ -28,8 +28,9 @@ Polytope cuboid(const glm::dvec3& low, const glm::dvec3& high) {
   return polytope;
 }
 
-/// Above this number, half-spaces are not clipped in their given order. Around a round solid, each cut would add as
-/// many vertices as a ring has faces, and the next cut would remove them again; a scattered order adds few.
+/// Above this number, half-spaces are not clipped in the given order. Around a round solid, each cut would add as many
+/// vertices as a ring has faces, and the next cut would remove them again; in a scattered order each cut adds few
+/// vertices.
 constexpr std::size_t max_in_order = 10'000;
 
 /// A bijective hash of numbers.

@@ -16,7 +16,7 @@ namespace csgsim::convex {
 
 /// A face of a polytope.
 struct Face {
-  facet::Halfspace halfspace;          ///< contains the polytope; its plane is the face's
+  facet::Halfspace halfspace;          ///< contains the polytope; its plane contains the face
   std::vector<std::uint32_t> corners;  ///< indices into Polytope::vertices, counter-clockwise as seen from outside
 };
 
@@ -24,7 +24,7 @@ struct Face {
 /// every vertex belongs to three or more. Two faces may lie in one plane.
 struct Polytope {
   std::vector<glm::dvec3> vertices;  ///< relative to PlaneTable::centre()
-  std::vector<Face> faces;           ///< none if the polytope is empty
+  std::vector<Face> faces;           ///< empty if the polytope is empty
 
   [[nodiscard]] bool empty() const { return faces.empty(); }
 };
@@ -36,7 +36,7 @@ struct Edge {
   std::uint32_t right = 0;  ///< index into Polytope::faces
 };
 
-/// All edges, each of them once.
+/// All edges, each once.
 std::vector<Edge> edges(const Polytope& polytope);
 
 /// The bounding box, relative to PlaneTable::centre().
@@ -46,12 +46,12 @@ facet::Box box_of(const Polytope& polytope);
 double volume(const Polytope& polytope);
 
 /// The intersection of half-spaces, computed by clipping a box. Its faces are in the order of the half-spaces. The box
-/// has to contain the intersection, and is relative to PlaneTable::centre(). Empty if the result is thinner than the
-/// tolerance of clip(). Throws WorkError past the limit on work.
+/// must contain the intersection, and is relative to PlaneTable::centre(). Empty if the result is thinner than the
+/// tolerance of clip(). Throws WorkError if the work limit is exceeded.
 Polytope intersection(const facet::Box& box, std::span<const facet::Halfspace> halfspaces,
                       const facet::PlaneTable& planes, const Work& work = {});
 
-/// The half-spaces of a box in model space.
+/// The six half-spaces of a box in model space, whose planes are added to the table.
 std::vector<facet::Halfspace> box_walls(const facet::Box& box, facet::PlaneTable& planes);
 
 /// A primitive as the intersection of its half-spaces.

@@ -20,7 +20,7 @@ struct LitFace {
   Attitude attitude = Attitude::averted;
 };
 
-/// A light relative to PlaneTable::centre(), and the tolerance within which it counts as on a plane.
+/// A light relative to PlaneTable::centre(), and the tolerance within which it is treated as on a plane.
 struct CentredLight {
   glm::dvec3 place;
   double weight = 0;
@@ -51,7 +51,7 @@ void add_once(std::vector<facet::Halfspace>& list, facet::Halfspace halfspace) {
   if (std::find(list.begin(), list.end(), halfspace) == list.end()) list.push_back(halfspace);
 }
 
-/// Adds a silhouette plane unless an equal one exists: edges in one plane with the light share it.
+/// Adds a silhouette plane unless the list contains an equal one: edges in one plane with the light share it.
 void add_once(std::vector<facet::Plane>& list, const facet::Plane& plane, double diagonal) {
   const bool known = std::any_of(list.begin(), list.end(), [&](const facet::Plane& other) {
     const glm::dvec3 turned = glm::abs(plane.normal - other.normal);
@@ -61,14 +61,14 @@ void add_once(std::vector<facet::Plane>& list, const facet::Plane& plane, double
   if (!known) list.push_back(plane);
 }
 
-/// The volume of a polytope with the light inside it or on its faces.
+/// The shadow volume of a polytope if the light is inside it or on its faces.
 void bound_inside(ShadowVolume& volume, const Polytope& polytope, const std::vector<LitFace>& lit) {
   for (std::size_t i = 0; i < lit.size(); ++i) {
     if (lit[i].attitude == Attitude::edge_on) add_once(volume.edge_on, polytope.faces[i].halfspace);
   }
 }
 
-/// Adds the half-spaces of the faces that face the light, and those behind their outline.
+/// Adds the half-spaces of the faces that face the light, and the silhouette planes behind their outline.
 void cast(ShadowVolume& volume, const Polytope& polytope, const std::vector<LitFace>& lit, double diagonal) {
   for (std::size_t i = 0; i < lit.size(); ++i) {
     if (lit[i].attitude == Attitude::facing) add_once(volume.facing, polytope.faces[i].halfspace);

@@ -14,21 +14,23 @@ namespace csgsim::convex {
 
 /// A light in homogeneous coordinates of model space.
 struct Light {
-  glm::dvec4 place{0, 0, 1, 0};  ///< (x, y, z, 0): infinitely far in that direction; (x, y, z, 1): at that point
+  /// (x, y, z, 0): infinitely far in the direction (x, y, z); (x, y, z, 1): at the point (x, y, z).
+  glm::dvec4 place{0, 0, 1, 0};
 };
 
 /// The region shadowed by a polytope (F. Crow, "Shadow algorithms for computer graphics", SIGGRAPH 1977): the points
 /// whose open segment to the light intersects the polytope, including the polytope's own points. It is the intersection
-/// of the half-spaces in all three lists, none of them redundant.
+/// of the half-spaces in all three lists; none of them is redundant.
 ///
-/// A face does not face the light if the light is on its plane, within facet::coincidence_tolerance of the model's
-/// diagonal or of the light's distance.
+/// A face does not face the light if the light is on its plane, within facet::coincidence_tolerance times the model's
+/// diagonal or the light's distance.
 struct ShadowVolume {
   std::vector<facet::Halfspace> facing;   ///< half-spaces of the faces that face the light
   std::vector<facet::Halfspace> edge_on;  ///< half-spaces of bounding faces whose planes contain the light
-  std::vector<facet::Plane> silhouette;   ///< planes through silhouette edges and the light, as in PlaneTable::planes()
+  /// Planes through silhouette edges and the light, in the form of PlaneTable::planes().
+  std::vector<facet::Plane> silhouette;
 
-  /// The volume is the convex hull of the corners, extended along nonnegative combinations of the directions.
+  /// The volume is the convex hull of the corners, extended by all nonnegative combinations of the directions.
   std::vector<glm::dvec3> corners;     ///< model space
   std::vector<glm::dvec3> directions;  ///< arbitrary lengths
 
@@ -36,10 +38,10 @@ struct ShadowVolume {
   [[nodiscard]] bool everything() const { return facing.empty() && edge_on.empty(); }
 };
 
-/// Computes the shadow volume. A silhouette plane is the combination, with nonnegative weights, of its edge's two face
-/// planes that contains the light. It does not depend on the vertices, so pieces that share both planes share the
-/// silhouette plane exactly. If the light is on a face of the polytope, only the faces that contain it bound the
-/// volume.
+/// Computes the shadow volume. A silhouette plane is the combination, with nonnegative weights, of the planes of its
+/// edge's two faces that contains the light. It does not depend on the vertices, so pieces that share both planes have
+/// exactly the same silhouette plane. If the light is on a face of the polytope, only the faces that contain the light
+/// bound the volume.
 ShadowVolume shadow_volume(const Polytope& polytope, const Light& light, const facet::PlaneTable& planes);
 
 }  // namespace csgsim::convex

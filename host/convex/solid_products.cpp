@@ -23,13 +23,13 @@ constexpr std::string_view multiplying_out = "expanding the model into products"
 /// Cost of visiting a node.
 constexpr std::uint64_t visit_steps = 16;
 
-/// The region outside which a subtree is entirely inside or entirely outside.
+/// The region outside which a subtree is constant: entirely inside or entirely outside.
 struct Reach {
   bool in_elsewhere = false;
   facet::Box box;  ///< relative to PlaneTable::centre()
 };
 
-/// Bounds of a node. If single operands decide the result outside their boxes, only the intersection of these boxes is
+/// Bounds of a node. If each operand alone decides the result outside its box, only the intersection of these boxes is
 /// undecided.
 Reach node_reach(const PositiveNode& node, const std::vector<Reach>& below) {
   const bool decisive = node.op == PositiveOperator::unite;
@@ -58,16 +58,16 @@ std::vector<Reach> reaches(const facet::Geometry& geometry, const PositiveTree& 
   return found;
 }
 
-/// A partially chosen product.
+/// A product of which some factors have been chosen.
 struct Partial {
-  std::optional<Polytope> whole;  ///< nothing until the first primitive: all of space
+  std::optional<Polytope> whole;  ///< empty until the first primitive, representing the whole space
   facet::Box box;                 ///< box of `whole`
   std::vector<std::uint32_t> subtracted;
   std::vector<std::uint32_t> unions;  ///< union nodes with an operand still to be chosen
   std::uint32_t primitive = model::no_index;
 };
 
-/// An operand of a union with which to continue.
+/// An operand of a union with which the expansion continues.
 struct Branch {
   std::shared_ptr<const Partial> parent;
   std::uint32_t node;
@@ -96,7 +96,7 @@ class Enumeration {
   }
 
  private:
-  /// Knowledge about a subtree inside the partial product.
+  /// What is known about a subtree inside the partial product.
   enum class Known : std::uint8_t { out, in, depends };
   [[nodiscard]] Known known(std::uint32_t node, const Partial& partial) const {
     const Reach& reach = reaches_[node];
@@ -134,7 +134,7 @@ class Enumeration {
       if (!node.is_leaf && node.op == PositiveOperator::unite) {
         partial.unions.push_back(at);
       } else if (!node.is_leaf) {
-        // Bounded operands are popped first.
+        // Bounded operands are processed first, because they are popped from the end.
         open.insert(open.end(), node.children.rbegin(), node.children.rend());
         std::stable_partition(open.end() - static_cast<std::ptrdiff_t>(node.children.size()), open.end(),
                               [&](std::uint32_t child) { return reaches_[child].in_elsewhere; });
@@ -148,7 +148,7 @@ class Enumeration {
     return true;
   }
 
-  /// Continues with every operand of one of the unions, or emits the product if none is left.
+  /// Continues with every operand of one of the unions, or emits the product if there is no union left.
   void choose(Partial partial) {
     std::erase_if(partial.unions, [&](std::uint32_t node) { return known(node, partial) == Known::in; });
     if (partial.unions.empty()) {
@@ -171,7 +171,7 @@ class Enumeration {
     branches_.insert(branches_.end(), found.rbegin(), found.rend());
   }
 
-  /// Branches off with each complemented primitive and continues inside it; returns false if nothing is left there.
+  /// Branches off with each complemented primitive and continues inside it. Returns false if nothing is left there.
   bool branch_complements(Partial& partial, std::uint32_t at, std::vector<Branch>& found) {
     for (const std::uint32_t child : tree_.nodes[at].children) {
       if (!is_complement(child)) continue;

@@ -15,20 +15,21 @@ namespace csgsim::convex {
 
 /// A product in the sum of products of a tree (thesis 6.3): a convex solid minus the subtracted primitives.
 struct SolidProduct {
-  Polytope whole;                         ///< the intersection of the uncomplemented primitives; never empty
-  std::vector<std::uint32_t> subtracted;  ///< complemented primitives whose boxes meet `whole`, ascending
-  std::uint32_t primitive = 0;            ///< first uncomplemented primitive in tree order
+  Polytope whole;  ///< the intersection of the uncomplemented primitives; never empty
+  /// Complemented primitives whose boxes intersect that of `whole`, in ascending order.
+  std::vector<std::uint32_t> subtracted;
+  std::uint32_t primitive = 0;  ///< first uncomplemented primitive in tree order
 };
 
-/// Maximum number of chosen operands of unions.
+/// Maximum number of operands chosen from unions.
 inline constexpr std::uint64_t max_operands = 1'000'000;
 
 /// Calls `use` with every nonempty product. A branch of the tree is abandoned as soon as the intersection of its
 /// uncomplemented primitives is empty, so products of disjoint solids are never built.
 ///
-/// A union of complements, as in A - (B * C), is expanded without overlap into A - B and A * B - C: intersections of
-/// many such unions then have many empty products. Other unions overlap as their operands do. Throws InputError for
-/// more than `max_choices` chosen operands, and WorkError past the limit on work.
+/// A union of complements, as in A - (B * C), is expanded without overlap into A - B and A * B - C, because
+/// intersections of many such unions then have many empty products. The terms of other unions overlap as their operands
+/// do. Throws InputError for more than `max_choices` chosen operands, and WorkError if the work limit is exceeded.
 void for_each_product(const facet::Geometry& geometry, const csg::PositiveTree& tree,
                       const std::function<void(SolidProduct)>& use, std::uint64_t max_choices = max_operands,
                       const Work& work = {});

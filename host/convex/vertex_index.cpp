@@ -39,8 +39,8 @@ bool VertexIndex::Cell::is_surely_below(const facet::Plane& plane, double height
   const glm::dvec3 reach = glm::max(glm::abs(box.low), glm::abs(box.high));
   const glm::dvec3 ones(1.0);
   const double doubt = 1e-13 * (glm::dot(ones, reach) + std::abs(plane.offset));
-  // Along the cell's own normal all vertices are below `highest`. The remainder of the plane's normal is small if the
-  // plane nearly contains a face there.
+  // Along the cell's own normal all vertices are below `highest`. The remaining component of the plane's normal is
+  // small if the plane nearly contains a face there.
   const double along = glm::dot(plane.normal, normal);
   if (along > 0.0) {
     const glm::dvec3 rest = plane.normal - along * normal;

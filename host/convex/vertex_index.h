@@ -11,19 +11,19 @@
 
 namespace csgsim::convex {
 
-/// Vertices in a tree of cells, each halved across its longer side, for queries of the vertices in front of a plane.
+/// Vertices in a tree of cells, each halved across its longest side, for queries of the vertices in front of a plane.
 class VertexIndex {
  public:
   /// Vertices outside the box are found too, but more slowly.
   explicit VertexIndex(const facet::Box& box);
 
-  /// `normal` is that of a face at the vertex, or 0; queries with planes close to that face are the fastest.
+  /// `normal` is that of a face at the vertex, or 0; queries are fastest for planes close to that face.
   void insert(std::uint32_t vertex, const glm::dvec3& place, const glm::dvec3& normal);
   /// Removes an existing vertex, given its position.
   void remove(std::uint32_t vertex, const glm::dvec3& place);
 
-  /// Finds the vertices whose Plane::height() is not below -near, exactly and in no particular order. Returns the
-  /// number of vertices visited.
+  /// Appends the vertices whose Plane::height() is not below -near to `found`, exactly and in no particular order.
+  /// Returns the number of vertices visited.
   std::uint64_t find(const facet::Plane& plane, double near, std::vector<std::uint32_t>& found) const;
 
  private:
@@ -38,10 +38,10 @@ class VertexIndex {
     glm::dvec3 normal{};      ///< normal of the first of these vertices
     double highest = 0;       ///< maximum of normal . place over these vertices
     std::uint32_t count = 0;  ///< number of vertices
-    std::uint32_t below = 0;  ///< index of the lower half, followed by the upper half; 0: not divided
+    std::uint32_t below = 0;  ///< index of the lower half, which the upper half follows; 0 if the cell is not divided
     unsigned depth = 0;
-    int axis = 0;            ///< axis across which it is divided
-    std::vector<Held> held;  ///< vertices, if it is not divided
+    int axis = 0;            ///< axis across which the cell is divided
+    std::vector<Held> held;  ///< vertices, if the cell is not divided
 
     [[nodiscard]] double middle() const { return whole.low[axis] + (whole.high[axis] - whole.low[axis]) / 2.0; }
     /// The half that contains a position.
@@ -49,7 +49,7 @@ class VertexIndex {
       return below + (place[axis] < middle() ? 0U : 1U);
     }
     void put(const Held& one);
-    /// Whether no vertex is as high above the plane as `height`, including rounding errors.
+    /// Whether every vertex is lower above the plane than `height`, including rounding errors.
     [[nodiscard]] bool is_surely_below(const facet::Plane& plane, double height) const;
   };
 

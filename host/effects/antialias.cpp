@@ -45,7 +45,7 @@ void visit_keys(SampleSettings& settings, auto&& visit) {
 void complete(const SampleSettings& settings) {
   const std::int64_t samples = settings.samples;
   if (!std::has_single_bit(static_cast<std::uint64_t>(samples)))
-    throw InputError(fmt::format("{} samples per pixel cannot be averaged by a shift; take 2, 4, 8 or 16", samples));
+    throw InputError(fmt::format("{} samples per pixel cannot be averaged by a shift; use 2, 4, 8 or 16", samples));
 }
 
 bool is_shifted(const view::View& view) { return view.sampling.offset != glm::dvec2(0); }
@@ -64,7 +64,7 @@ unsigned log2_samples(const SampleSettings& settings) {
 struct Channel {
   isa::Field colour;
   isa::Field sum;    ///< sum of all samples
-  isa::Field newer;  ///< sum of the samples that are not in `sum` yet; width 0 if there is no such field
+  isa::Field newer;  ///< sum of the samples that are not included in `sum` yet; width 0 if there is no such field
 };
 
 std::array<Channel, 3> channel_sums(const emit::Context& context, const SampleSettings& settings) {
@@ -146,7 +146,7 @@ class Samples {
   std::array<Channel, 3> channels_;
 };
 
-/// Draws the picture without offset, not billed to the effect.
+/// Draws the picture without offset; its instructions are not charged to the effect.
 void draw_centre(const emit::EffectCall& call, emit::Broadcast& out, const emit::DrawPicture& draw) {
   const std::uint8_t billed = std::exchange(out.effect, isa::no_effect);
   draw(call.context);
@@ -170,7 +170,7 @@ void draw_all(const emit::EffectCall& call, emit::Broadcast& out, const emit::Dr
   samples.divide(log2_samples(settings));
 }
 
-/// Adds samples at fewer and fewer pixels.
+/// Adds samples in steps, each at fewer pixels than the one before.
 class Refinement {
  public:
   Refinement(const emit::EffectCall& call, emit::Broadcast& out, const emit::DrawPicture& draw,
@@ -271,9 +271,9 @@ class Antialias final : public emit::EffectOf<SampleSettings> {
       requests.push_back({std::string(name), isa::FieldRole::effect, width, what, without});
     };
     for (std::size_t i = 0; i < sum_names.size(); ++i)
-      add(sum_names[i], widths[i] + more, "sum of samples", "take --set effects.antialias.samples=2");
+      add(sum_names[i], widths[i] + more, "sum of samples", "use --set effects.antialias.samples=2");
     if (!is_adaptive(settings)) return requests;
-    constexpr std::string_view full = "take --set effects.antialias.adaptive=false";
+    constexpr std::string_view full = "use --set effects.antialias.adaptive=false";
     for (std::size_t i = 0; i < newer_names.size(); ++i)
       add(newer_names[i], widths[i] + more - 1, "sum of newer samples", full);
     add("refined", 1, "pixels to refine", full);
@@ -295,7 +295,7 @@ class Antialias final : public emit::EffectOf<SampleSettings> {
 
  private:
   void prepare(State& state, const emit::Drawing& drawing, const emit::Workshop& workshop) const override {
-    // Samples, and drawings inside a sample, are not sampled again.
+    // Drawings of samples, and drawings inside a drawing, are not sampled again.
     if (drawing.nesting > 0 || is_shifted(drawing.view)) return;
     const auto count = static_cast<std::size_t>(settings.samples);
     for (const glm::dvec2& offset : sample_offsets(count)) {
@@ -306,7 +306,7 @@ class Antialias final : public emit::EffectOf<SampleSettings> {
 };
 
 /// Columns and rows in sixteenths of a pixel: a digital net (Sobol', USSR Computational Mathematics and Mathematical
-/// Physics, 1967). Its first 2, 4 and 8 points are also nets, and as far apart as possible.
+/// Physics, 1967). Its first 2, 4 and 8 points are also nets, and their points are as far apart as possible.
 constexpr std::array<std::array<int, 2>, 16> net{{{0, 0},
                                                   {12, 8},
                                                   {8, 4},

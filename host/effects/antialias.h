@@ -8,9 +8,9 @@
 
 namespace csgsim::effects {
 
-/// Offsets (columns, rows) from a pixel's centre to its samples, each in [-1/2, 1/2): one sample in each of `count`
-/// columns and in each of `count` rows of a pixel. The first is at the centre, and the order is that of refinement. At
-/// most 16 samples.
+/// Offsets (columns, rows) from a pixel's centre to its samples, each in [-1/2, 1/2). Of `count` columns and `count`
+/// rows of a pixel, each contains one sample. The first sample is at the centre, and the order is that of refinement.
+/// `count` is at most 16.
 std::vector<glm::dvec2> sample_offsets(std::size_t count);
 
 }  // namespace csgsim::effects

@@ -46,12 +46,13 @@ constexpr double min_spacing = 4;
 void complete(const Cut& cut) {
   if (glm::length(cut.normal) == 0) throw InputError("a cut needs a normal; add normal = [x, y, z], not all 0");
   if (cut.hatch > 0 && cut.hatch < min_spacing) {
-    throw InputError(fmt::format("lines {:g} pixels apart merge; take hatch = {:g} or more, or 0 for no hatching",
+    throw InputError(fmt::format("lines {:g} pixels apart merge; set hatch to {:g} or more, or to 0 for no hatching",
                                  cut.hatch, min_spacing));
   }
 }
 
-/// A cube that contains the kept side of everything within `reach` of the plane's point; the plane is its upper face.
+/// A cube that contains the part on the kept side of everything within `reach` of the plane's point; its upper face is
+/// in the plane.
 model::Primitive kept_side(const Cut& cut, std::uint32_t number, double reach) {
   const glm::dvec3 up = glm::normalize(cut.normal);
   const glm::dvec3 side = std::abs(up.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
@@ -67,17 +68,17 @@ model::Primitive kept_side(const Cut& cut, std::uint32_t number, double reach) {
   return primitive;
 }
 
-/// The distance between lines is 2^bits units of the hatching's linear expression. Across 2^14 pixels, the lines are
-/// off by at most 1/128 of their distance.
+/// The distance between lines is 2^bits units of the hatching's linear expression. Across 2^14 pixels, the lines
+/// deviate by at most 1/128 of this distance.
 constexpr unsigned period_bits = 20;
 
-/// E stays 1 on the lines, whose width is a quarter of their distance.
+/// Leaves E at 1 on the lines, whose width is a quarter of their distance.
 void emit_lines(emit::Broadcast& out, const Cut& cut, const glm::dvec2& offset) {
   const double turn = cut.angle * std::numbers::pi / 180;
   const auto coefficient = [&](double part) { return view::to_fixed(part / cut.hatch, period_bits).value_or(0); };
   const view::FixedLinear across{coefficient(-std::sin(turn)), coefficient(std::cos(turn)),
                                  coefficient(std::cos(turn) * offset.y - std::sin(turn) * offset.x)};
-  // The upper half of a period, intersected with the upper half of the same pattern shifted by a quarter.
+  // The lines are the upper half of a period, intersected with the upper half of the same pattern shifted by a quarter.
   out.stripe(across, period_bits);
   out.stripe({across.a, across.b, across.c + (std::int64_t{1} << (period_bits - 2))}, period_bits);
 }

@@ -58,13 +58,13 @@ class Fader {
   }
 
  private:
-  /// E stays 1 at depths of at least `step`.
+  /// Leaves E at 1 at depths of at least `step`.
   void from_depth(std::int64_t step) {
     out_.surface(Opcode::linear_le, context_.layout.depth, {0, 0, step << context_.view.sampling.fraction_bits},
                  context_.plan.pixels());
   }
 
-  /// faded_ := the number of the 2^bits parts that have faded, rounded to nearest; 0 where nothing is visible.
+  /// faded_ := the faded number of the 2^bits parts, rounded to nearest; 0 where nothing is visible.
   void weigh() {
     emit::enable_drawing(context_, out_);
     out_.plain(Opcode::set_constant, faded_, {}, 0);
@@ -82,8 +82,8 @@ class Fader {
   }
 
   /// channel := ((2^bits - faded) * channel + faded * cue + half) / 2^bits. The channel's weight 2^bits - faded is
-  /// computed as 1 + (2^bits - 1 - faded): one, plus the bits that are 0 in `faded`; it is 0 where the top bit of
-  /// `faded` is 1.
+  /// computed as 1 + (2^bits - 1 - faded): one, plus the bits that are 0 in `faded`. The weight is 0 where the top bit
+  /// of `faded` is 1.
   void blend(isa::Field channel, std::uint32_t level) {
     const isa::Field sum = subfield(context_.layout.of("depth_cue", "sum"), 0, channel.width + bits_);
     const auto from = [&](unsigned bit) { return subfield(sum, bit, sum.width - bit); };
@@ -137,10 +137,10 @@ class DepthCue final : public emit::EffectOf<CueSettings, Fading> {
     const double near = settings.near.value_or(scale.near);
     const double far = settings.far.value_or(scale.far);
     if (scale.perspective && near <= 0)
-      throw InputError(fmt::format("near = {:g} model units is behind the eye; take near above 0", near));
+      throw InputError(fmt::format("near = {:g} model units is behind the eye; set near above 0", near));
     if (!(far > near)) {
-      throw InputError(fmt::format(
-          "fading from {:g} to {:g} model units from the eye is not possible; take far above near", near, far));
+      throw InputError(
+          fmt::format("colours cannot fade from {:g} to {:g} model units from the eye; set far above near", near, far));
     }
     const unsigned z_bits = drawing.view.sampling.z_bits;
     state.begin = isa::depth_of(scale, z_bits, near);

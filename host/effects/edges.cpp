@@ -37,10 +37,10 @@ void visit_keys(EdgeSettings& settings, auto&& visit) {
         settings.crease);
 }
 
-/// A number for each half-space of a primitive, and one for its other parts. Facets have the same number if no edge is
-/// drawn between them.
+/// A number for each half-space of a primitive, and one for its other parts. Facets without an edge between them have
+/// the same number.
 struct Numbers : emit::EffectState {
-  std::vector<std::vector<std::uint32_t>> of_halfspaces;  ///< by primitive
+  std::vector<std::vector<std::uint32_t>> of_halfspaces;  ///< per primitive, the number of each half-space
   std::vector<std::uint32_t> of_primitives;
   std::uint32_t most = 0;
 
@@ -77,7 +77,7 @@ enum : std::size_t { here, right, below };
 
 constexpr std::array<glm::dvec2, 3> places{{{0, 0}, {1, 0}, {0, 1}}};
 
-/// Draws the numbers of what is visible in a drawing into the field.
+/// Draws into the field the numbers of the facets that are visible in a drawing.
 void draw_numbers(const emit::Context& outer, emit::Broadcast& out, const Numbers& numbers,
                   const emit::Drawing& drawing, isa::Field field) {
   const emit::Paint paint = [&](const emit::Facet& facet) {
@@ -111,7 +111,7 @@ class Edges final : public emit::EffectOf<EdgeSettings, Numbers> {
     const unsigned bits = all_prepared(drawing, workshop).front()->bits();
     const auto request = [](std::string_view name, unsigned width, std::string_view what) {
       return emit::FieldRequest{std::string(name), isa::FieldRole::effect, width, what,
-                                "take --set effects.edges.on=false"};
+                                "use --set effects.edges.on=false"};
     };
     return {request("here", bits, "number of a facet"), request("there", bits, "number of a facet"),
             request("depth", drawing.view.sampling.z_bits, "depth of a neighbour"), request("line", 1, "edge")};
@@ -143,7 +143,7 @@ class Edges final : public emit::EffectOf<EdgeSettings, Numbers> {
 
  private:
   void prepare(State& state, const emit::Drawing& drawing, const emit::Workshop& workshop) const override {
-    // Lines are drawn in the finished picture, not in drawings inside it.
+    // Lines are drawn in the finished picture only, not in drawings inside it.
     if (drawing.nesting > 0) return;
     number(state, *drawing.tree, *drawing.geometry, settings);
     for (const glm::dvec2& place : places) {

@@ -34,7 +34,7 @@ void visit_keys(Settings& settings, auto&& visit) {
         settings.reach);
 }
 
-/// Bits of a count of samples, plus one for the division.
+/// Bits of a count of samples, and one more bit for the division.
 unsigned count_bits(const Settings& settings) {
   return static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(settings.samples * settings.samples))) + 1;
 }
@@ -73,7 +73,7 @@ class Equaliser {
   }
 
  private:
-  /// The pixels of the lattice at which something may be visible.
+  /// The pixels of the lattice at which some primitive may be visible.
   [[nodiscard]] std::vector<view::PixelRect> lattice() const {
     std::vector<view::PixelRect> pixels;
     const auto place = [&](std::int64_t i, std::uint32_t side) {
@@ -90,7 +90,7 @@ class Equaliser {
   }
 
   [[nodiscard]] bool may_be_seen(const view::PixelRect& pixel) const {
-    // The plan does not include what other cameras see.
+    // The plan does not include what other cameras see, so it is used only if there are none.
     const bool is_alone = std::none_of(context_.called.begin(), context_.called.end(),
                                        [](const emit::EffectRequest& one) { return one.row->parts.draws_around; });
     const std::vector<emit::PlannedSurface>& surfaces = context_.plan.surfaces;
@@ -130,7 +130,7 @@ class Equaliser {
     }
   }
 
-  /// Increments the rank of the pixels in the sample's reach whose level is above the sample's.
+  /// Increments the rank of the pixels within the sample's reach whose level is above the sample's level.
   void count(const view::PixelRect& sample, isa::Field reference, isa::Field level, isa::Field rank,
              bool counts_samples) {
     out_.plain(Opcode::enable_all);
@@ -152,8 +152,8 @@ class Equaliser {
     out_.insert(begin, {Opcode::skip_if_none, {}, {}, out_.size() - begin, out_.origin});
   }
 
-  /// level := 2^width * rank / counted, or all ones if that is greater, by long division: rank and remainder are
-  /// shifted up one bit at a time, and zeros shifted in.
+  /// level := 2^width * rank / counted, or all ones if that is too large. Long division: rank and remainder are shifted
+  /// up one bit at a time, and zeros are shifted in.
   void scale(isa::Field level) {
     out_.plain(Opcode::enable_all);
     out_.equals(counted_, 0);
@@ -177,8 +177,8 @@ class Equaliser {
   const emit::Context& context_;
   emit::Broadcast& out_;
   const Settings& settings_;
-  isa::Field rank_;     ///< rank; the bits below hold the sample's level
-  isa::Field seen_;     ///< 1 where something is visible
+  isa::Field rank_;     ///< rank; the bits below it hold the sample's level
+  isa::Field seen_;     ///< 1 where any primitive is visible
   isa::Field counted_;  ///< number of samples that reach the pixel
   isa::Field sample_;   ///< 1 at the sample; also the increment of a count
 };
@@ -203,7 +203,7 @@ class Equalise final : public emit::EffectOf<Settings> {
     if (!machines::has_global_or(machine) || machines::regions(machine).size() > 1) {
       throw InputError(fmt::format(
           "the effect equalise reads levels of pixels with a global OR over the whole picture, which {} does "
-          "not have; take a machine that has one, such as pixel-planes-4, or leave the effect out by --set "
+          "not have; use a machine that has one, such as pixel-planes-4, or leave the effect out by --set "
           "effects.equalise.on=false",
           machine.name));
     }

@@ -22,10 +22,10 @@ using isa::Opcode;
 
 constexpr std::string_view effect = "transparency";
 constexpr std::string_view without =
-    "take --set effects.transparency.method=screen-door, or draw transparent primitives as opaque by --set "
+    "use --set effects.transparency.method=screen-door, or draw transparent primitives as opaque by --set "
     "effects.transparency.on=false";
 
-/// Field names that sim/observe/frame.h uses.
+/// Field name that sim/observe/frame.h also uses.
 constexpr std::string_view nearest_depth = "nearest_depth";
 constexpr std::string_view nearest_colour = "nearest_colour";
 
@@ -33,10 +33,9 @@ constexpr std::array<std::string_view, 3> sum_names{"red", "green", "blue"};
 
 /// Depth peeling (Everitt, Interactive Order-Independent Transparency, 2001, after Mammen, Transparency and
 /// Antialiasing Algorithms Implemented with the Virtual Pixel Maps Technique, 1989): peels off the panes, nearest
-/// first, and sums their contributions to the colour. Weights are in 1/256: that of the nearest pane is its opacity,
-/// that of each other pane its opacity times what the nearer ones let through, that of the opaque surface the
-/// remainder. They add up to 256.
-/// what the nearer ones let through, that of the opaque surface the remainder. They add up to 256.
+/// first, and sums their contributions to the colour. Weights are in 1/256. The weight of the nearest pane is its
+/// opacity; that of each other pane is its opacity times the light that the nearer panes let through; that of the
+/// opaque surface is the remainder. The weights add up to 256.
 class Peeling {
  public:
   Peeling(const emit::Context& context, emit::Broadcast& out, const Panes& panes)
@@ -94,7 +93,7 @@ class Peeling {
     out_.plain(Opcode::enable_store, mask());
   }
 
-  /// Calls visit(opacity) for each opacity, with E 1 at the pixels of the mask whose pane has it.
+  /// Calls visit(opacity) for each opacity, with E 1 at the pixels of the mask whose pane has that opacity.
   template <class Visit>
   void for_opacities(const Visit& visit) {
     for (std::size_t i = 0; i < panes_.opacities.size(); ++i) {
@@ -119,7 +118,8 @@ class Peeling {
     });
   }
 
-  /// Peels layer number `layer` and all behind it; `last_` is the depth of the layer before, if the pixel has one.
+  /// Peels layer number `layer` and all layers behind it. `last_` is the depth of the previous layer, if the pixel has
+  /// one.
   void peel_behind(unsigned layer) {
     if (layer > layers_) return;
     peel(field("next"), last_);
@@ -170,14 +170,14 @@ class Peeling {
   emit::Broadcast& out_;
   const Panes& panes_;
   unsigned layers_;
-  Field last_;         ///< depth of the last peeled layer; of the opaque surface at pixels without one
+  Field last_;         ///< depth of the last peeled layer; at pixels without layers, of the opaque surface
   Field pane_colour_;  ///< colour of the layer being peeled
   Field product_;
   std::array<Field, 3> glass_;   ///< channels of the layer's colour
   std::array<Field, 3> colour_;  ///< channels of the drawing's colour
 };
 
-/// The opacity in 1/256.
+/// Rounds the opacity to a multiple of 1/256.
 unsigned rounded(double opacity) {
   const auto nearest = static_cast<unsigned>(view::to_fixed(opacity, part_bits).value_or(0));
   return std::min(nearest, whole - 1);
@@ -193,7 +193,7 @@ unsigned count_layers(const emit::SegmentPlan& segment, const std::vector<bool>&
 }  // namespace
 
 unsigned max_overlap(std::span<const view::PixelRect> rectangles) {
-  // The maximum is reached at the left edge of one rectangle and the upper edge of another.
+  // The maximum occurs at the left edge of one rectangle and the upper edge of another.
   unsigned most = 0;
   for (const view::PixelRect& at : rectangles) {
     std::vector<std::int32_t> tops;

@@ -28,9 +28,10 @@ using isa::Field;
 using isa::Opcode;
 
 constexpr std::string_view effect = "mirrors";
-constexpr std::string_view without = "take --set effects.mirrors.on=false";
+constexpr std::string_view without = "use --set effects.mirrors.on=false";
 constexpr unsigned max_depth = 4;
-constexpr std::size_t max_mirrors = 256;  ///< mirrors in a picture; those seen in mirrors count each time
+/// Maximum number of mirrors in a picture; a mirror counts once for each time it is visible, also in mirrors.
+constexpr std::size_t max_mirrors = 256;
 
 struct Settings {
   unsigned depth = 1;
@@ -46,7 +47,7 @@ struct Face {
   facet::Halfspace halfspace;
 };
 
-/// Faces in one plane, and the drawing of what they show.
+/// Faces in one plane, and the drawing of the picture that they reflect.
 struct Mirror {
   std::vector<Face> faces;
   unsigned reflectance = 0;  ///< in 1/256, from 1 to 256
@@ -56,7 +57,7 @@ struct Mirror {
 
 struct PreparedMirrors : emit::EffectState {
   std::vector<Mirror> mirrors;
-  unsigned level = 0;          ///< number of mirrors on the way to the drawing
+  unsigned level = 0;          ///< number of mirrors between the eye and the drawing
   std::uint32_t surfaces = 0;  ///< maximum number of surfaces in a segment of the drawing
 };
 
@@ -71,7 +72,7 @@ unsigned scaled_reflectance(const lighting::Finish& finish) {
   return static_cast<unsigned>(view::to_fixed(finish.material.mirror, part_bits).value_or(0));
 }
 
-/// Whether the face is turned to the eye, and not seen edge-on.
+/// Whether the face is turned to the eye and not seen edge-on.
 bool is_seen(const emit::Drawing& drawing, const Face& face) {
   const view::ScreenPlane& plane = drawing.view.planes[face.halfspace.plane];
   const csg::PositiveTree& positive = drawing.plan.positive;
@@ -125,7 +126,7 @@ std::vector<Mirror> find_mirrors(const emit::Drawing& drawing) {
   return mirrors;
 }
 
-/// Makes the drawing of what the mirror shows. Returns false if the mirror is seen nearly edge-on and shows nothing.
+/// Makes the drawing of the mirror's reflection. Returns false if the mirror is seen nearly edge-on and shows nothing.
 bool draw_reflection(Mirror& mirror, const emit::Drawing& drawing, const emit::Workshop& workshop) {
   const std::uint32_t plane = mirror.faces.front().halfspace.plane;
   const Reflected reflected_model = reflected(*drawing.tree, *drawing.geometry, plane);
@@ -145,7 +146,7 @@ bool draw_reflection(Mirror& mirror, const emit::Drawing& drawing, const emit::W
 
 std::string numbered(std::string_view name, unsigned level) { return std::string(name) + std::to_string(level); }
 
-/// Emits what one mirror shows.
+/// Emits the reflection of one mirror.
 class MirrorEmitter {
  public:
   MirrorEmitter(const emit::Context& context, emit::Broadcast& out, const Mirror& mirror, unsigned level)
@@ -172,7 +173,8 @@ class MirrorEmitter {
     return context_.layout.of(effect, numbered(name, level));
   }
 
-  /// E and flag := 1 where one of the faces is visible. Returns false, without appending, if that is nowhere.
+  /// E and flag := 1 where one of the faces is visible. Returns false, without appending instructions, if none is
+  /// visible anywhere.
   bool flag_faces() {
     bool is_first = true;
     for (const emit::PlannedSurface& planned : context_.plan.surfaces) {
@@ -203,7 +205,7 @@ class MirrorEmitter {
            });
   }
 
-  /// The facet that owns the plane if facets of several solids of the surface coincide.
+  /// If facets of several solids of the surface coincide, the facet that owns the plane.
   static const emit::Facet& first_in_plane(const emit::Surface& surface, const emit::Facet& facet) {
     return *std::find_if(surface.facets.begin(), surface.facets.end(), [&](const emit::Facet& one) {
       return one.at == emit::At::plane && one.halfspace.plane == facet.halfspace.plane;
@@ -232,9 +234,9 @@ class MirrorEmitter {
   const emit::Context& context_;
   emit::Broadcast& out_;
   const Mirror& mirror_;
-  Field depth_;   ///< depth of what the mirror shows
-  Field colour_;  ///< colour of what the mirror shows
-  Field owner_;   ///< owner of what the mirror shows
+  Field depth_;   ///< depth of the reflection
+  Field colour_;  ///< colour of the reflection
+  Field owner_;   ///< owner of the reflection
   Field flag_;    ///< 1 where the mirror is visible
 };
 
@@ -284,7 +286,7 @@ class Mirrors final : public emit::EffectOf<Settings, PreparedMirrors> {
       if (all > max_mirrors) {
         throw InputError(fmt::format(
             "more than {} mirrors are visible, where mirrors in mirrors count each time; {}", max_mirrors,
-            depth > 1 ? "take --set effects.mirrors.depth=1, or let fewer faces mirror" : "let fewer faces mirror"));
+            depth > 1 ? "use --set effects.mirrors.depth=1, or let fewer faces mirror" : "let fewer faces mirror"));
       }
       state.drawings.push_back(mirror.drawing);
       state.mirrors.push_back(std::move(mirror));

@@ -10,8 +10,8 @@
 
 namespace csgsim::effects {
 
-/// A convex polygon in the picture, in columns and rows; may be a line or a point. Clipping uses doubles and errs to
-/// the large side: if clipping leaves nothing, no point of the polygon satisfies the condition.
+/// A convex polygon in the picture, in columns and rows; may be a line or a point. Clipping uses doubles and leaves too
+/// much rather than too little: if nothing is left, no point of the polygon satisfies the condition.
 class Outline {
  public:
   Outline() = default;
@@ -19,7 +19,7 @@ class Outline {
 
   [[nodiscard]] bool empty() const { return corners_.empty(); }
 
-  /// The part where the line is not negative.
+  /// The part of the polygon where the line is not negative.
   [[nodiscard]] Outline clipped(const view::FixedLinear& line) const;
 
   /// Clips in place; `spare` is a scratch outline, whose memory is reused. Returns false if nothing is left.
@@ -27,9 +27,9 @@ class Outline {
 
   /// Position of an outline relative to a line.
   enum class Position : std::uint8_t {
-    beyond,  ///< the line is negative everywhere
+    beyond,  ///< the line is negative in the whole outline
     across,
-    within,  ///< the line is certainly at least `least` everywhere
+    within,  ///< the line is certainly at least `least` in the whole outline
   };
   [[nodiscard]] Position position(const view::FixedLinear& line, double least) const;
 

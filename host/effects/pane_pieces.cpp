@@ -14,7 +14,7 @@ namespace {
 
 using isa::Opcode;
 
-/// The number, by primitive, of the node that it is a piece of.
+/// For each primitive, the number of the node of which it is a piece.
 std::vector<std::uint32_t> node_numbers(const model::Tree& tree) {
   std::vector<std::uint32_t> nodes;
   std::uint32_t node = 0;
@@ -22,7 +22,7 @@ std::vector<std::uint32_t> node_numbers(const model::Tree& tree) {
   return nodes;
 }
 
-/// Slightly enlarged, so that rounding never separates touching pieces.
+/// The box slightly enlarged, so that rounding never separates touching pieces.
 csg::BoxIndex::Box enlarged_box(const facet::Box& box, std::uint32_t node) {
   constexpr float far = std::numeric_limits<float>::infinity();
   csg::BoxIndex::Box found;
@@ -34,12 +34,12 @@ csg::BoxIndex::Box enlarged_box(const facet::Box& box, std::uint32_t node) {
   return found;
 }
 
-/// E stays 1 where the front of the piece is in front of Z1 and its back is not.
+/// Leaves E at 1 where the front of the piece is in front of Z1 and its back is not.
 void emit_within(const emit::Context& context, emit::Broadcast& out, std::uint32_t piece, const csg::Block& block) {
   emit_edges(context, out, piece, block);
   // A piece that begins in front of the near plane is entered at depth 0.
   if (block.z_low <= 0) out.surface(Opcode::linear_lt, context.layout.candidate, {0, 0, 0}, block.pixels);
-  // deciding() drops half-spaces that contain the whole block, which starts one step earlier here because the front
+  // deciding() drops half-spaces that contain the whole block. The block starts one step earlier here because the front
   // test is strict.
   const csg::Block before{block.pixels, block.z_low - 1, block.z_high};
   for (const view::Side side : {view::Side::front, view::Side::back}) {

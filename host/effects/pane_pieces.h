@@ -9,13 +9,13 @@
 
 namespace csgsim::effects {
 
-/// The other convex pieces, by primitive, of the same node of the file that it may touch. Empty for pieces that are not
-/// drawn and for subtracted ones.
+/// For each primitive, the other convex pieces of the same node of the file that it may touch. Empty for pieces that
+/// are not drawn and for subtracted pieces.
 std::vector<std::vector<std::uint32_t>> touching_pieces(const emit::Drawing& drawing, const std::vector<bool>& drawn);
 
-/// E stays 1 where Z1, the surface of a piece, is in none of the pieces that it touches: neither inside one nor where
-/// the ray leaves it, so that pieces that overlap or meet in a face look like one solid. Where the ray enters several
-/// at the same depth, all stay. `spare` is one bit for saving E.
+/// Leaves E at 1 where Z1, the surface of a piece, is in none of the pieces that it touches: neither inside such a
+/// piece nor where the ray leaves it. Pieces that overlap or meet in a face then look like one solid. Where the ray
+/// enters several pieces at the same depth, all stay. `spare` is one bit for saving E.
 void emit_outside(const emit::Context& context, emit::Broadcast& out, const emit::PlannedSurface& planned,
                   const std::vector<std::uint32_t>& pieces, isa::Field spare);
 

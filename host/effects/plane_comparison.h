@@ -1,5 +1,4 @@
-// Conservative comparisons of a receiver's rounded depths with half-spaces.
-// Used by shadow_parts and shadow_receivers.
+// Conservative comparisons of a receiver's rounded depths with half-spaces. Used by shadow_parts and shadow_receivers.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +8,9 @@
 
 namespace csgsim::effects {
 
-/// Lines that are not negative where points of a receiver's plane, whose depth is floor(F), may be inside (in) or
-/// outside (out) a half-space. Where out() is negative, all points are certainly inside.
+/// Lines for testing points of a receiver's plane, whose depth is floor(F), against a half-space: in() is not negative
+/// where they may be inside, out() is not negative where they may be outside. Where out() is negative, all points are
+/// certainly inside.
 class PlaneComparison {
  public:
   PlaneComparison(const view::FixedLinear& receiver, unsigned fraction_bits)

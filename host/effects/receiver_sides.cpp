@@ -74,7 +74,7 @@ void ReceiverSides::decide(const ShadowPlane& plane, std::span<ReceiverSide> sid
     const double most = (low_x > high_x ? low_x : high_x) + (low_y > high_y ? low_y : high_y) + c;
     const double least = (low_x < high_x ? low_x : high_x) + (low_y < high_y ? low_y : high_y) + c;
     const double near = doubt * (terms_[i] + size_a * reach_x_[i] + size_b * reach_y_[i] + size_c);
-    // Points outside the half-space are outside by less than a depth step where they may also be inside.
+    // A point outside the half-space may also be inside if it is outside by less than a depth step.
     sums_[i] = (least > last_ + near ? 1.0 : 0.0) - (most < -near ? 1.0 : 0.0);
   }
   for (std::size_t i = 0; i < sums_.size(); ++i) sides[i] = static_cast<ReceiverSide>(static_cast<int>(sums_[i]));

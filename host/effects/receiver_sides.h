@@ -12,10 +12,10 @@
 
 namespace csgsim::effects {
 
-/// Certain position of a receiver's outline relative to a half-space, in spite of rounding.
+/// Position of a receiver's outline relative to a half-space that is certain in spite of rounding.
 enum class ReceiverSide : std::int8_t {
   beyond = -1,  ///< entirely outside the half-space
-  open = 0,     ///< unknown
+  open = 0,     ///< neither is certain
   within = 1,   ///< entirely inside the half-space
 };
 
@@ -31,8 +31,8 @@ class ReceiverSides {
  private:
   using Numbers = std::vector<double>;
 
-  // Arrays by receiver: bounds of the columns and rows of its outline, its plane, and upper bounds of a column, a row
-  // and the terms of its plane's values.
+  // One element per receiver: bounds of the columns and rows of its outline, its plane, and upper bounds of the
+  // magnitudes of a column, a row and the terms of its plane's values.
   Numbers x0_;
   Numbers x1_;
   Numbers y0_;

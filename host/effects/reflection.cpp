@@ -11,7 +11,7 @@ namespace {
 /// The reflection in a plane.
 class Mirroring {
  public:
-  /// The plane is normal . p + offset = 0.
+  /// Reflection in the plane normal . p + offset = 0.
   Mirroring(const glm::dvec3& normal, double offset)
       : turn_(glm::dmat3(1) - 2.0 * glm::outerProduct(normal, normal)), shift_(-2.0 * offset * normal) {}
 

@@ -15,14 +15,16 @@ namespace csgsim::effects {
 /// A reflected model.
 struct Reflected {
   std::shared_ptr<const model::Tree> tree;
-  std::shared_ptr<const facet::Geometry> geometry;  ///< half-spaces, vertices and edges are in the same order
-  std::vector<facet::Halfspace> of_planes;          ///< by canonical plane: its positive half-space
+  /// Half-spaces, vertices and edges are in the same order as in the model.
+  std::shared_ptr<const facet::Geometry> geometry;
+  /// Per canonical plane of the model: the reflection of its positive half-space.
+  std::vector<facet::Halfspace> of_planes;
 };
 
-/// Reflects the model; `plane` is an index into the scene's canonical planes.
+/// Reflects the model in the canonical plane with the index `plane`.
 Reflected reflected(const model::Tree& tree, const facet::Geometry& geometry, std::uint32_t plane);
 
-/// Reflected lighting, in the same camera space as its source.
+/// Reflects the lighting; the result is in the same camera space as its source.
 lighting::Lighting reflected(const lighting::Lighting& lighting, const facet::Geometry& geometry, std::uint32_t plane,
                              const view::Camera& camera);
 

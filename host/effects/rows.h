@@ -13,13 +13,14 @@
 /// Each effect is a file that defines its row.
 namespace csgsim::effects {
 
-/// The rows in the order in which the effects work; flat shading is first.
+/// The rows in the order of execution; flat shading is first.
 std::span<const emit::EffectRow* const> all();
 
 /// The effects' sections of a scene file.
 std::vector<scene::Section> sections();
 
-/// The model as reshaped by the effects that the scene calls for. Throws InputError if their settings do not fit it.
+/// The model after the changes by effects that the scene requests. Throws InputError if the settings of an effect do
+/// not fit the model.
 model::Tree reshaped(model::Tree&& tree, const scene::Scene& scene);
 
 }  // namespace csgsim::effects

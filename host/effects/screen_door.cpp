@@ -19,7 +19,8 @@ struct PatternBit {
 constexpr std::array<PatternBit, 4> bits_of_m{PatternBit{{0, 1, 0}, 2}, PatternBit{{1, 1, 0}, 2},
                                               PatternBit{{0, 1, 0}, 1}, PatternBit{{1, 1, 0}, 1}};
 
-/// E stays 1 where M is one of the 2^size numbers from `first` on, a multiple of 2^size; M < 2^known already holds.
+/// Leaves E at 1 where M is one of 2^size numbers, beginning with `first`, a multiple of 2^size. M < 2^known must
+/// already hold.
 void emit_block(emit::Broadcast& out, unsigned first, unsigned size, unsigned known) {
   for (unsigned bit = known; bit-- > size;) {
     const bool is_one = ((first >> bit) & 1U) != 0;
@@ -37,7 +38,7 @@ void emit_screen_door(emit::Broadcast& out, unsigned pixels, isa::Field spare) {
     out.disable_all();
     return;
   }
-  // Restricts M to the smallest power of two that is sufficient, then excludes blocks of surplus numbers.
+  // Restricts M to the smallest sufficient power of two, then excludes blocks of surplus numbers.
   const auto known = static_cast<unsigned>(std::bit_width(pixels - 1));
   emit_block(out, 0, known, bits_of_m.size());
   for (unsigned first = pixels; first < 1U << known;) {

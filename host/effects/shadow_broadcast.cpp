@@ -39,7 +39,7 @@ PixelRect hull(std::span<const ShadowPart> parts) {
   return all;
 }
 
-/// The plane shared by the most parts, at least two; null if there is none.
+/// The plane that most parts share; at least two must. Null if there is none.
 const ShadowPlane* most_shared_plane(std::span<const ShadowPart> parts) {
   struct Sharers {
     std::size_t count = 0;
@@ -71,10 +71,10 @@ std::vector<ShadowPlane> in_common(std::span<const ShadowPart> parts) {
   return common;
 }
 
-/// The area in which parts are searched: what is known of E there.
+/// An area in which parts are searched, and how E is restricted there.
 struct Place {
-  isa::Field mark{};   ///< 1 inside; width 0: all pixels of the context
-  PixelRect pixels;    ///< the area lies within these pixels
+  isa::Field mark{};   ///< 1 inside the area; if its width is 0, the area is all pixels of the context
+  PixelRect pixels;    ///< rectangle that contains the area
   unsigned marks = 0;  ///< number of mark bits in use
 };
 
@@ -125,7 +125,7 @@ class Shadowing {
     return machines::clocks(segment.instructions, context_.machine);
   }
 
-  /// Whether narrower planes save more clocks than clipping E to the parts takes.
+  /// Whether the narrower planes save more clocks than clipping E to the parts takes.
   [[nodiscard]] bool is_clipping_worth(std::span<const ShadowPart> parts, const PixelRect& outer) const {
     const PixelRect inner = view::common(hull(parts), outer);
     const std::uint64_t clipping = count_clocks([&](emit::Broadcast& out) { out.clip(inner, outer); });
@@ -144,7 +144,7 @@ class Shadowing {
     return clipping + clocks_in(inner) < clocks_in(outer);
   }
 
-  /// Stores E within the pixels and the planes in a mark bit.
+  /// Stores in a mark bit where E is 1 within the pixels and the planes.
   Place mark_within(const PixelRect& pixels, std::span<const ShadowPlane> planes, const Place& outer) {
     const Place inner{{static_cast<std::uint16_t>(marks_.base + outer.marks), 1},
                       view::common(pixels, outer.pixels),

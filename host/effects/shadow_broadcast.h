@@ -10,8 +10,8 @@
 
 namespace csgsim::effects {
 
-/// Sets `flag` in all parts and clears it elsewhere, at the context's pixels. Planes that parts share are broadcast
-/// once, as long as `marks` has bits to store the result.
+/// Sets `flag` in all parts and clears it elsewhere, at the context's pixels. A plane that several parts share is
+/// broadcast once, as long as `marks` has bits to store the result.
 void emit_shadows(const emit::Context& context, emit::Broadcast& out, std::span<const ShadowPart> parts,
                   isa::Field flag, isa::Field marks);
 

@@ -11,11 +11,11 @@ namespace csgsim::effects {
 
 namespace {
 
-/// Maximum number of clipping operations for the search of covered outlines, for all volumes of a region. Beyond it,
-/// nothing counts as covered.
+/// Maximum number of clipping operations for the search of covered outlines, for all volumes of a region. After these,
+/// no outline counts as covered.
 constexpr std::uint64_t max_covering_work = 20'000'000;
 
-/// Maximum number of uncovered parts of an outline; with more, it counts as not covered.
+/// Maximum number of uncovered parts of an outline; an outline with more counts as not covered.
 constexpr std::size_t max_open = 24;
 
 /// Work of clipping an outline by a plane, in steps.
@@ -38,10 +38,10 @@ struct Volume {
   std::vector<Touch> touches;
 };
 
-/// The sides of the receivers, by plane.
+/// The sides of all receivers, for each plane.
 using SidesOfPlanes = std::vector<std::vector<ReceiverSide>>;
 
-/// Volumes over receivers. Volumes and planes are removed while the union on the receivers stays the same.
+/// Volumes over receivers. Volumes and planes are removed as long as the shadowed part of the receivers stays the same.
 class Covering {
  public:
   Covering(const std::vector<SeenVolume>& volumes, const Receivers& receivers, unsigned fraction_bits, const Work& work)
@@ -60,7 +60,7 @@ class Covering {
     }
   }
 
-  /// Volumes with fewer planes cover more, so that others may become redundant.
+  /// A volume with fewer planes covers more, so that other volumes may become redundant.
   void reduce() {
     remove_redundant();
     for (std::size_t i = 0; i < volumes_.size(); ++i) {
@@ -93,7 +93,7 @@ class Covering {
     return sides;
   }
 
-  /// The number of planes, by receiver, that it is certainly beyond.
+  /// For each receiver, the number of planes that it is certainly beyond.
   [[nodiscard]] std::vector<std::uint32_t> planes_before(const SidesOfPlanes& sides) const {
     std::vector<std::uint32_t> counts(receivers_.size());
     for (const std::vector<ReceiverSide>& of_plane : sides) {
@@ -102,7 +102,7 @@ class Covering {
     return counts;
   }
 
-  /// Clips an outline on a receiver by all planes except number `but`. Returns false if nothing remains.
+  /// Clips an outline on a receiver by all planes except number `but`. Returns false if nothing is left.
   bool clip(Outline& outline, std::size_t receiver, const std::vector<ShadowPlane>& planes, const SidesOfPlanes& sides,
             std::size_t but) const {
     const PlaneComparison compared = comparison(receiver);
@@ -146,7 +146,7 @@ class Covering {
     }
   }
 
-  /// Whether the other volumes cover all of that part of a receiver.
+  /// Whether volumes other than `but` cover all of `part`, a part of a receiver.
   [[nodiscard]] bool is_covered(std::size_t receiver, const Outline& part, std::size_t but) {
     if (covering_work_ > max_covering_work) return false;
     const PlaneComparison compared = comparison(receiver);
@@ -175,7 +175,7 @@ class Covering {
                        [&](const Touch& touch) { return is_covered(touch.receiver, touch.outline, index); });
   }
 
-  /// Removes planes that only exclude what other volumes cover.
+  /// Removes planes that only exclude regions that other volumes cover.
   void reduce_planes(std::size_t index) {
     std::vector<ShadowPlane>& planes = volumes_[index].planes;
     SidesOfPlanes sides = plane_sides(planes);
@@ -212,10 +212,9 @@ class Covering {
   mutable ReceiverSides sides_;
   unsigned fraction_bits_;
   const Work& work_;
-  std::vector<Volume> volumes_;  ///< removed volumes have no touches
+  std::vector<Volume> volumes_;  ///< a removed volume has no touches
   std::vector<std::vector<std::pair<std::size_t, view::PixelRect>>>
-      volumes_by_receiver_;  ///< by receiver: volumes (with
-                             ///< pixels) that touch it
+      volumes_by_receiver_;  ///< for each receiver: the volumes with pixels that touch it
   std::uint64_t covering_work_ = 0;
 
   // Scratch buffers that are reused to save allocations.

@@ -1,5 +1,4 @@
-// Simplification of shadow volumes to what must be broadcast.
-// Used by the shadow effect.
+// Reduction of shadow volumes to the planes that must be broadcast. Used by the shadow effect.
 #pragma once
 
 #include <cstddef>
@@ -12,22 +11,22 @@
 
 namespace csgsim::effects {
 
-/// What must be broadcast of a volume.
+/// The part of a shadow volume that must be broadcast.
 struct ShadowPart {
   std::vector<ShadowPlane> planes;
   view::PixelRect pixels;  ///< pixels where it touches receivers
   std::uint32_t primitive = 0;
 };
 
-/// Parts that cover the same of the receivers as a set of volumes.
+/// Parts that together shadow the same parts of the receivers as a set of volumes.
 struct ShadowParts {
   std::vector<ShadowPart> parts;
-  std::vector<std::size_t> touched;  ///< indices of touched receivers
+  std::vector<std::size_t> touched;  ///< indices of the receivers that a part touches
 };
 
-/// The volumes that touch receivers, without redundant ones, each with as few planes as possible: what a part covers in
-/// excess is covered by another part anyway. `fraction_bits`: fraction bits of surfaces. Throws WorkError if the work
-/// limit is exceeded.
+/// The volumes that touch receivers, without redundant volumes, each with as few planes as possible: a part may be
+/// larger than its volume only where another part covers the excess. `fraction_bits`: fraction bits of surfaces. Throws
+/// WorkError if the work limit is exceeded.
 ShadowParts touching_parts(const std::vector<SeenVolume>& volumes, const Receivers& receivers, unsigned fraction_bits,
                            const Work& work);
 

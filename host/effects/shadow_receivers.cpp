@@ -17,8 +17,8 @@ using view::Side;
 
 FixedLinear negated(const FixedLinear& line, std::int64_t more) { return {-line.a, -line.b, -line.c + more}; }
 
-/// The outline of the visible part of a facet: it is the farthest front and before all backs, or, for a subtracted
-/// solid, the nearest back and behind all fronts.
+/// The outline of the visible part of a facet. There the facet is the farthest front and before all backs or, on a
+/// subtracted solid, the nearest back and behind all fronts.
 Outline visible_outline(const emit::Context& context, const emit::PlannedSurface& planned, const emit::Sides& sides,
                         const emit::Facet& facet) {
   const FixedLinear& plane = context.linear_plane(facet.halfspace);
@@ -33,7 +33,7 @@ Outline visible_outline(const emit::Context& context, const emit::PlannedSurface
     keep(compared.in({Side::front, complemented, context.linear_plane(front.halfspace)}));
   for (const emit::Facet& back : sides.backs.facets) {
     const ShadowPlane half{Side::back, false, context.linear_plane(back.halfspace)};
-    // The nearest back is in front of the others or coincides with them.
+    // The nearest back is in front of the other backs or coincides with them.
     keep(complemented ? compared.out({Side::front, true, half.linear}) : compared.in(half));
   }
   for (const std::uint32_t primitive : planned.set) {

@@ -12,15 +12,15 @@
 
 namespace csgsim::effects {
 
-/// A facet that may be visible in the light, at the depths of its plane.
+/// A facet that may be visible and lit, at the depths of its plane.
 struct Receiver {
   std::uint32_t primitive = 0;
   facet::Halfspace halfspace;
   view::FixedLinear plane;
-  Outline outline;  ///< contains its pixels
+  Outline outline;  ///< polygon that contains its pixels
 };
 
-/// The facets in a region that a light affects. Caps at the near plane are no receivers: they are sections, which are
+/// The facets in a region that a light affects. Caps at the near plane are not receivers: they are sections, which are
 /// shown as if lit.
 struct Receivers {
   std::vector<Receiver> facets;

@@ -39,13 +39,13 @@ class Volume {
     volume_.planes.push_back({side, faces_light && side == view::Side::front, plane.linear});
   }
 
-  /// Empty if the volume is empty.
+  /// The volume; empty if it contains no point of the picture.
   [[nodiscard]] std::optional<SeenVolume> take() {
     return is_empty_ ? std::nullopt : std::optional(std::move(volume_));
   }
 
  private:
-  /// Whether the result depends on a plane whose coefficients do not fit; if so, throws InputError.
+  /// Whether the result depends on the plane. If it does and the plane's coefficients do not fit, throws InputError.
   bool decides(const view::ScreenPlane& plane, bool positive) {
     const csg::Known known = csg::locate(drawing_.view, plane, positive, picture_);
     if (known == csg::Known::depends) {

@@ -40,7 +40,8 @@ void visit_keys(Settings& settings, auto&& visit) {
 void complete(const Settings& settings) {
   const Casters& casters = settings.casters;
   if (casters.to_line && !casters.from_line) throw InputError("to_line without from_line; add from_line");
-  if (casters.to_line && *casters.to_line < *casters.from_line) throw InputError("to_line must not precede from_line");
+  if (casters.to_line && *casters.to_line < *casters.from_line)
+    throw InputError("to_line precedes from_line; set it to from_line or more");
 }
 
 /// Lights of a drawing that cast shadows.
@@ -49,7 +50,7 @@ std::vector<std::size_t> casting_lights(const Settings& settings, const lighting
   for (std::size_t i = 0; i < lighting.lights.size(); ++i)
     if (settings.light.value_or(i) == i) lights.push_back(i);
   if (lights.empty()) {
-    throw InputError(fmt::format("effects.shadows.light is {}, but the scene's lights are numbered 0 to {}",
+    throw InputError(fmt::format("effects.shadows.light is {}; the scene's lights are numbered 0 to {}",
                                  *settings.light, lighting.lights.size() - 1));
   }
   return lights;
@@ -60,14 +61,14 @@ struct Prepared : emit::EffectState {
   std::vector<ShadowLight> lights;
 };
 
-/// Maximum number of bits for marking what volumes share.
+/// Maximum number of bits for marking the planes that volumes share.
 constexpr std::size_t max_marks = 8;
 
 std::string flag_name(std::size_t index) { return fmt::format("flag{}", index); }
 
 class CastShadows final : public emit::EffectOf<Settings, Prepared> {
  public:
-  /// Fields: one flag per light, a spare bit, and marks as far as they fit into Z1.
+  /// Fields: one flag per light, a spare bit, and as many marks as fit into Z1.
   [[nodiscard]] std::vector<emit::FieldRequest> fields(const emit::Drawing& drawing,
                                                        const emit::Workshop& /*workshop*/) const override {
     const std::size_t lights = casting_lights(settings, drawing.look.lighting).size();

@@ -42,8 +42,8 @@ glm::dvec3 top_levels(unsigned colour_bits) {
   return {(1U << widths[0]) - 1, (1U << widths[1]) - 1, (1U << widths[2]) - 1};
 }
 
-/// The lit levels of the true surface at the facet's vertices; empty if the facet is the surface, or reaches behind the
-/// eye.
+/// The lit levels of the true surface at the facet's vertices. Empty if the facet is the surface itself or reaches
+/// behind the eye.
 std::vector<Sample> take_samples(const emit::Context& context, const emit::Facet& facet) {
   std::vector<Sample> samples;
   const model::Primitive& primitive = context.tree.primitives[facet.primitive];
@@ -104,8 +104,8 @@ std::optional<Fit> fit(const std::vector<Sample>& samples) {
   return result;
 }
 
-/// The bounding rectangle of the facet's vertices with a margin of one pixel, which contains its pixels except for
-/// rounding.
+/// The bounding rectangle of the facet's vertices plus one pixel on each side. It contains the facet's pixels in spite
+/// of rounding.
 view::PixelRect bounding_pixels(const std::vector<Sample>& samples, const view::PixelRect& pixels) {
   glm::dvec2 low = samples.front().at;
   glm::dvec2 high = low;
@@ -132,7 +132,7 @@ double greatest_difference(const std::vector<Sample>& samples) {
   return std::max({difference.x, difference.y, difference.z});
 }
 
-/// The expressions of red, green and blue, whose floor is the level; empty if coefficients do not fit.
+/// The expressions of red, green and blue; the floor of each is the level. Empty if coefficients do not fit.
 std::optional<std::array<view::FixedLinear, 3>> make_expressions(const Fit& fitted, const view::Sampling& sampling) {
   std::array<view::FixedLinear, 3> channels;
   const glm::dvec2 centre((sampling.width - 1.0) / 2.0, (sampling.height - 1.0) / 2.0);
@@ -148,7 +148,7 @@ std::optional<std::array<view::FixedLinear, 3>> make_expressions(const Fit& fitt
   return channels;
 }
 
-/// E stays 1 where the level is in the channel's range.
+/// Leaves E at 1 where the level is in the channel's range.
 void emit_clamp(emit::Broadcast& out, const view::FixedLinear& level, std::int64_t beyond,
                 const view::PixelRect& pixels) {
   const view::Range range = view::range_over(level, pixels);

@@ -13,7 +13,8 @@ namespace csgsim::effects {
 
 namespace {
 
-/// Fraction of a texel at a facet's rim that gets no line: the face ends at a texel's boundary except for rounding.
+/// Distance from a facet's rim, as a fraction of a texel, within which no line is drawn: the face ends at the texel's
+/// boundary except for rounding.
 constexpr double rim = 1e-6;
 
 /// Tolerance for equal components of a normal.
@@ -22,8 +23,8 @@ constexpr double same_component = 1e-9;
 /// More fraction bits would leave no room for the integer part.
 constexpr unsigned max_texel_fraction_bits = 50;
 
-/// The point where the ray of a pixel meets a plane: a model-space point as a linear function of column and row,
-/// divided by another.
+/// The point where the ray of a pixel meets a plane: a point in model space as a linear function of column and row,
+/// divided by another linear function.
 struct PlanePoint {
   std::array<view::RealLinear, 3> numerators;
   view::RealLinear denominator;
@@ -40,7 +41,7 @@ view::RealLinear sum(const view::RealLinear& one, double factor, const view::Rea
 
 glm::dvec3 axis(int number) { return {number == 0 ? 1.0 : 0.0, number == 1 ? 1.0 : 0.0, number == 2 ? 1.0 : 0.0}; }
 
-/// The plane is normal . (p - place) = 0.
+/// The point of the plane normal . (p - place) = 0.
 PlanePoint plane_point(const view::EyeSpace& space, const view::Sampling& sampling, const glm::dvec3& normal,
                        const glm::dvec3& place) {
   const glm::dvec3 per_column = space.axes.right * space.pixel;
@@ -80,8 +81,8 @@ int axis_across(const glm::dvec3& normal) {
   return size.x >= most ? 0 : size.y >= most ? 1 : 2;
 }
 
-/// Minimum number of fraction bits that limits the error of a boundary to boundary_error; the coordinate grows by
-/// `slope` per column or per row, whichever is greater.
+/// Minimum number of fraction bits that limits the error of a boundary to boundary_error. `slope` is the growth of the
+/// coordinate per column or per row, whichever is greater.
 unsigned fraction_bits(double slope, const view::Sampling& sampling) {
   // view::to_fixed has an error of (1 + dx + dy) * 2^-(bits + 1), which is greatest in a corner.
   const double units = (static_cast<double>(sampling.width) + sampling.height) / 4 / (boundary_error * slope);

@@ -24,7 +24,7 @@ struct TexelGrid {
 struct TexelCoordinate {
   view::RealLinear numerator;
   view::RealLinear denominator;
-  double least = 0;  ///< minimum over the whole facet
+  double least = 0;  ///< minimum over the whole facet, in texels
   double most = 0;
 };
 
@@ -37,15 +37,16 @@ struct TexelCoordinates {
 
 TexelCoordinates texel_coordinates(const emit::Context& context, const emit::Facet& facet, const TexelGrid& grid);
 
-/// Maximum error of a boundary between texels, in pixels.
+/// Both coordinates of a facet. u and v are the two model axes most nearly parallel to the facet, in the order x, y, z:
+/// the axis of the normal's greatest component is left out (the first of these, if several are equal).
 inline constexpr double boundary_error = 1.0 / 32;
 
-/// A line on which a coordinate is an integer: the coordinate is at least that integer where Ax + By + C >= 0.
+/// A line at which a coordinate passes an integer: the coordinate is at least that integer where Ax + By + C >= 0.
 struct TexelLine {
   std::int64_t number = 0;
   /// Empty if no pixel of the picture is near the line.
   std::optional<view::FixedLinear> line;
-  bool is_beyond = false;  ///< if there is no line: the coordinate is at least the number at every pixel
+  bool is_beyond = false;  ///< without a line: whether the coordinate is at least `number` at every pixel
 };
 
 /// The lines of a coordinate over a facet.
@@ -54,19 +55,19 @@ struct TexelLines {
   std::vector<TexelLine> lines;
 };
 
-/// Empty if the numbers do not fit.
+/// The lines of a coordinate over a facet; empty if the numbers do not fit.
 std::optional<TexelLines> texel_lines(const TexelCoordinate& coordinate, const view::Sampling& sampling);
 
-/// Number of lines.
+/// Number of lines of a coordinate.
 double count_lines(const TexelCoordinate& coordinate);
 
-/// An orthographic coordinate modulo 2^bits, as a number with `fraction_bits` fraction bits.
+/// An orthographic coordinate modulo 2^bits, as a fixed-point number with `fraction_bits` fraction bits.
 struct PeriodicCoordinate {
   view::FixedLinear linear;
   unsigned fraction_bits = 0;
 };
 
-/// Empty if the coefficients do not fit.
+/// The coordinate in periodic form; empty if the coefficients do not fit.
 std::optional<PeriodicCoordinate> periodic(const TexelCoordinate& coordinate, unsigned bits,
                                            const view::Sampling& sampling);
 

@@ -34,7 +34,7 @@ struct Texture : scene::PrimitiveSelection {
   Pattern pattern = Pattern::checker;
   glm::dvec3 first{1};
   glm::dvec3 second{0};
-  scene::ColourTable texels;  ///< a row for each step along v; repeated in both directions
+  scene::ColourTable texels;  ///< one row per step along v; repeated in both directions
   double size = 1;
   double u0 = 0;
   double v0 = 0;
@@ -95,7 +95,7 @@ const Texture* find_texture(const Settings& settings, const model::Primitive& pr
   return found == settings.rend() ? nullptr : &*found;
 }
 
-/// Colours one textured facet. The number of a texel has its column in the low bits and its row above.
+/// Colours one textured facet. The number of a texel has its column in the low bits and its row in the bits above.
 class Shader {
  public:
   Shader(const emit::Context& context, emit::Broadcast& out, const emit::Facet& facet, const Texture& texture,
@@ -141,7 +141,7 @@ class Shader {
     if (count <= max_lines) return;
     fail(
         fmt::format("{:.0f} lines between texels cross a face of this primitive, and in perspective at most {:.0f} are "
-                    "possible, with an instruction for each; make the texture's size {:.3g} or larger, or take an "
+                    "possible, with an instruction for each; make the texture's size {:.3g} or larger, or use an "
                     "orthographic view, where they are periodic",
                     count, max_lines, texture_.size * count / max_lines * 1.01));
   }
@@ -158,7 +158,7 @@ class Shader {
     }
   }
 
-  /// Counts in pixel memory: each line flips, at the pixels beyond it, the bits that change when counting.
+  /// Counts in pixel memory: each line flips the bits that change in counting, at the pixels beyond it.
   void emit_lines(const TexelCoordinate& coordinate, isa::Field number) {
     if (number.width == 0) return;
     const std::uint64_t all = (1U << number.width) - 1;
@@ -186,7 +186,7 @@ class Shader {
     return static_cast<std::uint64_t>(line.number) ^ static_cast<std::uint64_t>(line.number - 1);
   }
 
-  /// Writes the most frequent colour everywhere, then the others texel by texel.
+  /// Writes the most frequent colour everywhere, then the other colours texel by texel.
   void emit_colours(isa::Field field) {
     std::vector<std::uint32_t> colours;
     std::map<std::uint32_t, std::size_t> counts;

@@ -38,7 +38,7 @@ void visit_keys(Settings& settings, auto&& visit) {
 
 struct Prepared : emit::EffectState {
   Panes panes;                    ///< for method layers
-  std::vector<unsigned> pattern;  ///< for method screen-door, by primitive: number of pixels of each 4 x 4 block
+  std::vector<unsigned> pattern;  ///< for method screen-door: per primitive, the number of pixels of each 4 x 4 block
 };
 
 class Transparency final : public emit::EffectOf<Settings, Prepared> {

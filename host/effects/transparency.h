@@ -8,8 +8,8 @@
 
 namespace csgsim::effects {
 
-/// The scene with transparent primitives drawn by screen-door, which takes no memory. Empty if the scene sets the
-/// effect or its materials are transparent.
+/// The scene with its transparent primitives drawn as screen-door patterns, which need no memory. Empty if the scene
+/// requests a transparency effect itself or has transparent materials.
 std::optional<scene::Scene> by_screen_door(scene::Scene scene);
 
 }  // namespace csgsim::effects

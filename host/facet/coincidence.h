@@ -11,9 +11,9 @@
 
 namespace csgsim::facet {
 
-/// Surfaces closer to each other than this count as one surface. Applies to components of normals and axes, and to
-/// lengths relative to the model's diagonal. Chains of transforms in double precision have errors of about 1e-15; walls
-/// thinner than this vanish.
+/// Surfaces closer to each other than this are treated as one surface. The tolerance applies to components of normals
+/// and axes, and to lengths relative to the model's diagonal. Chains of transforms in double precision have errors of
+/// about 1e-15. Walls thinner than the tolerance vanish.
 inline constexpr double coincidence_tolerance = 1e-11;
 
 /// Whether the first nonzero component is negative.
@@ -25,13 +25,13 @@ inline bool points_backward(const glm::dvec3& direction) {
   return false;
 }
 
-/// The key of a surface: surfaces coincide if no component of their keys differs by more than the tolerance.
+/// The key of a surface. Two surfaces coincide if no component of their keys differs by more than the tolerance.
 template <std::size_t size>
 using Key = std::array<double, size>;
 
 /// The grid cell of a component. Cells are wide compared with the tolerance, so surfaces that coincide rarely fall into
-/// different cells. There is a power of two of cells per unit, and cells are centred on multiples of their width, so
-/// common components such as 0, 1/2 and 1 are far from cell boundaries.
+/// different cells. The number of cells per unit is a power of two, and cells are centred on multiples of their width,
+/// so common components such as 0, 1/2 and 1 are far from cell boundaries.
 inline double cell_at(double component) {
   constexpr double cells_per_unit = 0x1p31;
   return std::floor(component * cells_per_unit + 0.5);
@@ -48,7 +48,8 @@ template <std::size_t size>
 std::uint64_t hash_of(const Key<size>& cell) {
   std::uint64_t sum = 0;
   for (const double one : cell) {
-    // Beyond 2^53, cells are as wide as the spacing of doubles; their numbers only have to differ.
+    // Beyond 2^53 a cell is as wide as the spacing of doubles, so its number is not an integer; hashing only needs
+    // distinct numbers.
     sum = (sum ^ std::bit_cast<std::uint64_t>(one + 0.0)) * 0x9e3779b97f4a7c15U;
     sum ^= sum >> 32U;
   }
@@ -68,8 +69,8 @@ bool are_near(const Key<size>& one, const Key<size>& other) {
 template <std::size_t size, class Visit>
 void for_cells_near(const Key<size>& key, const Visit& visit) {
   Key<size> cell;
-  std::array<std::size_t, size> split;  // components that may be in either of two cells
-  std::array<double, size> others;      // the second cell of each of these
+  std::array<std::size_t, size> split;  // components that may be in two cells
+  std::array<double, size> others;      // the second cell of each of these components
   std::size_t splits = 0;
   for (std::size_t i = 0; i < size; ++i) {
     cell[i] = cell_at(key[i] - coincidence_tolerance);

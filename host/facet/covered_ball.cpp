@@ -22,8 +22,8 @@ struct Row {
   std::uint64_t cells = 0;  ///< 0 if no number of cells suffices
 };
 
-/// The number of cells of a row whose corners are within theta of their centre, by the cosine rule on the sphere for
-/// the widest half-cell.
+/// The number of cells in a row for which the corners of a cell are within theta of its centre, by the cosine rule on
+/// the sphere for the widest half-cell.
 Row make_row(double first, double last, double theta) {
   const double middle = (first + last) / 2.0;
   double widest = pi;
@@ -53,8 +53,8 @@ std::uint64_t count_cells(const std::vector<Row>& rows) {
   return rows.empty() ? std::numeric_limits<std::uint64_t>::max() : cells;
 }
 
-/// The division into rows with the fewest cells. Rows of height 2 theta would have cells of no width. The minimum is at
-/// a row height of about sqrt(2) theta, and never at more than double the number of rows.
+/// The division into rows that has the fewest cells. Rows of height 2 theta would have cells of no width. The minimum
+/// is at a row height of about sqrt(2) theta, and never at more than double that number of rows.
 std::vector<Row> fewest_cells(double theta) {
   const auto least = std::max<std::uint64_t>(1, static_cast<std::uint64_t>((pi - 2.0 * theta) / (2.0 * theta)));
   std::vector<Row> best;
@@ -65,7 +65,7 @@ std::vector<Row> fewest_cells(double theta) {
   return best;
 }
 
-/// Adds meridians and parallels of a hull that contains a ball of that radius.
+/// Adds meridians and parallels of a hull that contains a ball of the given radius.
 void add_hull(Solid& solid, double radius) {
   constexpr std::uint32_t meridians = 48;
   constexpr std::uint32_t parallels = 24;

@@ -42,7 +42,7 @@ struct Inverse {
   }
 };
 
-/// Half the extent along each axis of the image of a disc (two columns) or ball (three columns) of that radius.
+/// Half the extent along each axis of the image of a disc (two columns) or ball (three columns).
 glm::dvec3 half_size(const Inverse& matrix, std::size_t columns, double radius) {
   Vec squares(0);
   for (std::size_t i = 0; i < columns; ++i) squares += matrix.columns[i] * matrix.columns[i];
@@ -133,8 +133,8 @@ class DirectionCache {
   std::size_t next_ = 0;
 };
 
-/// Directions with more sides are not cached: computing them is cheap relative to the rest of the solid, and they would
-/// take too much memory.
+/// Directions with more sides are not cached: their cost is small relative to the rest of the solid, and they would
+/// need too much memory.
 constexpr std::uint32_t max_cached_sides = 4096;
 
 }  // namespace

@@ -57,8 +57,8 @@ Box box_of(const Solid& solid) {
   return solid.curved ? Box{solid.curved->low, solid.curved->high} : facet::box_of(solid.vertices);
 }
 
-/// The parts of a solid kept until the size of the model is known. The corners of its faces, which take the most
-/// memory, are dropped.
+/// The parts of a solid that are stored until the size of the model is known. The corners of its faces, which need the
+/// most memory, are dropped.
 struct Draft {
   std::vector<Plane> planes;  ///< planes of the faces
   std::vector<glm::dvec3> vertices;
@@ -78,7 +78,7 @@ Draft make_draft(Solid solid) {
   return draft;
 }
 
-/// Converts solids into Convex, one after another.
+/// Converts solids to Convex, one after another.
 class GeometryMaker {
  public:
   GeometryMaker(PlaneTable& planes, QuadricTable& quadrics) : planes_(planes), quadrics_(quadrics) {}
@@ -106,7 +106,7 @@ class GeometryMaker {
 
   PlaneTable& planes_;
   QuadricTable& quadrics_;
-  std::uint32_t count_ = 0;                              ///< number of solids made
+  std::uint32_t count_ = 0;                              ///< number of solids converted
   std::vector<std::array<std::uint32_t, 2>> last_user_;  ///< last solid that uses each plane and side
 };
 
@@ -153,7 +153,7 @@ Box box_of(std::span<const glm::dvec3> points) {
   if (points.empty()) return {};
   Box box{points.front(), points.front()};
   for (const glm::dvec3& point : points) {
-    // Equivalent to glm::min() and glm::max(), which take several times the instructions.
+    // Equivalent to glm::min() and glm::max(), which need several times as many instructions.
     for (int axis = 0; axis < 3; ++axis) {
       box.low[axis] = point[axis] < box.low[axis] ? point[axis] : box.low[axis];
       box.high[axis] = point[axis] > box.high[axis] ? point[axis] : box.high[axis];

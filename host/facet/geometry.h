@@ -34,7 +34,7 @@ Box box_of(std::span<const glm::dvec3> points);
 
 /// A primitive as an intersection of canonical half-spaces and, if it is curved, a quadric.
 struct Convex {
-  std::vector<Halfspace> halfspaces;  ///< follow the order of the faces, without duplicates
+  std::vector<Halfspace> halfspaces;  ///< in the order of the faces, without duplicates
   std::vector<glm::dvec3> vertices;   ///< model space; for a curved solid, those of a polytope that contains it
   std::vector<std::array<std::uint32_t, 2>> edges;  ///< pairs of vertices, each edge once
   Box box;                                          ///< bounds of the vertices; for a curved solid, its own bounds
@@ -47,9 +47,10 @@ struct Geometry {
   PlaneTable planes;
   Box box;  ///< contains the result of the tree
   QuadricTable quadrics{};
-  bool fast_spheres = false;  ///< the quadrics are spheres, to be drawn as fast spheres (host/view/fast_sphere.h)
+  /// Whether the quadrics are spheres to be drawn as fast spheres (host/view/fast_sphere.h).
+  bool fast_spheres = false;
 
-  /// Total number of half-spaces of all primitives, with shared planes counted for each of them; a quadric counts as
+  /// Total number of half-spaces of all primitives. Shared planes count once for each primitive; a quadric counts as
   /// one.
   [[nodiscard]] std::uint64_t halfspaces() const;
   /// Whether no primitive stays curved.

@@ -19,13 +19,13 @@ struct Halfspace {
   bool operator==(const Halfspace&) const = default;
 };
 
-/// The planes of a model without duplicates: planes that coincide share an entry, whatever their primitive or
-/// orientation, so values computed from them are exactly equal. The first of several coincident planes represents them
-/// all.
+/// The planes of a model without duplicates. Planes that coincide share an entry, regardless of primitive and
+/// orientation, so values computed from them are exactly equal. The first of several coincident planes represents all
+/// of them.
 class PlaneTable {
  public:
-  /// Offsets are compared relative to `diagonal`, the size of the model, about `centre`, so that a model far from the
-  /// origin loses no precision.
+  /// `centre` and `diagonal`: centre and size of the model. Offsets are relative to the centre and compared relative to
+  /// the size, so that a model far from the origin loses no precision.
   PlaneTable(const glm::dvec3& centre, double diagonal);
 
   /// Adds a plane in model space. Returns its canonical half-space.
@@ -43,8 +43,8 @@ class PlaneTable {
   glm::dvec3 centre_;
   double diagonal_;
   std::vector<Plane> planes_;
-  /// A hash table of planes by grid cell, with open addressing: its size is a power of two, and it is at least half
-  /// empty.
+  /// A hash table of planes by grid cell, with open addressing. Its size is a power of two; at least half of its slots
+  /// are empty.
   std::vector<std::uint32_t> slots_;
 };
 

@@ -51,7 +51,7 @@ void add_to(Symmetric& sum, const Symmetric& other) {
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += other[i];
 }
 
-/// The matrix whose eigenvectors are the directions of the rows; `of` maps their lengths to the eigenvalues.
+/// The matrix whose eigenvectors are the directions of the rows; `of` maps the rows' lengths to the eigenvalues.
 template <class Of>
 Symmetric with_lengths(const std::array<Vec, 3>& rows, const Of& of) {
   Symmetric sum{};
@@ -113,8 +113,9 @@ Eigen solve_eigen(const Symmetric& form) {
 /// A cone about its principal axis, the eigenvector of its only negative eigenvalue.
 struct PrincipalCone {
   Vec axis{0, 0, 1};
-  Symmetric angles{};  ///< eigenvalues: angles between the axis and the sides, in radians
-  Real sine = 0;       ///< square root of the sum of the squares of the sines of these angles
+  /// Matrix whose eigenvalues are the angles between the axis and the sides, in radians.
+  Symmetric angles{};
+  Real sine = 0;  ///< square root of the sum of the squares of the sines of these angles
 };
 
 PrincipalCone principal(const Symmetric& form) {

@@ -20,16 +20,17 @@ enum class QuadricKind : std::uint8_t {
 };
 
 /// The quadric u.x^2 + u.y^2 + signs()[2] u.z^2 + level() <= 0 for u = to_unit (p - origin): the unit ball, the unit
-/// cylinder or the unit cone. With one symmetric matrix it is (p - origin)^T form (p - origin) + level() <= 0; the
-/// matrix is less accurate if the quadric is thin relative to its length.
+/// cylinder or the unit cone. Written with one symmetric matrix it is (p - origin)^T form (p - origin) + level() <= 0;
+/// the matrix is less accurate if the quadric is thin relative to its length.
 struct Quadric {
   QuadricKind kind = QuadricKind::ellipsoid;
-  /// The centre, the point of the axis nearest to QuadricTable::centre(), or the apex. Relative to
+  /// The centre, the point of the axis nearest to QuadricTable::centre(), or the apex; relative to
   /// QuadricTable::centre().
   glm::dvec3 origin{0};
-  /// Unit axis of cylinders and cones; its first nonzero component is positive. A cone has its principal axis here.
+  /// Unit axis of a cylinder or cone (for a cone, the principal axis of its matrix); the first nonzero component is
+  /// positive.
   glm::dvec3 axis{0, 0, 1};
-  /// xx, yy, zz, xy, xz, yz of a symmetric matrix; for a cone the largest magnitude is 1.
+  /// xx, yy, zz, xy, xz, yz of the symmetric matrix; for a cone scaled so that the largest magnitude is 1.
   std::array<double, 6> form{};
   std::array<glm::dvec3, 3> to_unit{};  ///< rows of a matrix; the last row is 0 for a cylinder
 
@@ -48,18 +49,19 @@ struct QuadricSide {
   bool operator==(const QuadricSide&) const = default;
 };
 
-/// The quadrics of a model without duplicates: quadrics that coincide share an entry, whatever their primitive, so
-/// values computed from them are exactly equal. The first of several coincident quadrics represents them all. Quadrics
-/// coincide if their surfaces are closer than `coincidence_tolerance` (coincidence.h) of the model's diagonal.
+/// The quadrics of a model without duplicates. Quadrics that coincide share an entry, regardless of their primitives,
+/// so values computed from them are exactly equal. The first of several coincident quadrics represents all of them.
+/// Quadrics coincide if their surfaces are closer than `coincidence_tolerance` (coincidence.h) times the model's
+/// diagonal.
 class QuadricTable {
  public:
   QuadricTable() = default;
   /// `centre` and `diagonal` are those of the PlaneTable.
   QuadricTable(const glm::dvec3& centre, double diagonal);
 
-  /// Adds a quadric given by its kind, `to_unit`, and origin in model space; for a cylinder, the origin is any point of
-  /// the axis. `inward` is, for a cone, a direction in model space from the apex into the nappe of the solid. Returns
-  /// the canonical quadric.
+  /// Adds a quadric given by its kind, `to_unit`, and origin in model space. For a cylinder, the origin may be any
+  /// point of the axis. For a cone, `inward` is a direction in model space from the apex into the nappe of the solid.
+  /// Returns the canonical quadric.
   QuadricSide add(const Quadric& quadric, const glm::dvec3& inward);
 
   /// Canonical quadrics; their origins are relative to `centre()`.

@@ -40,8 +40,8 @@ Solid box(const model::Cube& cube) {
   return solid;
 }
 
-/// The planes of the lateral faces between two rings of regular polygons: all of them share these parameters. In the
-/// meridian half-plane at the middle of a facet, a polygon with n corners has the radius r cos(180/n).
+/// The planes of the lateral faces between two rings of regular polygons; all of these planes share the parameters. In
+/// the meridian half-plane at the middle of a facet, a polygon with n corners has the radius r cos(180/n).
 class LateralPlanes {
  public:
   LateralPlanes(const Ring& low, const Ring& high, std::uint32_t count) {
@@ -56,7 +56,7 @@ class LateralPlanes {
     offset_ = -(radial_ * low_radius + axial_ * low.z);
   }
 
-  /// The plane of the facet in that direction.
+  /// The plane of the facet whose middle is in the given direction.
   [[nodiscard]] Plane at(const glm::dvec2& middle) const {
     return {{radial_ * middle.x, radial_ * middle.y, axial_}, offset_};
   }
@@ -93,7 +93,7 @@ Solid lathe(std::span<const Ring> stack, std::uint32_t count) {
   return solid;
 }
 
-/// The faceting of a shape in its own space: the tolerance is divided by the transform's maximum stretch.
+/// The faceting of a shape in its own space: the tolerance is divided by the maximum stretch of the transform.
 struct Local {
   std::optional<double> tolerance;
   std::optional<double> fragments;

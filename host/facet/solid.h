@@ -24,10 +24,10 @@ struct Plane {
   [[nodiscard]] double height(const glm::dvec3& point) const { return glm::dot(normal, point) + offset; }
 };
 
-/// A face of a convex solid: its plane, and its corners counter-clockwise or clockwise as seen from outside.
+/// A face of a convex solid: its plane, and its corners in order around it, in either direction.
 struct Face {
   Plane plane;
-  std::vector<std::uint32_t> corners;  ///< indices into Solid::vertices; empty if the vertices are only a hull's
+  std::vector<std::uint32_t> corners;  ///< indices into Solid::vertices; empty if the vertices are those of a hull only
 };
 
 /// The curved surface of a solid, in model space.
@@ -43,11 +43,11 @@ struct CurvedSurface {
 struct Solid {
   std::vector<glm::dvec3> vertices;  ///< vertices of the solid, or of a hull that contains it
   std::vector<Face> faces;
-  std::vector<std::array<std::uint32_t, 2>> edges;  ///< edges of such a hull that are not edges of a face
+  std::vector<std::array<std::uint32_t, 2>> edges;  ///< edges of the hull that are not edges of a face
   std::optional<CurvedSurface> curved;
 };
 
-/// Facets a primitive. The transform must be invertible. Throws InputError if it would need too many facets.
+/// Facets a primitive. Its transform must be invertible. Throws InputError if too many facets would be needed.
 Solid make_solid(const model::Primitive& primitive, const Faceting& faceting = {});
 
 }  // namespace csgsim::facet

@@ -10,8 +10,8 @@
 
 namespace csgsim::facet {
 
-/// The result of make_solid() for a primitive of a tree. Throws InputError, with the primitive's position in the file,
-/// if it cannot be faceted or reaches farther than model::max_coordinate.
+/// Calls make_solid() for a primitive of a tree. Throws InputError, with the primitive's position in the file, if it
+/// cannot be faceted or reaches farther than model::max_coordinate.
 Solid make_solid_at(const model::Tree& tree, std::uint32_t primitive, const Faceting& faceting);
 
 }  // namespace csgsim::facet

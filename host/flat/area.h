@@ -11,7 +11,7 @@ namespace csgsim::flat {
 using Outline = std::vector<glm::dvec2>;
 
 /// A bounded part of the x, y plane, enclosed by its outlines. Outer outlines run counter-clockwise and holes
-/// clockwise. Outlines may touch, but cross neither each other nor themselves. Empty without outlines.
+/// clockwise. Outlines may touch, but cross neither each other nor themselves. An area without outlines is empty.
 struct Area {
   std::vector<Outline> outlines;
 

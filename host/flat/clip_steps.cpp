@@ -18,7 +18,7 @@ constexpr std::uint64_t side_steps = 500;
 constexpr std::uint64_t height_steps = 20;
 constexpr std::uint64_t crossing_steps = 400;
 
-/// A side, from its lower end to its upper one. Doubles suffice: sides are only counted, so rounding is harmless.
+/// A side, from its lower end to its upper end. Doubles suffice: sides are only counted, so rounding has no effect.
 struct Side {
   double low_x = 0;
   double low_y = 0;
@@ -54,7 +54,7 @@ void charge_heights(const std::vector<Side>& sides, const Work& work) {
   }
 }
 
-/// Twice the area of the triangle of a side and a point; the sign shows on which side of the line the point lies.
+/// Twice the signed area of the triangle of a side and a point; the sign shows on which side of the line the point is.
 double turn(const Side& side, double x, double y) {
   return (side.high_x - side.low_x) * (y - side.low_y) - (side.high_y - side.low_y) * (x - side.low_x);
 }
@@ -68,7 +68,7 @@ bool cross(const Side& one, const Side& other) {
          are_apart(turn(other, one.low_x, one.low_y), turn(other, one.high_x, one.high_y));
 }
 
-/// Counts crossings in a sweep upwards over the lower ends, with the sides active at each.
+/// Counts crossings in an upward sweep over the lower ends, with the sides that are active at each end.
 void charge_crossings(const std::vector<Side>& sides, const Work& work) {
   std::vector<Side> active;
   for (const Side& side : sides) {

@@ -44,7 +44,7 @@ bool is_before(const Area& one, const Area& other) {
   });
 }
 
-/// The distinct areas, in order: Clipper is slow where sides coincide.
+/// The distinct areas, in order. Repeated areas are omitted because Clipper is slow where sides coincide.
 std::vector<const Area*> without_repeats(std::span<const Area> areas) {
   const auto is_less = [](const Area* a, const Area* b) { return is_before(*a, *b); };
   std::set<const Area*, decltype(is_less)> seen(is_less);

@@ -13,10 +13,10 @@ namespace csgsim::flat {
 /// Number of Clipper's integer units in a model unit. As in OpenSCAD, coordinates are truncated towards 0 to this grid.
 inline constexpr double clipper_scale = 65'536;
 
-/// Limit of coordinates, in model units: the sum of two of them must stay in Clipper's range.
+/// Limit of coordinates, in model units, because the sum of two of them must stay in Clipper's range.
 inline constexpr double largest_coordinate = 1e12;
 
-/// Both throw InputError for coordinates that are not finite or too large.
+/// Both functions throw InputError for coordinates that are not finite or too large.
 ClipperLib::Path to_path(const Outline& outline);
 ClipperLib::Paths to_paths(const Area& area);
 
@@ -25,7 +25,8 @@ class Clipping {
  public:
   void add(ClipperLib::Paths paths);
 
-  /// Fills `result`. Throws InputError if Clipper fails, and WorkError past the limit on work, before Clipper starts.
+  /// Stores the combination in `result`. Throws InputError if Clipper fails, and WorkError, before Clipper starts, if
+  /// the work limit is exceeded.
   void execute(ClipperLib::ClipType operation, ClipperLib::PolyFillType rule, ClipperLib::PolyTree& result,
                const Work& work = {});
 
@@ -35,10 +36,10 @@ class Clipping {
   ClipperLib::PolyType type_ = ClipperLib::ptSubject;  ///< role of the next paths added
 };
 
-/// The area of Clipper's result, without corners within 1.4 units of the line through their neighbours.
+/// The area of Clipper's result. Omits corners within 1.4 grid units of the line through their neighbours.
 Area to_area(const ClipperLib::PolyTree& tree);
 
-/// Combines the first area with all others at once. Each area covers the points with a winding number other than 0.
+/// Combines the first area with all other areas at once. Each area covers the points with a nonzero winding number.
 Area combined(std::span<const Area> areas, ClipperLib::ClipType operation, const Work& work = {});
 
 /// The points inside an odd number of the paths.

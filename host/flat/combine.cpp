@@ -8,7 +8,7 @@ namespace csgsim::flat {
 
 namespace {
 
-/// The paths of a tree; iterative, since trees may be deep.
+/// The paths of a tree. Iterative, because trees may be deep.
 ClipperLib::Paths contours(const ClipperLib::PolyTree& tree) {
   ClipperLib::Paths paths;
   for (const ClipperLib::PolyNode* node = tree.GetFirst(); node != nullptr; node = node->GetNext()) {

@@ -9,8 +9,9 @@
 
 namespace csgsim::flat {
 
-// OpenSCAD's operations on 2-D children: a single area stays unchanged; with several, all corners are in units of
-// 2^-16. All throw InputError for coordinates that are too large, and WorkError past the limit on work.
+// OpenSCAD's operations on 2-D children. A single area stays unchanged; if there are several, all corners are rounded
+// to units of 2^-16. All functions throw InputError for coordinates that are too large, and WorkError if the work limit
+// is exceeded.
 
 Area unite(std::span<const Area> areas, const Work& work = {});
 

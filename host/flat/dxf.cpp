@@ -76,7 +76,7 @@ void DxfReader::add(const dxf::Segment& segment) {
     segments_.add(segment[0], segment[1]);
   } else if (!block_.empty()) {
     if (++block_segments_ > dxf::max_segments) {
-      throw InputError("the blocks have more than " + std::to_string(dxf::max_segments) + " segments");
+      throw InputError("the blocks have more than " + std::to_string(dxf::max_segments) + " segments; simplify them");
     }
     blocks_[block_].push_back({segments_.snap(segment[0]), segments_.snap(segment[1])});
   }
@@ -136,8 +136,8 @@ Area DxfReader::read(std::string_view bytes) {
       take(*tag);
     }
   }
-  if (!any) throw InputError("line 1: not a DXF file: no section found");
-  if (entity_.type != "EOF") throw InputError("the DXF file is truncated: its last group is not 0, EOF");
+  if (!any) throw InputError("line 1: not a DXF file: no section found; save it as ASCII DXF");
+  if (entity_.type != "EOF") throw InputError("the DXF file is truncated: its last group is not 0, EOF; save it again");
   return even_odd(to_paths({segments_.outlines()}), options_.work);
 }
 

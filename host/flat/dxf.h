@@ -14,7 +14,7 @@ namespace csgsim::flat {
 
 struct DxfOptions {
   std::string layer{};   ///< layer to draw; all layers if empty
-  glm::dvec2 origin{0};  ///< position of the origin in the drawing
+  glm::dvec2 origin{0};  ///< point of the drawing that becomes the origin
   double scale = 1;      ///< model units per unit of the drawing
   model::FacetControl facets{};
   Work work{};

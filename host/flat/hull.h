@@ -8,7 +8,7 @@
 
 namespace csgsim::flat {
 
-/// The convex hull of all corners; empty if they are collinear.
+/// The convex hull of all corners; empty if these are collinear.
 Area hull(std::span<const Area> areas);
 
 }  // namespace csgsim::flat

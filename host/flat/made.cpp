@@ -21,7 +21,7 @@ Outline to_outline(std::span<const glm::dvec2> points, const std::vector<std::ui
     if (path[i] >= points.size()) {
       throw InputError("paths[" + std::to_string(number) + "][" + std::to_string(i) + "] of polygon() is " +
                        std::to_string(path[i]) + ", but there are " + std::to_string(points.size()) +
-                       " points, numbered from 0");
+                       " points; count them from 0");
     }
     outline.push_back(points[path[i]]);
   }

@@ -13,16 +13,17 @@
 
 namespace csgsim::flat {
 
-/// A rectangle with a corner at the origin, or centred on it. Empty unless both sides are above 0 and finite.
+/// A rectangle with a corner at the origin or, if `center`, centred on it. Empty unless both sides are above 0 and
+/// finite.
 Area square(const glm::dvec2& size, bool center);
 
-/// A regular polygon in a circle about the origin, with its first corner on the x axis and OpenSCAD's number of
-/// corners. Empty unless the radius is above 0 and finite.
+/// A regular polygon inscribed in a circle about the origin, with its first corner on the x axis and as many corners as
+/// in OpenSCAD. Empty unless the radius is above 0 and finite.
 Area circle(double radius, const model::FacetControl& facets);
 
-/// The points inside an odd number of the paths, which index `points`; without paths, inside all points in order. Paths
-/// may cross and run in either direction. Throws InputError for an index out of range and for coordinates that are not
-/// finite or too large, and WorkError past the limit on work.
+/// The points inside an odd number of the paths, which index `points`. If there are no paths, `points` is the only
+/// path. Paths may cross and run in either direction. Throws InputError for an index out of range and for coordinates
+/// that are not finite or too large, and WorkError if the work limit is exceeded.
 Area polygon(std::span<const glm::dvec2> points, std::span<const std::vector<std::uint32_t>> paths,
              const Work& work = {});
 

@@ -24,7 +24,7 @@ ClipperLib::IntPoint sum(const ClipperLib::IntPoint& a, const ClipperLib::IntPoi
   return {a.X + b.X, a.Y + b.Y};
 }
 
-/// Adds the area swept by each side of one path along each side of the other, as counter-clockwise parallelograms.
+/// Adds the area that each side of one path sweeps along each side of the other, as counter-clockwise parallelograms.
 void add_swept(ClipperLib::Paths& terms, const ClipperLib::Path& a, const ClipperLib::Path& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     const ClipperLib::IntPoint& a_end = a[(i + 1) % a.size()];
@@ -37,7 +37,8 @@ void add_swept(ClipperLib::Paths& terms, const ClipperLib::Path& a, const Clippe
   }
 }
 
-/// Adds a copy of one area at a corner of each outer path of the other: the interior that the sides do not sweep.
+/// Adds a copy of one area at a corner of each outer path of the other. The copy covers the interior that the sides do
+/// not sweep.
 void add_inner(ClipperLib::Paths& terms, const ClipperLib::Paths& area, const ClipperLib::Paths& places) {
   for (const ClipperLib::Path& place : places) {
     if (!ClipperLib::Orientation(place)) continue;

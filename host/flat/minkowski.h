@@ -9,9 +9,9 @@
 
 namespace csgsim::flat {
 
-/// OpenSCAD's Minkowski sum of the first area and the others that are not empty, in units of 2^-16. A single area stays
-/// unchanged. Empty if the first area is empty, or all others are. Throws InputError for coordinates that are too large
-/// or too many corners, and WorkError past the limit on work.
+/// OpenSCAD's Minkowski sum of the first area and the other non-empty areas, in units of 2^-16. A single area stays
+/// unchanged. Empty if the first area is empty or all others are. Throws InputError for coordinates that are too large
+/// or too many corners, and WorkError if the work limit is exceeded.
 Area minkowski(std::span<const Area> areas, const Work& work = {});
 
 }  // namespace csgsim::flat

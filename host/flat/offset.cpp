@@ -16,10 +16,10 @@ namespace csgsim::flat {
 
 namespace {
 
-/// Maximum number of corners of a round offset before sides are joined.
+/// Maximum number of corners of a round offset before its sides are joined.
 constexpr std::uint64_t max_round_corners = 4'000'000;
 
-/// Sharp corners are cut off at this multiple of the distance: effectively never.
+/// Sharp corners are cut off at this multiple of the distance, which practically never occurs.
 constexpr double sharp_limit = 1e6;
 
 /// Keeps extended sides within the range of Clipper's integers.
@@ -28,7 +28,7 @@ constexpr double max_distance = 1e7;
 /// Indexed by Corner.
 constexpr std::array join_types{ClipperLib::jtRound, ClipperLib::jtMiter, ClipperLib::jtSquare};
 
-/// The maximum distance of an arc from its chords that makes Clipper use OpenSCAD's number of fragments.
+/// The maximum distance of an arc from its chords for which Clipper uses OpenSCAD's number of fragments.
 double arc_tolerance(const Area& area, double radius, const model::FacetControl& facets) {
   const std::uint32_t fragments = model::fragments(radius, facets);
   std::uint64_t corners = 0;

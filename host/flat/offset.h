@@ -15,9 +15,9 @@ enum class Corner : std::uint8_t {
   cut     ///< a straight cut: offset(delta = ..., chamfer = true)
 };
 
-/// The area grown by a distance, or shrunk by a negative one, in units of 2^-16, as in OpenSCAD. `facets` applies to
-/// round corners only. Throws InputError for coordinates that are too large or too many corners, and WorkError past the
-/// limit on work.
+/// The area grown by a distance, or shrunk if it is negative, in units of 2^-16, as in OpenSCAD. `facets` applies only
+/// to round corners. Throws InputError for coordinates that are too large or too many corners, and WorkError if the
+/// work limit is exceeded.
 Area offset(const Area& area, double distance, Corner corner, const model::FacetControl& facets, const Work& work = {});
 
 }  // namespace csgsim::flat

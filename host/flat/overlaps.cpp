@@ -22,7 +22,7 @@ constexpr std::uint64_t search_steps = 200;  ///< steps of work per side
 
 /// A line through grid points: all points x, y with along_x * y - along_y * x == offset.
 struct Line {
-  cInt along_x = 0;  ///< above 0, or 0 with along_y above 0; the two have no common factor
+  cInt along_x = 0;  ///< positive, or 0 if along_y is positive; the two have no common factor
   cInt along_y = 0;
   Wide offset = 0;
 
@@ -78,8 +78,8 @@ bool overlap_anywhere(const std::vector<LineSide>& sides) {
 
 using Ends = std::pair<IntPoint, IntPoint>;
 
-/// Adds the parts of a line along which an odd number of sides run. Their ends are the points at which an odd number of
-/// sides end.
+/// Adds the parts of a line along which an odd number of sides run. These parts end at the points at which an odd
+/// number of sides end.
 void add_odd_parts(std::vector<Ends>& parts, std::span<const LineSide> sides) {
   std::vector<IntPoint> ends;
   for (const LineSide& side : sides) ends.insert(ends.end(), {side.low, side.high});
@@ -132,7 +132,7 @@ class Joiner {
     std::uint32_t part = 0;
   };
 
-  /// The first unused part at a point; at_.size() if all are used.
+  /// The first unused part at a point; at_.size() if all parts there are used.
   std::size_t first_unused(const IntPoint& point) {
     const auto found = std::lower_bound(at_.begin(), at_.end(), point,
                                         [](const Start& one, const IntPoint& p) { return is_before(one.from, p); });
@@ -145,7 +145,7 @@ class Joiner {
 
   std::vector<Start> at_;
   std::vector<bool> is_used_;
-  std::vector<std::size_t> next_;  ///< index by the first part at each point; all parts before it are used
+  std::vector<std::size_t> next_;  ///< for the first part at each point, an index before which all parts are used
 };
 
 }  // namespace

@@ -8,10 +8,11 @@
 
 namespace csgsim::flat {
 
-/// Closed paths that enclose the same points an odd number of times, but have no coincident sides: an odd number of
-/// coincident sides leaves one, an even number none. Returns the paths unchanged if no sides coincide.
+/// Closed paths that enclose the same points an odd number of times as `paths`, but have no coincident sides: an odd
+/// number of coincident sides leaves one side, an even number leaves none. Returns the paths unchanged if no sides
+/// coincide.
 ///
-/// Clipper searches all outlines for each pair of coincident sides, in quadratic time.
+/// Without this step Clipper searches all outlines for each pair of coincident sides, in quadratic time.
 ClipperLib::Paths without_overlaps(ClipperLib::Paths paths, const Work& work = {});
 
 }  // namespace csgsim::flat

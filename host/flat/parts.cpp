@@ -53,7 +53,7 @@ void insert(Triangulation& triangulation, const Outline& outline) {
   }
 }
 
-/// Whether the area ends at the edge, that is, an odd number of sides run along it.
+/// Whether the area ends at the edge, which is so if an odd number of sides run along it.
 bool is_border(const Triangulation& triangulation, FaceHandle face, int index) {
   if (!face->is_constrained(index)) return false;
   const VertexHandle a = face->vertex(Triangulation::cw(index));
@@ -120,7 +120,7 @@ Partition triangles(const Triangulation& triangulation) {
   return partition;
 }
 
-/// Whether the corner at the start of `out` stays convex when the diagonal is removed and `in` and `out` meet there.
+/// Whether the corner at the start of `out` stays convex if the diagonal is removed and `in` and `out` become adjacent.
 bool stays_convex(const Partition& partition, std::uint32_t in, std::uint32_t out) {
   if (partition.edges[in].twin == out) return false;
   return CGAL::orientation(partition.start(in), partition.start(out), partition.start(partition.edges[out].next)) !=
@@ -146,7 +146,7 @@ void remove(Partition& partition, std::uint32_t diagonal) {
   partition.edges[one.twin].next = none;
 }
 
-/// Marks the points at which the area's border is reflex, so that only cuts make it convex.
+/// Marks the points at which the area's border is reflex, where a cut is needed.
 std::vector<bool> reflex_points(const Partition& partition) {
   std::vector<bool> reflex(partition.points.size(), false);
   for (std::uint32_t out = 0; out < partition.edges.size(); ++out) {
@@ -161,11 +161,11 @@ std::vector<bool> reflex_points(const Partition& partition) {
   return reflex;
 }
 
-/// The order in which diagonals are tried; the best one depends on the area.
+/// The order in which diagonals are tried. Which order is best depends on the area.
 enum class Order {
   longest_first,
-  loose_first,          ///< diagonals with fewer reflex ends first, the longest of them first
-  loose_shortest_first  ///< the same, but the shortest of them first
+  loose_first,          ///< diagonals with fewer reflex ends first; among equals, the longest first
+  loose_shortest_first  ///< diagonals with fewer reflex ends first; among equals, the shortest first
 };
 
 constexpr std::array<Order, 3> orders{Order::longest_first, Order::loose_first, Order::loose_shortest_first};
@@ -190,7 +190,7 @@ std::vector<std::uint32_t> diagonals(const Partition& partition, const std::vect
   return result;
 }
 
-/// Removes the needless diagonals in the given order; returns their number.
+/// Removes the needless diagonals in the given order. Returns their number.
 std::size_t remove_needless(Partition& partition, std::span<const std::uint32_t> ordered) {
   std::size_t removed = 0;
   for (const std::uint32_t diagonal : ordered) {
@@ -201,7 +201,7 @@ std::size_t remove_needless(Partition& partition, std::span<const std::uint32_t>
   return removed;
 }
 
-/// Merges triangles into convex polygons, with the order that leaves the fewest diagonals.
+/// Merges triangles into convex polygons, in the order that leaves the fewest diagonals.
 Partition merged(const Partition& triangles) {
   const std::vector<bool> reflex = reflex_points(triangles);
   Partition best = triangles;

@@ -8,10 +8,10 @@
 
 namespace csgsim::flat {
 
-/// Divides an area into counter-clockwise convex polygons that cover it exactly without overlap; their number is small,
-/// but not minimal. They use the area's own corners, unless outlines cross, which they should not. No corner is
-/// collinear with its neighbours. All decisions are exact: a corner that is reflex only in the last bit still causes a
-/// cut. The area consists of the points inside an odd number of outlines.
+/// Divides an area into counter-clockwise convex polygons that cover it exactly without overlap. Their number is small,
+/// but not minimal. Their corners are the area's own, unless outlines cross, which is not allowed in an Area. No corner
+/// is collinear with its neighbours. All decisions are exact: a corner that is reflex only in the last bit still causes
+/// a cut. The area consists of the points inside an odd number of outlines.
 std::vector<Outline> convex_parts(const Area& area);
 
 }  // namespace csgsim::flat

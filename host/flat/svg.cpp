@@ -48,7 +48,7 @@ class SvgReader {
 
   std::string_view bytes_;
   SvgOptions options_;
-  std::vector<glm::dmat3> matrices_;  ///< matrix of each enclosing element and of the current one
+  std::vector<glm::dmat3> matrices_;  ///< the matrices of the current element and of those that enclose it
   std::vector<std::vector<Outline>> shapes_;
   std::size_t corners_ = 0;
   svg::Page page_;
@@ -70,7 +70,7 @@ void SvgReader::add(std::vector<Outline> outlines) {
     }
   }
   if (corners_ > max_drawing_corners) {
-    throw InputError("the drawing has more than " + std::to_string(max_drawing_corners) + " corners");
+    throw InputError("the drawing has more than " + std::to_string(max_drawing_corners) + " corners; simplify it");
   }
   shapes_.push_back(std::move(outlines));
 }
@@ -94,7 +94,7 @@ void SvgReader::walk(pugi::xml_node root) {
   while (!node.empty()) {
     if (matrices_.size() > max_depth) {
       throw InputError(place(node.offset_debug()) + "elements are nested more than " + std::to_string(max_depth) +
-                       " deep");
+                       " deep; ungroup some");
     }
     try {
       enter(node);
@@ -117,7 +117,7 @@ void SvgReader::walk(pugi::xml_node root) {
 }
 
 /// Places the shapes on the page, whose y axis points up. OpenSCAD subtracts the y of the box's lower corner where it
-/// should add it, and so does this function.
+/// should be added; this function does the same.
 Area SvgReader::laid_out() const {
   const glm::dvec2 centre = (box_.low + box_.high) / 2.0;
   const double x = options_.center ? -centre.x : page_.margin.x;
@@ -143,7 +143,7 @@ Area SvgReader::read() {
   if (!parsed) throw InputError(place(parsed.offset) + "invalid XML: " + parsed.description());
   const pugi::xml_node root = document.document_element();
   if (std::string_view(root.name()) != "svg")
-    throw InputError(place(0) + "not an SVG file: the outermost element is not svg");
+    throw InputError(place(0) + "not an SVG file: the outermost element is not svg; save it as SVG");
   walk(root);
   return laid_out();
 }

@@ -10,16 +10,17 @@
 namespace csgsim::flat {
 
 struct SvgOptions {
-  double dpi = 72;      ///< number of user units per inch, for page sizes without a unit
-  bool center = false;  ///< centre the drawing on the origin instead of placing the page's lower left corner there
+  double dpi = 72;  ///< user units per inch, for page sizes without a unit
+  /// Whether to centre the drawing on the origin instead of placing the page's lower left corner there.
+  bool center = false;
   Work work{};
 };
 
 /// Reads an SVG file as OpenSCAD 2021.01 does, in millimetres. Shapes and paths are filled by the even-odd rule,
-/// whatever their fill and stroke, and united; lines and open paths are as wide as their strokes. Text, images and uses
-/// of definitions are ignored. Arc flags need no separator after them, as in the SVG standard; OpenSCAD reads them as
-/// the start of a number. Throws InputError with the line number for anything that is not valid SVG, and WorkError past
-/// the limit on work.
+/// regardless of their fill and stroke, and united; lines and open paths are as wide as their strokes. Text, images and
+/// uses of definitions are ignored. Arc flags need no separator after them, as in the SVG standard; OpenSCAD reads them
+/// as the start of a number. Throws InputError with the line number for anything that is not valid SVG, and WorkError
+/// if the work limit is exceeded.
 Area read_svg(std::string_view bytes, const SvgOptions& options);
 
 }  // namespace csgsim::flat

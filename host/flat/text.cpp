@@ -64,7 +64,7 @@ Area text(const Text& text) {
   check(text);
   const lettering::Lettering lettering = opened_module().draw(text, sides_per_curve(text), max_corners);
   if (!lettering.error.empty()) throw InputError(lettering.error);
-  // The union of the letters, whatever the direction of their outlines.
+  // The union of the letters is independent of the direction of their outlines.
   return combined(lettering.letters, ClipperLib::ctUnion);
 }
 

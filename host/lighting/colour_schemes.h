@@ -10,7 +10,7 @@
 
 namespace csgsim::lighting {
 
-/// A named set of colours, red, green, blue in [0, 1], that OpenSCAD's preview uses for the background and for solids
+/// A named set of colours (red, green, blue in [0, 1]) that OpenSCAD's preview uses for the background and for solids
 /// without a colour.
 struct ColourScheme {
   std::string_view name;
@@ -23,7 +23,7 @@ struct ColourScheme {
 /// opencsg-face-back. The first is the default, as in OpenSCAD.
 std::span<const ColourScheme> colour_schemes();
 
-/// Replaces the scene's background and its default colours by those of the scheme.
+/// Replaces the background and the default colours of the scene by those of the scheme.
 void apply(const ColourScheme& scheme, scene::Scene& scene);
 
 }  // namespace csgsim::lighting

@@ -16,10 +16,10 @@ inline constexpr glm::dvec3 default_colour{0.976, 0.843, 0.173};
 inline constexpr glm::dvec3 default_cut_colour{0.616, 0.796, 0.318};
 inline constexpr glm::dvec3 background_colour{1.0, 1.0, 0.898};
 
-/// A light in camera space: axes right, up, forward, origin at the eye.
+/// A light in camera space: the axes are right, up and forward, and the origin is the eye.
 struct SeenLight {
   bool is_point = false;
-  glm::dvec3 where{0};   ///< point light: position, model units; directional light: unit vector to it
+  glm::dvec3 where{0};   ///< point light: position in model units; directional light: unit vector towards the light
   glm::dvec3 colour{0};  ///< colour times intensity
 };
 
@@ -29,34 +29,35 @@ struct Lighting {
   std::vector<SeenLight> lights;
   bool is_perspective = false;
 
-  /// Whether the light depends on more than the normal, so that lit() reads `place`.
+  /// Whether the light on the material depends on more than the normal, so that lit() reads `place`.
   [[nodiscard]] bool is_local(const scene::Material& material) const;
 };
 
-/// The scene's lights; if it has none, one fixed to the camera, from the upper left behind the eye.
+/// The scene's lights. A scene without lights gets one light, fixed to the camera, from the upper left behind the eye.
 Lighting make_lighting(const scene::Scene& scene, const view::Camera& camera);
 
 /// A point of a surface, in camera space.
 struct SurfacePoint {
   glm::dvec3 place;   ///< model units
-  glm::dvec3 normal;  ///< unit vector, on the viewer's side
+  glm::dvec3 normal;  ///< unit vector, on the side of the viewer
 };
 
 /// The visible colour: ambient light, Lambert's law and Blinn's highlight. Components may exceed 1.
 glm::dvec3 lit(const Lighting& lighting, const scene::Material& material, const glm::dvec3& colour,
                const SurfacePoint& at);
 
-/// Whether the scene's rule applies to the primitive.
+/// Whether the selection contains the primitive.
 bool is_chosen(const scene::PrimitiveSelection& chosen, const model::Primitive& primitive);
 
-/// The appearance of a primitive: the scene's settings, else the model's, else the defaults.
+/// The appearance of a primitive: from the scene if it has settings, otherwise from the model if it has any, otherwise
+/// the defaults.
 struct Finish {
   glm::dvec3 colour;
   scene::Material material;
   double opacity = 1;  ///< from 0, transparent, to 1, opaque
 };
 
-/// `is_cut`: the surface of a subtracted solid.
+/// The finish of a primitive. `is_cut`: whether this is the surface of a subtracted solid.
 Finish make_finish(const scene::Scene& scene, const model::Primitive& primitive, bool is_cut);
 
 }  // namespace csgsim::lighting

@@ -10,9 +10,9 @@ namespace csgsim::model {
 
 namespace {
 
-/// 1 - x^2 / (s+1)(s+2) (1 - x^2 / (s+3)(s+4) (1 - ...)): the cosine of x for s = 0, and the sine without its factor x
-/// for s = 1. For x up to pi / 4 the error is at most 2^-80, including the truncated terms and the rounding of the
-/// terms that are single doubles.
+/// 1 - x^2 / (s+1)(s+2) (1 - x^2 / (s+3)(s+4) (1 - ...)). For s = 0 this is the cosine of x, and for s = 1 the sine
+/// without its factor x. For x up to pi / 4 the error is at most 2^-80, including the truncated terms and the rounding
+/// of the terms that are single doubles.
 TwoDoubles alternating_series(double x, int start) {
   constexpr int of_one_double = 5;
   constexpr int of_two_doubles = 6;
@@ -39,7 +39,7 @@ double cosine(const TwoDoubles& x) {
   return (alternating_series(x.high, 0) + TwoDoubles{-x.low * sine(x.high), 0.0}).high;
 }
 
-/// Sine of an angle in [0, 90]. The angle in radians is rounded once, as in OpenSCAD, and its sine once.
+/// Sine of an angle in [0, 90]. The angle in radians is rounded once, as in OpenSCAD, and the sine is rounded once.
 double sin_first_quadrant(double angle) {
   constexpr double radians = std::numbers::pi / 180.0;
   if (angle == 30.0) return 0.5;

@@ -4,8 +4,8 @@
 
 namespace csgsim::model {
 
-/// Minimum magnitude of a coordinate passed to CGAL; smaller ones, and -0, become 0. CGAL 5.5 converts a double to a
-/// fraction by doubling it until it is an integer, and the denominator of one below 2^-1023 would be infinite.
+/// Minimum magnitude of a coordinate passed to CGAL; smaller coordinates, and -0, become 0. CGAL 5.5 converts a double
+/// to a fraction by doubling it until it is an integer; below 2^-1023 the denominator would be infinite.
 inline constexpr double min_exact_coordinate = 0x1p-500;
 
 constexpr double exact_coordinate(double coordinate) {

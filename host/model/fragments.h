@@ -8,10 +8,10 @@
 
 namespace csgsim::model {
 
-/// OpenSCAD treats lengths below this as 0: circles with such a radius are triangles.
+/// OpenSCAD treats lengths below this as 0: a circle with a smaller radius is a triangle.
 inline constexpr double grid_fine = 0.00000095367431640625;
 
-/// Number of corners of the polygon that approximates a circle of that radius, as in OpenSCAD. Throws InputError above
+/// Number of corners of the polygon that approximates a circle, as in OpenSCAD. Throws InputError if it exceeds
 /// `max_fragments`.
 std::uint32_t fragments(double radius, const FacetControl& control);
 

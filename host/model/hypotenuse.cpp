@@ -12,7 +12,7 @@ namespace {
 constexpr int half_range = 600;  ///< exponent of a power of two that scales very large or small numbers so that their
                                  ///< squares are near 1
 
-/// The hypotenuse of numbers whose squares, and the rounding errors of these, are normal doubles.
+/// The hypotenuse of numbers for which the squares, and their rounding errors, are normal doubles.
 double moderate_hypotenuse(double x, double y) {
   const TwoDoubles square = exact_product(x, x) + exact_product(y, y);
   const double root = std::sqrt(square.high);

@@ -4,8 +4,8 @@
 
 namespace csgsim::model {
 
-/// Maximum magnitude of a coordinate, in model units. Beyond it, products of coordinates overflow doubles or, long
-/// before, are coarser than what is drawn.
+/// Maximum magnitude of a coordinate, in model units. Larger coordinates would be coarser than the drawn details, and
+/// their products could overflow doubles.
 inline constexpr double max_coordinate = 1e12;
 
 }  // namespace csgsim::model

@@ -12,7 +12,7 @@ namespace csgsim::model {
 
 namespace {
 
-/// A facet of a cylinder is one of its ends if the cosine of its normal to the z axis is greater.
+/// A facet of a cylinder is one of the ends if the cosine of the angle between its normal and the z axis is greater.
 constexpr double end_cosine = 1 - 1e-9;
 
 /// Default answers, for a shape without a curved surface.
@@ -52,7 +52,7 @@ struct Frustum : Flat {
 
   [[nodiscard]] bool is_flat(const glm::dvec3& normal) const { return std::abs(normal.z) > end_cosine; }
   [[nodiscard]] std::optional<glm::dvec3> normal_at(const glm::dvec3& vertex, const glm::dvec3& of_facet) const {
-    // A cone's apex has no normal; that of the facet is used there.
+    // A cone's apex has no normal; the facet's normal is used there.
     const bool is_apex = hypotenuse(vertex.x, vertex.y) <= 1e-9 * std::max(of.r1, of.r2);
     const glm::dvec2 around = is_apex ? glm::dvec2(of_facet) : glm::dvec2(vertex);
     return normal_towards(around / glm::length(around));

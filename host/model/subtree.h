@@ -8,7 +8,8 @@
 
 namespace csgsim::model {
 
-/// The subtree at `root` as a separate tree. `node` and `primitive` are the indices of its first node and primitive.
+/// Copies the subtree at `root` to a separate tree. `node` and `primitive` are the indices of its first node and first
+/// primitive.
 Tree subtree(const Tree& tree, std::uint32_t root, std::uint32_t node, std::uint32_t primitive);
 
 }  // namespace csgsim::model

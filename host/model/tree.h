@@ -16,9 +16,9 @@
 
 namespace csgsim::model {
 
-/// How round shapes are faceted, as with OpenSCAD's special variables.
+/// How round shapes are faceted; the members are OpenSCAD's special variables.
 struct FacetControl {
-  double fn = 0;   ///< $fn: fragments of a circle; 0: determined by fa and fs
+  double fn = 0;   ///< $fn: fragments of a circle; 0 if fa and fs determine the number
   double fa = 12;  ///< $fa: minimum angle of a fragment, degrees
   double fs = 2;   ///< $fs: minimum length of a fragment, model units
 
@@ -44,12 +44,12 @@ struct Cylinder {
   FacetControl facets;
 };
 
-/// A closed convex polyhedron; `faces` index `points`, with either orientation, but the same for all.
+/// A closed convex polyhedron. `faces` index `points`; all faces have the same orientation, either way.
 struct Polyhedron {
   std::vector<glm::dvec3> points;
   std::vector<std::vector<std::uint32_t>> faces;
   /// Each face's outward unit normal, and the negated distance from the origin along it. Pieces of one solid use
-  /// identical numbers for the same plane. If empty, the planes are those through the corners.
+  /// identical numbers for the same plane. If empty, the planes are those through the faces' corners.
   std::vector<glm::dvec4> planes{};
 };
 
@@ -63,16 +63,17 @@ struct Location {
 
 inline constexpr std::uint32_t no_index = 0xffffffffU;
 
-/// A convex solid of the model, in place: a node of the file, or one of its pieces.
+/// A convex solid of the model: a node of the file, or one piece of a node.
 struct Primitive {
   Shape shape;
   glm::dmat4 transform{1};           ///< local to model space; the last row is 0 0 0 1
-  std::optional<glm::dvec3> colour;  ///< red, green, blue in [0, 1]; empty if the model gives none
+  std::optional<glm::dvec3> colour;  ///< red, green, blue in [0, 1]; empty if the model specifies no colour
   Location location;
-  double opacity = 1;                ///< alpha of the colour: from 0, transparent, to 1, opaque
-  std::uint32_t section = no_index;  ///< number of the cutting plane, if it stands for one and is not in the file
-  std::string_view node{};           ///< name in the file, if it is not the shape's name
-  bool continues = false;            ///< a piece of the same node of the file as the primitive before it
+  double opacity = 1;  ///< alpha of the colour: from 0, transparent, to 1, opaque
+  /// Number of the cutting plane, if the primitive represents one and is not in the file.
+  std::uint32_t section = no_index;
+  std::string_view node{};  ///< name in the file, if it is not the shape's name
+  bool continues = false;   ///< whether the primitive is a further piece of the node of the previous primitive
 };
 
 enum class Operator : std::uint8_t { unite, subtract, intersect };
@@ -82,28 +83,29 @@ enum class Operator : std::uint8_t { unite, subtract, intersect };
 struct Node {
   bool is_leaf = false;
   Operator op = Operator::unite;
-  std::uint32_t primitive = no_index;   ///< leaf: index into Tree::primitives
-  std::vector<std::uint32_t> children;  ///< operator: indices into Tree::nodes, each smaller than the node's own
-  bool of_pieces = false;               ///< operator: joins the pieces of one node of the file
+  std::uint32_t primitive = no_index;  ///< of a leaf: index into Tree::primitives
+  /// Indices of an operator's operands in Tree::nodes, all smaller than this node's index.
+  std::vector<std::uint32_t> children;
+  bool of_pieces = false;  ///< of an operator: whether it joins the pieces of one node of the file
 };
 
-/// A CSG tree. Children precede their parents in `nodes`, so that a single pass is a postorder traversal without
-/// recursion. Primitives are in tree order (left to right). An empty model has no nodes, and root == no_index.
+/// A CSG tree. Children precede their parents in `nodes`, so a single pass is a postorder traversal without recursion.
+/// Primitives are in tree order (left to right). An empty model has no nodes, and root == no_index.
 struct Tree {
   std::string file;
-  std::vector<std::filesystem::path> imports{};  ///< other files that it includes
+  std::vector<std::filesystem::path> imports{};  ///< paths of imported files
   std::vector<Primitive> primitives;
   std::vector<Node> nodes;
   std::uint32_t root = no_index;
-  bool is_flat = false;  ///< consists only of 2-D shapes, which are represented as plates
+  bool is_flat = false;  ///< whether the model consists only of 2-D shapes, which are represented as plates
 };
 
-/// Appends a primitive and its leaf. Returns the leaf's index; the primitive is the last one.
+/// Appends a primitive and its leaf. Returns the index of the leaf; the primitive is the last one in `primitives`.
 std::uint32_t add_leaf(Tree& tree, Primitive primitive);
 
-/// Numbers of nodes of the file. Operators count as binary ones: one over k children counts k - 1.
+/// Numbers of nodes in the file. Operators count as binary ones: an operator with k children counts k - 1.
 struct Counts {
-  std::uint64_t primitives = 0;  ///< each counts once, regardless of its pieces
+  std::uint64_t primitives = 0;  ///< a primitive counts once, regardless of the number of its pieces
   std::uint64_t unions = 0;
   std::uint64_t differences = 0;
   std::uint64_t intersections = 0;

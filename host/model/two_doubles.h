@@ -1,5 +1,4 @@
-// Double-double arithmetic that is the same on every platform.
-// Used by hypotenuse, degrees and host/solids.
+// Double-double arithmetic with identical results on all platforms. Used by hypotenuse, degrees and host/solids.
 #pragma once
 
 #include <cmath>
@@ -15,7 +14,7 @@ struct TwoDoubles {
   double low = 0;  ///< rounding error of `high`
 };
 
-/// Exact.
+/// The exact sum.
 inline TwoDoubles exact_sum(double a, double b) {
   const double sum = a + b;
   const double of_b = sum - a;
@@ -23,13 +22,13 @@ inline TwoDoubles exact_sum(double a, double b) {
   return {sum, (a - of_a) + (b - of_b)};
 }
 
-/// Exact, unless the rounding error is below the range of doubles.
+/// The exact product, unless its rounding error is below the range of doubles.
 inline TwoDoubles exact_product(double a, double b) {
   const double product = a * b;
   return {product, std::fma(a, b, -product)};
 }
 
-/// The error is at most 2^-100 of the sum of the magnitudes.
+/// Sum with an error of at most 2^-100 times the sum of the magnitudes.
 inline TwoDoubles operator+(const TwoDoubles& a, const TwoDoubles& b) {
   const TwoDoubles sum = exact_sum(a.high, b.high);
   return exact_sum(sum.high, sum.low + (a.low + b.low));
@@ -37,7 +36,7 @@ inline TwoDoubles operator+(const TwoDoubles& a, const TwoDoubles& b) {
 
 inline TwoDoubles operator-(const TwoDoubles& a) { return {-a.high, -a.low}; }
 
-/// Relative error at most 2^-100.
+/// Product with a relative error of at most 2^-100.
 inline TwoDoubles operator*(const TwoDoubles& a, const TwoDoubles& b) {
   const TwoDoubles product = exact_product(a.high, b.high);
   return exact_sum(product.high, product.low + (a.high * b.low + a.low * b.high));

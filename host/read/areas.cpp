@@ -16,7 +16,7 @@ namespace csgsim::read {
 
 namespace {
 
-/// A maker for a node without children.
+/// Returns a maker for a node without children.
 Maker leaf(flat::Area area) {
   return [area = std::move(area)](const Operands& /*none*/) { return Made{{}, area, {}, 2}; };
 }
@@ -35,7 +35,7 @@ std::vector<std::vector<std::uint32_t>> read_paths(const Arguments& arguments, s
 }
 
 /// Warns that fontconfig substitutes a font: fonts are installed by the user, so the result may differ from what the
-/// model's author saw. OpenSCAD substitutes silently.
+/// model's author saw. OpenSCAD does not warn.
 void warn_of_replacement(const Arguments& arguments, const flat::Text& text) {
   if (text.text.empty()) return;
   try {
@@ -46,7 +46,7 @@ void warn_of_replacement(const Arguments& arguments, const flat::Text& text) {
           printable(shown(text.font)), printable(*family));
     }
   } catch (const InputError&) {
-    // No text module is available; making the text reports it.
+    // There is no text module; making the text reports this.
   }
 }
 

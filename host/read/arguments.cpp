@@ -20,7 +20,7 @@ Arguments::Arguments(Source& source, const Statement& statement, const NodeType&
     } else if (next_positional < node.positional) {
       bind(node.parameters[next_positional++], argument);
     } else {
-      source.fail(argument.offset, fmt::format("{}() takes at most {} arguments without a name; name it or remove it",
+      source.fail(argument.offset, fmt::format("{}() accepts at most {} unnamed arguments; name this one or remove it",
                                                node.name, node.positional));
     }
   }

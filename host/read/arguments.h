@@ -21,7 +21,7 @@
 
 namespace csgsim::read {
 
-/// A value of a statement and, for a vector, its elements. Valid as long as the statement.
+/// A value of a statement; if it is a vector, gives access to its elements. Valid as long as the statement.
 class ValueView {
  public:
   ValueView(const std::vector<Value>& values, std::uint32_t index) : values_(&values), index_(index) {}
@@ -48,11 +48,12 @@ class ValueView {
 /// an argument that is `undef` counts as absent.
 class Arguments {
  public:
-  /// Assigns names to positional arguments. Throws InputError if one is unknown, given twice, or in excess.
+  /// Assigns parameter names to positional arguments. Throws InputError for an unknown argument, an argument given
+  /// twice, and too many arguments.
   Arguments(Source& source, const Statement& statement, const NodeType& node,
             const solids::MeshPlacement& mesh_placement);
 
-  /// The placement of the node's result.
+  /// Where the result of the node is placed.
   [[nodiscard]] const solids::MeshPlacement& mesh_placement() const { return mesh_placement_; }
 
   [[nodiscard]] std::optional<ValueView> find(std::string_view name) const;
@@ -61,21 +62,21 @@ class Arguments {
   [[nodiscard]] bool is_undefined(std::string_view name) const;
   [[nodiscard]] std::optional<double> number(std::string_view name) const;
   [[nodiscard]] std::optional<bool> boolean(std::string_view name) const;
-  /// The content of a string, with \\" replaced by a quote.
+  /// The content of a string; \\" is replaced by a quote.
   [[nodiscard]] std::optional<std::string> text(std::string_view name) const;
 
-  /// The file named by the argument `file`. None if the name is empty or the file does not exist: this is reported, and
-  /// the node is empty as in OpenSCAD. Throws InputError at the name of the node, as Source::import() does, and if the
-  /// argument is absent.
+  /// The file named by the argument `file`. Empty if the name is empty or the file does not exist: a message reports
+  /// this, and the node is empty as in OpenSCAD. Throws InputError at the name of the node if the argument is absent,
+  /// and where Source::import() does.
   [[nodiscard]] std::optional<ImportedFile> file(const InputKind& kind) const;
 
   /// See Source::work().
   [[nodiscard]] const Work& work() const { return source_->work(); }
 
-  /// The vector with that name. If it is absent, throws InputError, with `form` (`size = [x, y, z]`) in the message.
+  /// The argument `name`. Throws InputError if it is absent; `form`, as in `size = [x, y, z]`, is part of the message.
   [[nodiscard]] ValueView required(std::string_view name, std::string_view form) const;
 
-  /// Reads up to N numbers from a vector with at least `min_count`; the others keep their values in `into`.
+  /// Reads at least `min_count` and at most N numbers from a vector; the other elements of `into` keep their values.
   template <std::size_t N>
   void read_numbers(ValueView vector, std::size_t min_count, std::array<double, N>& into, std::string_view what) const {
     if (!vector.is(ValueKind::vector) || vector.size() < min_count || vector.size() > N) {

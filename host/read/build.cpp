@@ -224,8 +224,8 @@ TreeBuilder::Result TreeBuilder::make_result(OpenNode& open) const {
   return result;
 }
 
-/// The dimensions of a statement, as in OpenSCAD: a single operand is taken unchanged; several areas give an area,
-/// possibly empty; solids that are all empty give nothing.
+/// The dimensions of a statement's result, as in OpenSCAD: a single operand is passed on unchanged; several areas give
+/// an area, possibly empty; solids that are all empty give no result.
 std::uint32_t TreeBuilder::result_dimensions(const OpenNode& open) const {
   if (open.is_removed) return 0;
   if (children_.size() > open.first_child) return 3;
@@ -267,7 +267,8 @@ void TreeBuilder::pass_on(OpenNode& open, Result result) {
   }
 }
 
-/// Counts an operand. An empty operand empties an intersection, and an empty first operand empties a difference.
+/// Counts an operand. An empty operand makes an intersection empty, and an empty first operand makes a difference
+/// empty.
 void TreeBuilder::count_operand(OpenNode& parent, const Result& result) {
   const bool is_first = parent.operands++ == 0;
   if (!result.is_empty) return;
@@ -278,7 +279,7 @@ void TreeBuilder::count_operand(OpenNode& parent, const Result& result) {
 }
 
 /// Whether a result can be an operand of the enclosing statement. As in OpenSCAD, the first operand with dimensions,
-/// even an empty one, determines which others are accepted.
+/// even if it is empty, determines which operands are accepted.
 bool TreeBuilder::accepts(const OpenNode& open, const Result& result) {
   OpenNode& parent = open_.back();
   if (parent.dimensions == 0) {

@@ -37,28 +37,30 @@ class TreeBuilder : public StatementVisitor {
   struct OpenNode {
     model::Operator op = model::Operator::unite;
     bool takes_children = true;
-    std::uint32_t dimensions = 0;  ///< required of its operands; set by its node or its first operand with any
-    std::size_t operands = 0;      ///< number of operands, including empty ones
-    bool is_empty = false;         ///< empty whatever its other operands are
-    bool is_nothing = false;       ///< a Boolean of solids is empty and has no dimensions
-    bool is_removed = false;       ///< a matrix that is not finite removes everything below it
+    /// Dimensions required of its operands; set by its node, or by its first operand that has dimensions.
+    std::uint32_t dimensions = 0;
+    std::size_t operands = 0;  ///< number of operands, including empty ones
+    bool is_empty = false;     ///< whether the result is empty regardless of the other operands
+    bool is_nothing = false;   ///< whether the result is a Boolean of solids that is empty and has no dimensions
+    bool is_removed = false;   ///< whether everything inside is removed, because a matrix is not finite
     std::string_view name;
     std::uint32_t offset = 0;  ///< position of the statement in the text
     model::Location location;
-    glm::dmat4 transform{1};  ///< maps its children's space to the model's, or to that of the enclosing made node
+    glm::dmat4 transform{1};  ///< maps its children's space to that of the model, or of the enclosing made node
     solids::MeshPlacement mesh_placement;  ///< placement of its children's meshes
     std::optional<Colour> colour;
     std::size_t first_child = 0;      ///< index into children_ of its first child
     std::size_t first_node = 0;       ///< index into tree_.nodes
     std::size_t first_primitive = 0;  ///< index into tree_.primitives
-    std::vector<flat::Area> areas;    ///< unless it takes solids: one per operand, empty if the operand has no area
-    Maker maker;                      ///< makes the node from its children
-    std::uint32_t made = 0;           ///< dimensions of the made result, or of a solid
-    glm::dmat4 outer{1};              ///< maps a made node's own space to the enclosing one
+    /// One per operand, unless the node takes solids; empty for an operand without an area.
+    std::vector<flat::Area> areas;
+    Maker maker;             ///< makes the node from its children
+    std::uint32_t made = 0;  ///< dimensions of the made result or of a solid
+    glm::dmat4 outer{1};     ///< maps a made node's own space to the enclosing space
   };
 
-  /// The result of a statement for the enclosing one. Its dimensions are 0 if there is no result, as for a group()
-  /// without any. An empty result may still have dimensions, as for square(0).
+  /// The result of a statement for the enclosing statement. Its dimensions are 0 if there is no result, as for a
+  /// group() without children. An empty result may have dimensions, as for square(0).
   struct Result {
     flat::Area area;
     std::uint32_t dimensions = 0;

@@ -18,7 +18,7 @@ constexpr double max_slices = 1'000'000;
 
 constexpr InputKind drawing_file{"a drawing, .dxf", max_file_bytes, "make it coarser"};
 
-/// The number of slices; 0 derives it from $fn, $fa and $fs.
+/// The number of slices; 0 if it is to be derived from $fn, $fa and $fs.
 std::uint32_t read_slices(const Arguments& arguments) {
   const double slices = arguments.number("slices").value_or(0);
   if (!(slices <= max_slices)) arguments.fail("more than {} slices; use fewer", max_slices);
@@ -34,7 +34,7 @@ glm::dvec2 read_scale(const Arguments& arguments) {
   return {both[0], both[1]};
 }
 
-/// The area drawn by the argument `file`, which only old files use.
+/// The area drawn by the argument `file`, which only old files have; empty if there is none.
 std::optional<flat::Area> drawn(const Arguments& arguments, double scale) {
   if (!arguments.has("file")) return std::nullopt;
   const std::optional<ImportedFile> file = arguments.file(drawing_file);
@@ -46,8 +46,8 @@ std::optional<flat::Area> drawn(const Arguments& arguments, double scale) {
   }
 }
 
-/// The area to be extruded: the file's area if there is a file, otherwise the union of the children. None if has_area()
-/// is false.
+/// The area to be extruded: the file's area if there is a file, otherwise the union of the children. Empty if
+/// has_area() is false.
 std::optional<flat::Area> extruded_area(const std::optional<flat::Area>& drawn, const Operands& operands) {
   if (drawn) return drawn;
   if (!has_area(operands)) return std::nullopt;
@@ -69,7 +69,7 @@ Made extruded(const flat::Area& area, const solids::LinearExtrude& extrusion, co
   return {solids::linear_extrude(area, extrusion, work), {}, {}, 3};
 }
 
-/// Warns if the file name is a number: OpenSCAD takes the first unnamed argument as a file, although
+/// Warns if the file name is a number: OpenSCAD reads the first unnamed argument as a file name, although
 /// rotate_extrude(180) is meant as an angle.
 void warn_if_number(const Arguments& arguments) {
   const std::optional<ValueView> value = arguments.find("file");

@@ -56,9 +56,9 @@ struct NewSize {
   std::array<bool, 3> automatic{};
 };
 
-/// The scale factors that resize() of OpenSCAD 2021.01 applies to a solid of that size, about the origin. Each axis
-/// with a nonzero new size is scaled to it; other axes are not scaled or, if they are automatic, scaled like the axis
-/// with the largest new size. No axis is scaled if the solid is flat along an axis with a new size.
+/// The scale factors, about the origin, that resize() of OpenSCAD 2021.01 applies to a solid of the given size. Each
+/// axis with a nonzero new size is scaled to it; other axes are not scaled or, if they are automatic, scaled like the
+/// axis with the largest new size. No axis is scaled if the solid is flat along an axis with a new size.
 glm::dvec3 scale_to(const NewSize& to, const glm::dvec3& size) {
   glm::dvec3 scale(1);
   int largest = 0;
@@ -94,14 +94,14 @@ Made resized(Operands operands, NewSize to) {
   if (pieces.empty()) return {};
   facet::Box box;
   for (const model::Polyhedron& piece : pieces) box = facet::hull(box, facet::box_of(piece.points));
-  // Negative new sizes count as 0 for a single solid, but mirror the result of a Boolean.
+  // Negative new sizes are treated as 0 for a single solid, but mirror the result of a Boolean.
   if (is_one(solid)) to.size = glm::max(to.size, glm::dvec3(0));
   const glm::dvec3 scale = scale_to(to, box.high - box.low);
   for (model::Polyhedron& piece : pieces) piece = scaled(std::move(piece), scale);
   return {std::move(pieces), {}};
 }
 
-/// Reads true, false, or a vector with one of them per axis.
+/// Reads true, false, or a vector with one of these per axis.
 std::array<bool, 3> read_automatic(const Arguments& arguments) {
   std::array<bool, 3> automatic{};
   const std::optional<ValueView> value = arguments.find("auto");

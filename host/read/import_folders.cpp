@@ -19,7 +19,7 @@ fs::path plain(const fs::path& path) {
   return normal.has_filename() ? normal : normal.parent_path();
 }
 
-/// Lexical test; both paths have to be absolute.
+/// Whether the path is lexically in the folder; both must be absolute.
 bool is_in(const fs::path& path, const fs::path& folder) {
   const fs::path below = path.lexically_relative(folder);
   return !below.empty() && *below.begin() != "..";

@@ -13,9 +13,9 @@ namespace csgsim::read {
 /// A path to which a file name resolves from one of the folders.
 struct ImportPlace {
   std::filesystem::path path;
-  bool is_inside = false;  ///< the path is lexically inside one of the folders
+  bool is_inside = false;  ///< whether the path is lexically inside one of the folders
 
-  /// Whether a file or anything else exists there; also true if the system denies that information.
+  /// Whether a file or anything else exists at the path; also true if the system denies that information.
   [[nodiscard]] bool exists() const;
 };
 
@@ -25,7 +25,7 @@ class ImportFolders {
   /// `named` is the additional folder; see read::Options.
   ImportFolders(const std::filesystem::path& model_folder, const std::filesystem::path& named);
 
-  /// The paths at which a file of that name is searched, in order.
+  /// The paths at which a file with the given name is searched, in order.
   [[nodiscard]] std::vector<ImportPlace> candidate_places(std::string_view name) const;
 
   /// Whether an opened file is inside one of the folders after resolving all links. Throws InputError if the system

@@ -1,5 +1,4 @@
-// Statements in which solids are combined with others.
-// Used by build.h and read.cpp.
+// Statements that combine several solids. Used by build.h and read.cpp.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +9,8 @@
 
 namespace csgsim::read {
 
-/// The places where solids are combined: statements with at least two children that have a shape, and the top level of
-/// the file.
+/// The places where solids are combined with other solids: statements with at least two children that have a shape, and
+/// possibly the top level of the file.
 struct Meetings {
   std::unordered_set<std::uint32_t> statements;  ///< offsets of their names in the text
   bool at_top_level = false;
@@ -29,7 +28,7 @@ class MeetingFinder : public StatementVisitor {
  private:
   struct Open {
     std::uint32_t offset = 0;
-    bool is_shape = false;     ///< has a shape without its children
+    bool is_shape = false;     ///< whether it has a shape even without its children
     std::uint32_t shapes = 0;  ///< number of children with a shape
   };
 

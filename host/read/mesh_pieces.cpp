@@ -13,7 +13,7 @@ namespace csgsim::read {
 
 namespace {
 
-/// Cost per face: edges are sorted and joined, and crossing faces are searched.
+/// Cost per face, in steps of work: edges are sorted and joined, and crossing faces are searched.
 constexpr std::uint64_t check_steps = 3'000;
 
 Remark bent_faces(const solids::BentFaces& bent, bool is_hull) {

@@ -14,14 +14,15 @@
 
 namespace csgsim::read {
 
-// Convex solids; nothing if the solid is empty.
+// Convex solids; empty if the solid is empty.
 std::optional<model::Shape> read_cube(const Arguments& arguments);
 std::optional<model::Shape> read_sphere(const Arguments& arguments);
 std::optional<model::Shape> read_cylinder(const Arguments& arguments);
 
-/// A convex polyhedron without unused and duplicate points, and with faces that run counter-clockwise as seen from
-/// outside; any other polyhedron as convex pieces (host/solids/pieces.h). Nothing if it has no faces, no volume, or a
-/// point that is not finite. Throws InputError at the face that prevents it from bounding a solid.
+/// Returns a convex polyhedron without unused and duplicate points, with faces that run counter-clockwise as seen from
+/// outside; any other polyhedron becomes convex pieces (host/solids/pieces.h). The result is empty if the polyhedron
+/// has no faces, no volume, or a point that is not finite. Throws InputError at the face that prevents it from bounding
+/// a solid.
 Maker read_polyhedron(const Arguments& arguments);
 
 // Nodes that are areas, or combine areas into one.
@@ -41,7 +42,7 @@ Maker read_minkowski(const Arguments& arguments);
 Maker read_resize(const Arguments& arguments);
 Maker read_projection(const Arguments& arguments);
 
-// Nodes whose shape is in another file; see Arguments::file().
+// Nodes whose shape is in another file; see Arguments::file() for the errors.
 
 /// import() of STL, OFF, AMF, 3MF, SVG and DXF files.
 Maker read_import(const Arguments& arguments);
@@ -49,7 +50,7 @@ Maker read_import(const Arguments& arguments);
 /// surface() of numbers and pictures.
 Maker read_surface(const Arguments& arguments);
 
-/// The area of a DXF file, subject to the arguments `layer`, `origin`, $fn, $fa and $fs. Throws InputError without a
+/// The area of a DXF file, read with the arguments `layer`, `origin`, $fn, $fa and $fs. Throws InputError without a
 /// position.
 flat::Area dxf_area(const Arguments& arguments, std::string_view bytes, double scale);
 

@@ -123,7 +123,7 @@ constexpr std::array all_names = [] {
   return names;
 }();
 
-/// The candidate with the smallest edit distance, or an empty name if none is close.
+/// The candidate with the smallest edit distance; empty if none is close.
 std::string_view near_name(std::string_view name, Names candidates) {
   std::string_view best;
   std::size_t best_edits = std::max<std::size_t>(2, name.size() / 2) + 1;
@@ -155,7 +155,8 @@ std::string unknown_argument(const NodeType& node, std::string_view name) {
   const std::string_view near = near_name(name, node.parameters);
   if (!near.empty()) return fmt::format("{}() has no argument {}; did you mean {}?", node.name, shown(name), near);
   if (node.parameters.empty()) return fmt::format("{}() has no argument {}; remove it", node.name, shown(name));
-  return fmt::format("{}() has no argument {}; it takes {}", node.name, shown(name), fmt::join(node.parameters, ", "));
+  return fmt::format("{}() has no argument {}; its arguments are {}", node.name, shown(name),
+                     fmt::join(node.parameters, ", "));
 }
 
 std::string unusable_node(const NodeType& node) {

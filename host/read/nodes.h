@@ -21,14 +21,14 @@ enum class NodeKind : std::uint8_t {
   transform,
   colour,
   solid,        ///< a convex solid
-  made,         ///< made when the node ends, from its children if it takes any
-  unsupported,  ///< a node of `.csg` files without half-spaces
+  made,         ///< made when the node ends, from its children if it may have children
+  unsupported,  ///< a node of `.csg` files that cannot be represented by half-spaces
   source,       ///< a module of OpenSCAD's language that never occurs in its `.csg` files
 };
 
 class Arguments;
 
-/// Reads a solid. Nothing if it is empty.
+/// Reads a solid; the result is empty if the solid is.
 using SolidReader = std::optional<model::Shape> (*)(const Arguments&);
 
 /// Reads all arguments of a made node.
@@ -40,13 +40,13 @@ struct NodeType {
   std::span<const std::string_view> parameters;  ///< positional ones first, in order
   std::size_t positional = 0;                    ///< number of parameters that may be positional
   std::span<const std::string_view> harmless;    ///< accepted with any value, and ignored
-  SolidReader solid = nullptr;                   ///< only if the kind is `solid`
-  MakerReader maker = nullptr;                   ///< only if the kind is `made`
-  bool has_children = false;                     ///< only if the kind is `made`
-  std::uint32_t dimensions = 0;  ///< dimensions of its children; 0: those of the first child that is not empty
+  SolidReader solid = nullptr;                   ///< for kind `solid` only
+  MakerReader maker = nullptr;                   ///< for kind `made` only
+  bool has_children = false;                     ///< for kind `made` only: whether it may have children
+  std::uint32_t dimensions = 0;  ///< dimensions of its children; 0 if they are those of the first non-empty child
 };
 
-/// The node with that name, or null.
+/// The node type with the given name; null if there is none.
 const NodeType* find_node(std::string_view name);
 
 /// The error text for a name unknown to find_node(), with a suggestion.

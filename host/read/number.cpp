@@ -10,7 +10,7 @@ namespace csgsim::read {
 
 namespace {
 
-/// Whether a decimal literal outside the range of doubles is below it rather than above it.
+/// For a decimal literal outside the range of doubles, whether it is below the range rather than above it.
 bool is_tiny(std::string_view literal) {
   const std::size_t exponent_at = std::min(literal.find_first_of("eE"), literal.size());
   const std::string_view mantissa = literal.substr(0, exponent_at);
@@ -24,8 +24,8 @@ bool is_tiny(std::string_view literal) {
     const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
     if (result.ec != std::errc{}) return digits.starts_with('-');
   }
-  // Number of digits between the first one and the point; negative if the first digit follows the point. Below 2^31,
-  // like the size of a file.
+  // Number of digits between the first digit and the point; negative if the first digit follows the point. Its
+  // magnitude is below 2^31, as is the size of a file.
   const long long magnitude = static_cast<long long>(point) - static_cast<long long>(first_digit);
   return exponent < -magnitude;
 }

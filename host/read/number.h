@@ -8,7 +8,7 @@
 namespace csgsim::read {
 
 /// The double nearest to a literal of the grammar (`-1.5e3`, `.5`, `inf`, `-nan`). Literals below the range of doubles
-/// become 0; those above it give nothing.
+/// become 0; the result is empty for those above it.
 std::optional<double> parse_number(std::string_view literal);
 
 }  // namespace csgsim::read

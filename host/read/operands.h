@@ -15,28 +15,30 @@ namespace csgsim::read {
 
 /// The children of a node that is not a Boolean, in the node's own space.
 struct Operands {
-  std::vector<flat::Area> areas;    ///< if flat children count: one per child, empty if it does not count
-  std::vector<model::Tree> solids;  ///< one per child that is not empty
-  std::uint32_t dimensions = 0;     ///< dimensions of the children that count; 0 if none has any
-  Work work{};                      ///< charged for making the node
+  std::vector<flat::Area> areas;    ///< one per child, if the children are flat; empty for a child without an area
+  std::vector<model::Tree> solids;  ///< one per non-empty child
+  std::uint32_t dimensions = 0;     ///< dimensions of the children; 0 if no child has any
+  Work work{};                      ///< is charged for making the node
 };
 
-/// The result of such a node, in its own space: a solid as convex pieces, an area, or nothing.
+/// The result of such a node, in its own space: a solid as convex pieces, an area, or neither.
 struct Made {
   std::vector<model::Polyhedron> pieces{};
   flat::Area area{};
-  std::vector<model::Polyhedron> holes{};  ///< subtracted from the only piece
-  std::uint32_t dimensions = 0;            ///< kept even if empty; 0: no result, as for a group() without any
-  std::vector<std::string> warnings{};     ///< texts without a position
+  std::vector<model::Polyhedron> holes{};  ///< solids subtracted from the first and only piece
+  /// Also set if the result is empty; 0 if there is no result, as for a group() without children.
+  std::uint32_t dimensions = 0;
+  std::vector<std::string> warnings{};  ///< texts of warnings, without a position
 };
 
 /// The union of the children that are areas.
 flat::Area only_area(const Operands& operands);
 
-/// Whether that union is an area, possibly empty. As in OpenSCAD, a single empty child gives no area.
+/// Whether the union of the children that are areas is an area, possibly empty. As in OpenSCAD, a single empty child
+/// gives no area.
 bool has_area(const Operands& operands);
 
-/// The union of the children that are solids; without nodes if there are none.
+/// The union of the children that are solids; the tree has no nodes if there are none.
 model::Tree only_solid(Operands operands);
 
 /// Makes the result when the node ends. Throws InputError without a position.

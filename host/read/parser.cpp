@@ -31,7 +31,8 @@ void Parser::finish_argument(std::string_view text) {
 
 void Parser::add_value(std::string_view text, ValueKind kind, double number) {
   const std::size_t offset = offset_of(text.data());
-  if (statement_.values.size() >= max_values) fail(offset, "more than {} values in one node", max_values);
+  if (statement_.values.size() >= max_values)
+    fail(offset, "more than {} values in one node; split the node", max_values);
   statement_.values.push_back({number, static_cast<std::uint32_t>(offset), kind, 1});
 }
 
@@ -43,7 +44,7 @@ void Parser::add_number(std::string_view text) {
 
 void Parser::open_vector(std::string_view text) {
   if (vectors_.size() >= max_vector_depth) {
-    fail(offset_of(text.data()), "vectors nested more than {} deep; no node takes that", max_vector_depth);
+    fail(offset_of(text.data()), "vectors are nested more than {} deep; no node needs this", max_vector_depth);
   }
   vectors_.push_back(static_cast<std::uint32_t>(statement_.values.size()));
   add_value(text, ValueKind::vector);
@@ -62,7 +63,8 @@ void Parser::finish_leaf(std::string_view /*text*/) {
 }
 
 void Parser::open_braces(std::string_view text) {
-  if (open_.size() >= max_depth) fail(offset_of(text.data()), "braces nested more than {} deep", max_depth);
+  if (open_.size() >= max_depth)
+    fail(offset_of(text.data()), "braces are nested more than {} deep; split the model", max_depth);
   open_.push_back({statement_.name, statement_.offset});
   visitor_.begin(statement_);
   clear_statement();

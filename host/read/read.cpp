@@ -22,7 +22,7 @@ void visit_drawn(Source& source, std::optional<std::uint32_t> root, StatementVis
     throw InputError(fmt::format("{}: no model found; export one from OpenSCAD", source.name()));
 }
 
-/// Finds where solids are combined; only needed for meshes.
+/// Finds where solids are combined. Only meshes need this.
 Meetings find_meetings(Source& source, std::optional<std::uint32_t> root) {
   const auto names = [&](std::string_view node) { return source.text().find(node) != std::string_view::npos; };
   if (!names("polyhedron") && !names("import")) return {};

@@ -16,13 +16,13 @@ namespace csgsim::read {
 
 namespace {
 
-/// Maximum error that rounding of sines and their products causes in an entry of a rotation, including zeros: files
-/// contain them as 6.12323e-17.
+/// Maximum error that the rounding of sines and their products causes in an entry of a rotation. It also applies to
+/// zeros, which files contain as 6.12323e-17.
 constexpr double noise = 1e-15;
 
 double to_digits(double number, int digits) { return *parse_number(fmt::format("{:.{}g}", number, digits)); }
 
-/// Whether a number known to within `error` may have been written with those six digits.
+/// Whether a number that is known to within `error` may have been written with the six digits of `written`.
 bool is_written_as(double number, double written, double error) {
   return to_digits(number - error, 6) <= written && written <= to_digits(number + error, 6);
 }
@@ -51,8 +51,8 @@ int angle(double sine, double cosine) {
   return static_cast<int>(std::round(std::atan2(sine, cosine) * (18000.0 / std::numbers::pi)));
 }
 
-/// The angles nearest to a matrix that is almost a rotation, in hundredths of a degree. If y is a right angle, x and z
-/// rotate about the same axis, and x is set to 0.
+/// The angles of the rotation nearest to the matrix, in hundredths of a degree. If y is a right angle, x and z rotate
+/// about the same axis, and x is set to 0.
 glm::ivec3 euler_angles(const glm::dmat3& matrix) {
   const int y = angle(-matrix[0][2], model::hypotenuse(matrix[0][0], matrix[0][1]));
   if (std::abs(y) == 9000) return {0, y, angle(-matrix[1][0], matrix[1][1])};
@@ -60,9 +60,9 @@ glm::ivec3 euler_angles(const glm::dmat3& matrix) {
 }
 
 /// The rotation about x, then y, then z by angles in hundredths of a degree. The error of an entry is at most 7e-16:
-/// each sine and cosine is rounded once (by a factor of u = 2^-53), and so are products and sums. In c c' s + s' s'',
-/// whose two products sum to at most 1, the errors are at most 5 u of the first product, 3 u of the second, and u of
-/// the sum.
+/// each sine and cosine is rounded once (a relative error of u = 2^-53), and so are products and sums. In c c' s + s'
+/// s'', whose two products sum to at most 1, the errors are at most 5 u of the first product, 3 u of the second, and u
+/// of the sum.
 glm::dmat3 rotation(const glm::ivec3& hundredths) {
   const double sx = model::sin_hundredths(hundredths.x);
   const double sy = model::sin_hundredths(hundredths.y);
@@ -81,7 +81,7 @@ glm::dmat3 diagonal(const glm::dvec3& entries) {
   return matrix;
 }
 
-/// Whether scaling or rotation comes first.
+/// Whether the scaling or the rotation is applied first.
 enum class Order : std::uint8_t { scale_turn, turn_scale };
 
 /// The scale factors of the axes. If the matrix mirrors one axis, all three factors are negative instead.
@@ -99,7 +99,7 @@ std::optional<glm::dmat3> restored(const glm::dmat3& written, Order order) {
     return order == Order::scale_turn ? matrix * diagonal(by) : diagonal(by) * matrix;
   };
   const glm::dmat3 unit = scaled(written, 1.0 / scale);
-  if (!is_finite(unit)) return std::nullopt;  // a scale is 0, for example
+  if (!is_finite(unit)) return std::nullopt;  // for example because a scale is 0
   const glm::dmat3 turn = rotation(euler_angles(unit));
   const glm::dmat3 whole = scaled(turn, scale);
   const double greatest = std::max({1.0, std::abs(scale.x), std::abs(scale.y), std::abs(scale.z)});

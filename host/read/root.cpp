@@ -24,7 +24,7 @@ class RootFinder : public StatementVisitor {
  private:
   std::optional<std::uint32_t> root_;
   std::uint32_t count_ = 0;
-  std::uint32_t disabled_ = 0;  ///< number of open statements from a `*` on
+  std::uint32_t disabled_ = 0;  ///< number of open statements, from the outermost one with `*` inwards
 };
 
 }  // namespace

@@ -9,11 +9,11 @@
 
 namespace csgsim::read {
 
-/// Index, in file order, of the statement that a `!` makes the whole model: the first such statement not under a `*`.
-/// Throws InputError as visit_statements() does.
+/// Index, in file order, of the statement that `!` selects as the whole model: the first such statement that is not
+/// under `*`. Throws InputError as visit_statements() does.
 std::optional<std::uint32_t> find_root(Source& source);
 
-/// Passes on the statements that are drawn: those of the file, or of the root's subtree, that are not under a `%` or
+/// Passes on only the statements that are drawn: those of the file, or of the root's subtree, that are not under `%` or
 /// `*`. Modifiers of the root itself are ignored.
 class DrawnFilter : public StatementVisitor {
  public:
@@ -29,8 +29,8 @@ class DrawnFilter : public StatementVisitor {
   StatementVisitor& visitor_;
   std::optional<std::uint32_t> root_;
   std::uint32_t count_ = 0;     ///< number of visited statements
-  std::uint32_t depth_ = 0;     ///< number of open statements from the root on
-  std::uint32_t left_out_ = 0;  ///< number of open statements from a `%` or `*` on
+  std::uint32_t depth_ = 0;     ///< number of open statements, from the root inwards
+  std::uint32_t left_out_ = 0;  ///< number of open statements, from the outermost one with `%` or `*` inwards
 };
 
 }  // namespace csgsim::read

@@ -17,28 +17,26 @@
 #include "host/model/tree.h"
 #include "host/read/arguments.h"
 
-// Arguments common to several nodes.
-
 namespace csgsim::read {
 
 /// $fn, $fa and $fs, limited as in OpenSCAD.
 model::FacetControl read_facets(const Arguments& arguments);
 
-/// A radius, which the file may give as a diameter.
+/// A radius, which the file may give as a diameter; empty if it gives neither.
 std::optional<double> read_radius(const Arguments& arguments, std::string_view radius, std::string_view diameter);
 
-/// Reads point indices as OpenSCAD 2021.01 does: fractions are truncated, values that are not numbers count as 0, and
-/// indices out of range and lists that are not vectors are dropped. Only the first such case in each node causes a
+/// Reads point indices as OpenSCAD 2021.01 does: fractions are truncated, values that are not numbers are read as 0,
+/// and indices out of range and lists that are not vectors are dropped. Only the first such case in each node causes a
 /// warning.
 class IndexReader {
  public:
-  /// The node has `points` points.
+  /// `points`: number of points of the node.
   IndexReader(const Arguments& arguments, std::size_t points) : arguments_(arguments), points_(points) {}
 
   /// The indices of one face or path.
   std::vector<std::uint32_t> read(ValueView list);
 
-  /// Warns of a value that is changed or dropped, unless the node has already caused a warning.
+  /// Warns about a value that is changed or dropped, unless the node has already caused a warning.
   void warn(ValueView value, const std::string& message);
 
  private:
@@ -49,7 +47,7 @@ class IndexReader {
   bool has_warned_ = false;
 };
 
-/// The numbers of a vector with N elements; none if it is anything else or an element is not finite.
+/// The numbers of a vector with N elements. Empty if the value is anything else or an element is not finite.
 template <int N>
 std::optional<glm::vec<N, double>> finite_numbers(ValueView vector) {
   if (!vector.is(ValueKind::vector) || vector.size() != N) return std::nullopt;
@@ -64,7 +62,7 @@ std::optional<glm::vec<N, double>> finite_numbers(ValueView vector) {
   return all_finite ? std::optional(numbers) : std::nullopt;
 }
 
-/// The points of a node. None if a value is not a point; a warning then reports this and the `outcome`.
+/// The points of a node. Empty if a value is not a point; in this case a warning reports the value and the `outcome`.
 template <int N>
 std::optional<std::vector<glm::vec<N, double>>> read_points(const Arguments& arguments, std::string_view node,
                                                             std::string_view outcome) {

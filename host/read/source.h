@@ -39,15 +39,16 @@ class Source {
   [[nodiscard]] std::string_view text() const { return text_; }
   [[nodiscard]] std::string_view name() const { return name_; }
 
-  /// Imports a file named by the model. None if it does not exist; a warning at the byte then says that `node` is
-  /// empty. Throws InputError, at the byte, if the file may not or cannot be read.
+  /// Imports a file named by the model. Empty if the file does not exist; a warning at `offset` then reports that
+  /// `node` is empty. Throws InputError at `offset` if reading the file is not allowed or fails.
   std::optional<ImportedFile> import(std::string_view file, const InputKind& kind, std::string_view node,
                                      std::size_t offset);
 
   /// The imported files, in order.
   [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
 
-  /// Sets the work counter charged by everything that uses the text; see read::Options. Unlimited before.
+  /// Sets the work counter that everything using this text is charged to; see read::Options. Without a call, work is
+  /// unlimited.
   void charge_to(Work work) { work_ = std::move(work); }
   [[nodiscard]] const Work& work() const { return work_; }
 
@@ -57,7 +58,7 @@ class Source {
   /// Prints `name:line:column: message` to standard error.
   void tell(std::size_t offset, std::string_view message);
 
-  /// The same, unless that message was printed before at another position.
+  /// Like tell(), unless the same message was printed before at another position.
   void warn_once(std::size_t offset, const std::string& message);
 
   /// Throws InputError: `name:line:column: message`.
@@ -67,11 +68,11 @@ class Source {
   std::string_view text_;
   std::string_view name_;
   ImportFolders folders_;
-  std::function<void(std::string_view)> imported_;  ///< see Options
+  std::function<void(std::string_view)> imported_;  ///< Options::imported
   std::vector<std::filesystem::path> files_;
   std::set<std::string> printed_;  ///< messages printed by warn_once()
   model::Location known_{1, 1};    ///< position of the byte at known_offset_
-  std::size_t known_offset_ = 0;   ///< all bytes before it are counted
+  std::size_t known_offset_ = 0;   ///< number of bytes before known_
   Work work_;
 };
 

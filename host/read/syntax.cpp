@@ -58,8 +58,8 @@ struct Action<grammar::brace_open> : Calls<&Parser::open_braces> {};
 template <>
 struct Action<grammar::brace_close> : Calls<&Parser::close_braces> {};
 
-/// The expectation of a rule that must match, for messages; {0} is replaced by the node's name. The default applies to
-/// rules that can only fail through one of those below.
+/// The expected text where a rule must match, for messages; {0} is replaced by the node's name. The default is for
+/// rules that fail only if one of the rules below fails.
 template <typename Rule>
 constexpr auto expected = "something else";
 template <>

@@ -15,10 +15,10 @@ enum class ValueKind : std::uint8_t { number, boolean, string, undefined, vector
 
 /// A value of a statement. A statement's values form one list in text order, so the elements of a vector follow it.
 struct Value {
-  double number = 0;         ///< number; for a boolean, 0 or 1; for a string, its length in bytes without quotes
+  double number = 0;         ///< a number; for a boolean, 0 or 1; for a string, its length in bytes without quotes
   std::uint32_t offset = 0;  ///< position in the text
   ValueKind kind = ValueKind::undefined;
-  std::uint32_t extent = 1;  ///< number of list entries that it occupies, including itself
+  std::uint32_t extent = 1;  ///< number of list entries that the value occupies, including itself
 };
 
 struct Argument {
@@ -46,12 +46,12 @@ struct Statement {
 class StatementVisitor {
  public:
   virtual ~StatementVisitor() = default;
-  virtual void begin(const Statement& statement) = 0;  ///< the statement is only valid during the call
+  virtual void begin(const Statement& statement) = 0;  ///< `statement` is valid only during the call
   virtual void end() = 0;                              ///< ends the innermost open statement
 };
 
-/// Reads statements, at most `max_statements` in at most `max_depth` nested braces. Throws InputError if the text is
-/// not a valid `.csg` file, and passes on exceptions of the visitor.
+/// Reads statements, at most `max_statements`, nested at most `max_depth` braces deep. Throws InputError if the text is
+/// not a valid `.csg` file. Exceptions of the visitor are passed on.
 void visit_statements(Source& source, StatementVisitor& visitor);
 
 }  // namespace csgsim::read

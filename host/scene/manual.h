@@ -8,11 +8,11 @@
 
 namespace csgsim::scene {
 
-/// The section's keys as a Markdown table: values, defaults, meanings.
+/// The section's keys as a Markdown table of values, defaults and meanings.
 std::string keys_table(const Section& section);
 
-/// The allowed values of a key in words, and a value as written in a scene file; empty if there is no value, or for a
-/// table of colours.
+/// allowed_text(): the allowed values of a key in words. value_text(): a value as written in a scene file; empty if
+/// there is no value, and for a table of colours.
 std::string allowed_text(const Key& key);
 std::string value_text(const KeyValue& value);
 

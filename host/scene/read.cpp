@@ -21,7 +21,7 @@ constexpr std::string_view effects_prefix = "effects.";
 constexpr std::string_view on_key = "on";  ///< key of every effect
 constexpr std::size_t max_in_list = 1000;  ///< maximum number of tables or colours in a list
 
-/// The first value in the node that comes from KEY=VALUE instead of the file; null if there is none.
+/// The first value in the node that was set by KEY=VALUE instead of the file; null if there is none.
 const toml::node* set_value(const toml::node& node) {
   const toml::source_region& place = node.source();
   if (place.path && place.path->starts_with(set_mark)) return &node;
@@ -102,7 +102,7 @@ class Reader {
       fail(*node, fmt::format("'{0}' is {1}; make it a list of tables, [[{0}]] each", section.name, type_name(*node)));
     }
     if (list->size() > max_in_list) {
-      fail(*node, fmt::format("{} has more than {} tables", section.name, max_in_list));
+      fail(*node, fmt::format("{} has more than {} tables; remove some", section.name, max_in_list));
     }
     for (const toml::node& one : *list) {
       const toml::table* const entry = one.as_table();
@@ -126,7 +126,7 @@ class Reader {
     }
     const bool is_requested = !is_effect || is_on(table, section);
     if (is_requested) report_values(section, read);
-    if (section.is_list && !is_requested) return;  // other tables of the list may be on
+    if (section.is_list && !is_requested) return;  // another table of the list may be on
     try {
       section.keep(scene_, section, std::move(read));
     } catch (const InputError& error) {
@@ -217,7 +217,7 @@ class Reader {
                                        : std::find(key.names.begin(), key.names.end(), std::string_view(text->get()));
     if (found == key.names.end()) {
       const std::string_view near = text == nullptr ? std::string_view() : nearest_similar(text->get(), key.names);
-      fail(node, fmt::format("{} is {};{} it takes {}", name, given,
+      fail(node, fmt::format("{} is {};{} it must be one of {}", name, given,
                              near.empty() ? "" : fmt::format(" did you mean {}?", near), fmt::join(key.names, ", ")));
     }
     return found - key.names.begin();
@@ -225,7 +225,7 @@ class Reader {
 
   void check_range(const toml::node& node, double value, const Key& key, const std::string& name) const {
     if (value >= key.least && value <= key.most) return;
-    fail(node, fmt::format("{} is {}; it takes {} to {}{}{}", name, value, key.least, key.most,
+    fail(node, fmt::format("{} is {}; it must be {} to {}{}{}", name, value, key.least, key.most,
                            key.unit.empty() ? "" : " ", key.unit));
   }
 

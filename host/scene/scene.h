@@ -11,13 +11,12 @@
 
 #include "host/scene/values.h"
 
-/// The parts of a picture other than the model's solids: camera, lights, materials, background, effects.
 namespace csgsim::scene {
 
-/// The axes in which a direction or position is given.
+/// The coordinate system of a direction or position.
 enum class Axes : std::uint8_t {
   model,
-  camera,  ///< right, up and forward of the eye, which is at the origin
+  camera,  ///< right, up and forward, with the eye at the origin
 };
 
 enum class LightKind : std::uint8_t { directional, point };
@@ -25,10 +24,10 @@ enum class LightKind : std::uint8_t { directional, point };
 struct Light {
   LightKind kind = LightKind::directional;
   Axes axes = Axes::model;
-  glm::dvec3 direction{0};  ///< directional light: direction in which it shines; need not have length 1
+  glm::dvec3 direction{0};  ///< directional light: direction in which the light travels, of any length
   glm::dvec3 position{0};   ///< point light: in model units
   glm::dvec3 colour{1};     ///< red, green, blue, each from 0 to 1
-  double intensity = 0.7;   ///< fraction of its colour that a surface facing the light receives
+  double intensity = 0.7;   ///< fraction of `colour` received by a surface that faces the light
 
   bool operator==(const Light&) const = default;
 };
@@ -45,15 +44,15 @@ struct Ambient {
 struct Material {
   double ambient = 1;     ///< fraction of the ambient light
   double diffuse = 1;     ///< fraction of a light that arrives from the front
-  double specular = 0;    ///< fraction of a light that is reflected to the eye, in the light's colour
+  double specular = 0;    ///< fraction of a light that is reflected to the eye, in the colour of the light
   double shininess = 20;  ///< exponent of the highlight (Blinn); larger values make it smaller
   double mirror = 0;      ///< fraction of a flat face's colour that is its mirror image; 1 is a perfect mirror
 
   bool operator==(const Material&) const = default;
 };
 
-/// A selection of primitives: those with a colour, those from a range of lines of the model's file, or all if neither
-/// is given.
+/// A selection of primitives: those with a given colour, those from a range of lines of the model's file, or all
+/// primitives if neither is given.
 struct PrimitiveSelection {
   std::optional<glm::dvec3> of_colour;     ///< colour in the model
   std::optional<std::uint32_t> from_line;  ///< first line of the model's file
@@ -87,7 +86,7 @@ struct Background {
   bool operator==(const Background&) const = default;
 };
 
-/// Colours of faces to which neither the model nor a material assigns one; defaults are in host/lighting.
+/// Colours of faces to which neither the model nor a material assigns a colour; the defaults are in host/lighting.
 struct Uncoloured {
   std::optional<glm::dvec3> face;
   std::optional<glm::dvec3> cut_face;  ///< surface where a solid was subtracted
@@ -97,9 +96,10 @@ struct Uncoloured {
 
 /// An effect that appears in the scene.
 struct EffectRequest {
-  std::string_view name;       ///< name of the effect's section
-  std::vector<Values> tables;  ///< one table, or those of a list; the effect parses its settings from them
-  bool is_on = true;           ///< false: off even if the model requests it
+  std::string_view name;  ///< name of the effect's section
+  /// The section's table, or all tables of a list section; the effect parses its settings from them.
+  std::vector<Values> tables;
+  bool is_on = true;  ///< if false, the effect is off even if the model requests it
 };
 
 struct Scene {
@@ -107,9 +107,9 @@ struct Scene {
   Background background;
   Uncoloured uncoloured;
   Ambient ambient;
-  std::vector<Light> lights;            ///< if empty: the default light (host/lighting)
+  std::vector<Light> lights;            ///< if empty, the default light is used (host/lighting)
   std::vector<MaterialRule> materials;  ///< ordered; later rules win
-  std::vector<EffectRequest> effects;   ///< order of the effects' sections
+  std::vector<EffectRequest> effects;   ///< in the order of the effects' sections
 };
 
 }  // namespace csgsim::scene

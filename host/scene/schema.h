@@ -16,17 +16,17 @@
 
 namespace csgsim::scene {
 
-/// A table of the scene file, or a list of tables of the same form. Each section has a struct for its tables, and next
-/// to it
-///   void visit_keys(Table& table, auto&& visit): calls visit(key, member) for each key, in order;
-///   void complete(Table& table), optional: completes the values read, and throws InputError, without a position, if
+/// A table of the scene file, or a list of tables of the same form. Each section has a struct for its tables and, next
+/// to it, these functions:
+/// - void visit_keys(Table& table, auto&& visit): calls visit(key, member) for each key, in order;
+/// - void complete(Table& table), optional: completes the values read, and throws InputError, without a position, if
 ///   they are inconsistent.
 struct Section {
   std::string_view name;  ///< for example `camera`, `effects.shadows`
   std::string_view meaning;
   bool is_list = false;
   Values (*blank)() = nullptr;
-  /// Stores the values read. Throws as complete() does.
+  /// Stores the values read from the file. Throws as complete() does.
   void (*keep)(Scene& scene, const Section& section, Values&& read) = nullptr;
 };
 
@@ -124,7 +124,7 @@ Values blank_values() {
   return values_of(Table{});
 }
 
-/// The table with these values, completed. Throws as complete() does.
+/// The table with the given values, completed. Throws as complete() does.
 template <class Table>
 Table table_of(const Values& values) {
   Table table;
@@ -136,7 +136,8 @@ Table table_of(const Values& values) {
   return table;
 }
 
-/// Parses an effect's settings from its tables in the scene: the defaults if there are none, or a std::vector of all.
+/// Parses an effect's settings from its tables in the scene. Without tables these are the defaults. If Settings is a
+/// std::vector, it has one element per table.
 template <class Settings>
 Settings settings_of(const std::vector<Values>& tables) {
   Settings settings;
@@ -150,7 +151,7 @@ Settings settings_of(const std::vector<Values>& tables) {
   return settings;
 }
 
-/// A section stored in a member of the scene; a list if the member is a std::vector.
+/// A section stored in a member of the scene; a list section if the member is a std::vector.
 template <class Kept, Kept Scene::*member>
 constexpr Section section(std::string_view name, std::string_view meaning) {
   using Table = typename detail::TableOf<Kept>::type;
@@ -164,23 +165,23 @@ constexpr Section section(std::string_view name, std::string_view meaning) {
           }};
 }
 
-/// Adds a table of an effect to the scene; a list section gains one more table.
+/// Adds a table of an effect to the scene. For a list section, this adds one more entry.
 void call(Scene& scene, const Section& section, Values&& table);
 
-/// The section of an effect, whose tables are added to the scene; a list if the settings are a std::vector.
+/// The section of an effect, whose tables are added to the scene; a list section if Settings is a std::vector.
 template <class Settings>
 constexpr Section effect_section(std::string_view name, std::string_view meaning) {
   using Table = typename detail::TableOf<Settings>::type;
   return {name, meaning, detail::TableOf<Settings>::is_list, blank_values<Table>,
           [](Scene& scene, const Section& section, Values&& read) {
-            table_of<Table>(read);  // throws if the values are inconsistent
+            table_of<Table>(read);  // validates: throws if the values are inconsistent
             call(scene, section, std::move(read));
           }};
 }
 
 inline constexpr double last_line = 4'294'967'295.0;
 
-/// The keys that select primitives, for sections whose table is derived from PrimitiveSelection.
+/// The keys that select primitives. For sections whose table is derived from PrimitiveSelection.
 void visit_keys(PrimitiveSelection& chosen, auto&& visit) {
   visit(colour_key("of_colour", "selects primitives with this colour in the model"), chosen.of_colour);
   visit(integer_key("from_line", "", 1, last_line, "selects primitives from this line of the model on"),

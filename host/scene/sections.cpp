@@ -93,7 +93,7 @@ void complete(PrimitiveSelection& chosen) {
   if (chosen.to_line && !chosen.from_line) throw InputError("to_line without from_line; add from_line");
   if (chosen.from_line && !chosen.to_line) chosen.to_line = chosen.from_line;
   if (chosen.from_line && *chosen.to_line < *chosen.from_line) {
-    throw InputError("to_line must not precede from_line");
+    throw InputError("to_line precedes from_line; set it to from_line or more");
   }
 }
 

@@ -59,7 +59,7 @@ class Setter {
     return index;
   }
 
-  /// The table or list below a node; created if it does not exist.
+  /// The table or list at `part` below a node; it is created if it does not exist.
   toml::node& step(toml::node& node, std::string_view part, bool holds_list) const {
     if (toml::array* const list = node.as_array()) {
       const std::size_t index = parse_index(part, *list);
@@ -86,7 +86,7 @@ class Setter {
     holder.get("value")->visit([&](auto& typed) { table->insert_or_assign(part, std::move(typed)); });
   }
 
-  /// A table with the value. Lists of numbers need no brackets, and words need no quotes.
+  /// Parses the value into a table. Lists of numbers need no brackets, and words need no quotes.
   [[nodiscard]] toml::table parse_value(const std::string& text) const {
     if (text.find('\n') != text.npos) fail("the value must be on one line");
     for (const std::string& form : {"value = " + text, "value = [" + text + "]", "value = '" + text + "'"}) {

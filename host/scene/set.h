@@ -8,7 +8,7 @@
 
 namespace csgsim::scene {
 
-/// Prefix of KEY=VALUE as the source of a node, in place of a file name.
+/// Prefix of the position of a value given as KEY=VALUE, in place of a file name.
 inline constexpr std::string_view set_mark = "--set ";
 
 /// Stores a value given as KEY=VALUE in the scene. Throws SetError.

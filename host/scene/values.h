@@ -12,7 +12,7 @@
 
 namespace csgsim::scene {
 
-/// Rows of colours, all of the same length.
+/// Rows of colours; all rows have the same length.
 using ColourTable = std::vector<std::vector<glm::dvec3>>;
 
 /// A value of a scene file; a choice is stored as the index of its name.
@@ -32,8 +32,8 @@ enum class ValueKind : std::uint8_t {
 struct Key {
   std::string_view name;
   ValueKind kind = ValueKind::boolean;
-  std::string_view unit;  ///< empty if it has no unit
-  double least = 0;       ///< limit of an integer or number, or of each component of a vector
+  std::string_view unit;  ///< empty if the key has no unit
+  double least = 0;       ///< minimum of an integer or number, or of each component of a vector
   double most = 0;
   std::string_view meaning;
   std::span<const std::string_view> names{};
@@ -41,10 +41,10 @@ struct Key {
 
 struct KeyValue {
   Key key;
-  std::optional<Value> value;  ///< nothing if not given
+  std::optional<Value> value;  ///< empty if the key is not given
 };
 
-/// A table of a scene file: each key of its section, in order, with the given value or the default.
+/// A table of a scene file: each key of its section, in order, with the given value or else the default.
 using Values = std::vector<KeyValue>;
 
 }  // namespace csgsim::scene

@@ -23,7 +23,7 @@ struct AreaSide {
 /// The left or right boundary of a convex polygon that grows upwards.
 struct Chain {
   std::vector<glm::dvec2> corners;
-  AreaSide last;  ///< side of the area on which the chain ends
+  AreaSide last;  ///< side of the area at which the chain ends
 };
 
 /// A convex polygon whose top can still grow.
@@ -38,7 +38,7 @@ double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
 }
 
-/// Turn of a chain where `side` continues it: positive to the left, 0 if straight.
+/// Turn of a chain if `side` continues it: positive to the left, 0 if straight.
 double turn(const Chain& chain, const AreaSide& side, double high) {
   if (chain.last == side) return 0;
   return turn(chain.corners[chain.corners.size() - 2], chain.corners.back(), side.at(high));
@@ -98,7 +98,7 @@ class TrapezoidStacker {
     open_ = std::move(grown);
   }
 
-  /// Appends a trapezoid to an open stack that stays convex with it, or starts a new stack.
+  /// Appends a trapezoid to an open stack if the result is convex; otherwise starts a new stack.
   Stack grow(const AreaSide& left, const AreaSide& right, double low, double high) {
     for (Stack& stack : open_) {
       if (stack.left.corners.empty() || left.at(low) == right.at(low)) continue;

@@ -9,9 +9,9 @@
 namespace csgsim::solids {
 
 /// Divides an area to the right of the y axis into convex, counter-clockwise polygons that cover it without overlap.
-/// The cuts are horizontal, through the area's corners, and only where the parts above and below are not convex
-/// together: a part along the axis can then often be turned about it as one piece. New corners lie on the area's sides,
-/// to rounding.
+/// The cuts are horizontal, through the area's corners, and only where the union of the parts above and below is not
+/// convex: a part along the axis can then often be rotated about it as one piece. New corners lie on the area's sides,
+/// apart from rounding.
 std::vector<flat::Outline> axis_parts(const flat::Area& area);
 
 }  // namespace csgsim::solids

@@ -14,7 +14,7 @@ namespace {
 
 using Face = std::vector<std::uint32_t>;
 
-/// Grid step of corners, in model units, when solids are combined; OpenSCAD truncates coordinates to it.
+/// Step of the grid, in model units, to which OpenSCAD truncates corners when it combines solids.
 constexpr double point_grid = 0x1p-20;
 
 class FaceCutter {

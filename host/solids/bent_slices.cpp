@@ -59,7 +59,7 @@ Slice slice_at(const LinearExtrude& extrusion, std::uint32_t index, std::uint32_
   return {level(index), level(index + 1)};
 }
 
-/// The surface swept by one side of the outline, given by its lower and upper ends.
+/// The surface swept by one side of the outline; `Quad` stores the lower and upper ends of that side.
 struct Quad {
   glm::dvec3 low_from;
   glm::dvec3 low_to;
@@ -67,7 +67,7 @@ struct Quad {
   glm::dvec3 high_to;
 };
 
-/// Whether the quad's diagonal rises along the side. OpenSCAD takes the diagonal that is shorter in plan view, but the
+/// Whether the quad's diagonal rises along the side. OpenSCAD uses the diagonal that is shorter in plan view, but the
 /// longer one below a top without area. If the lengths differ by less than 1e-5 of their mean, the twist and the kind
 /// of outline decide.
 bool diagonal_rises(const Quad& quad, const Slice& slice, bool is_hole) {
@@ -82,8 +82,8 @@ bool diagonal_rises(const Quad& quad, const Slice& slice, bool is_hole) {
 
 constexpr double relative_tolerance = double_precision_tolerance;
 
-/// Maximum difference between the volumes of the pieces and the slice, in cubes of the slice's size: convex::clip()
-/// loses sheets thinner than 1e-10.
+/// Maximum difference between the volumes of the pieces and of the slice, in units of the slice's size cubed:
+/// convex::clip() loses sheets thinner than 1e-10.
 constexpr double volume_tolerance = 1e-8;
 
 /// The surface of a slice as triangles and caps, and their planes.
@@ -111,13 +111,13 @@ class SliceSides {
   struct Triangle {
     std::array<std::uint32_t, 3> corners{};
     facet::Plane plane;
-    bool is_flat = true;  ///< the triangle has no area
+    bool is_flat = true;  ///< whether the triangle has no area
   };
 
   /// The two triangles of a side.
   struct Pair {
-    Triangle first;   ///< holds the edge that rises from the start of the side, if that triangle has area
-    Triangle second;  ///< holds the edge that rises from the end of the side
+    Triangle first;   ///< contains the edge that rises from the start of the side, if that triangle has area
+    Triangle second;  ///< contains the edge that rises from the end of the side
     bool rises = false;
   };
 
@@ -134,7 +134,8 @@ class SliceSides {
 
   [[nodiscard]] double size() const { return box_.diagonal(); }
 
-  /// Nothing if sides cross each other: they then leave holes, or enclose space twice or with the wrong orientation.
+  /// The pieces; empty if sides cross each other, because they then leave holes, or enclose space twice or with the
+  /// wrong orientation.
   [[nodiscard]] std::optional<std::vector<convex::Polytope>> uncrossed(const convex::Polytope& space) const {
     try {
       std::vector<convex::Polytope> found = partition(soup_, space, {}, planes_, convex::tolerance(planes_), limits_);
@@ -145,7 +146,7 @@ class SliceSides {
     } catch (const WorkError&) {
       throw;
     } catch (const InputError&) {
-      return std::nullopt;  // crossing sides would give too many pieces as well
+      return std::nullopt;  // crossing sides would also give too many pieces
     }
     return std::nullopt;
   }
@@ -189,7 +190,7 @@ class SliceSides {
     }
   }
 
-  /// Adds one convex part of the slice's lower and upper cap; a cap without area is omitted.
+  /// Adds one convex part of the slice's lower cap and of its upper cap. A cap without area is omitted.
   void add_caps(const flat::Outline& part) {
     std::vector<glm::dvec3> corners;
     for (const glm::dvec2& corner : part) corners.emplace_back(slice_.low(corner), slice_.low.z);
@@ -210,7 +211,7 @@ class SliceSides {
     soup_.fragments.push_back({planes_.add(plane), begin, static_cast<std::uint32_t>(soup_.corners.size())});
   }
 
-  /// The triangles over the side between two lower corners. The upper point of a corner has the next index.
+  /// The triangles over the side between two lower corners. The upper point of each corner has the next index.
   Pair pair(std::uint32_t from, std::uint32_t to, bool is_hole) {
     const Quad quad{soup_.points[from], soup_.points[to], soup_.points[from + 1], soup_.points[to + 1]};
     Pair made;
@@ -222,7 +223,7 @@ class SliceSides {
       made.first = triangle({from, to, from + 1});
       made.second = triangle({to, to + 1, from + 1});
     }
-    // The triangles of an unbent side share one plane.
+    // The triangles of a side that is not bent share one plane.
     const std::uint32_t beyond = made.rises ? from + 1 : to + 1;
     const facet::Plane& plane = made.rises ? made.second.plane : made.first.plane;
     const bool both = !made.first.is_flat && !made.second.is_flat;
@@ -261,9 +262,9 @@ class SliceSides {
     }
   }
 
-  /// The triangles of a side below a top that is a line. Triangles with an upper edge that share their lower corner lie
-  /// in one plane and may be folded back on each other. One triangle replaces them, between the ends that they do not
-  /// share.
+  /// Adds the triangles of a side below a top that is a line. Triangles with an upper edge that share their lower
+  /// corner lie in one plane and may be folded back on each other. One triangle replaces them, between the ends that
+  /// they do not share.
   void emit_at_line(const Pair& before, const Pair& here) {
     const std::array<bool, 3> unknown{true, true, true};
     emit(here.rises ? here.second : here.first, unknown);
@@ -273,7 +274,7 @@ class SliceSides {
     emit(triangle({corner, end, start}), unknown);
   }
 
-  /// `reflex[i]` is for the edge from corner i to the next one.
+  /// Adds a triangle. `reflex[i]` applies to the edge from corner i to the next one.
   void emit(const Triangle& triangle, const std::array<bool, 3>& reflex) {
     if (triangle.is_flat) return;
     const auto begin = static_cast<std::uint32_t>(soup_.corners.size());
@@ -299,7 +300,7 @@ std::vector<model::Polyhedron> cut(const flat::Area& area, const Slice& slice, c
   return pieces;
 }
 
-/// Moves a piece of one slice into another slice that differs only in height and turn.
+/// Moves a piece of one slice to another slice that differs only in height and turn.
 model::Polyhedron moved(const model::Polyhedron& piece, const Slice& from, const Slice& to) {
   const SliceEnd turned{0, to.low.turn - from.low.turn, glm::dvec2(1)};
   const double shift = to.low.z - from.low.z;
@@ -330,7 +331,8 @@ bool is_straight(const flat::Area& area, const LinearExtrude& extrusion) {
   });
 }
 
-/// Throws InputError if there are too many pieces. `pieces` may be a lower bound: each slice has at least one.
+/// Throws InputError if there are too many pieces. `pieces` may be a lower bound, because each slice has at least one
+/// piece.
 void require_few(std::size_t pieces) {
   const std::size_t most = Limits{}.max_pieces;
   if (pieces <= most) return;

@@ -10,7 +10,7 @@
 
 namespace csgsim::solids {
 
-/// linear_extrude() with bent sides: twisted, or scaled differently in x and y. The height is above 0. Throws as
+/// linear_extrude() with bent sides: twisted, or scaled differently in x and y. The height must be above 0. Throws as
 /// linear_extrude() does.
 std::vector<model::Polyhedron> extrude_bent(const flat::Area& area, const LinearExtrude& extrusion, const Work& work);
 

@@ -36,7 +36,7 @@ std::vector<std::uint32_t> first_equals(const std::vector<glm::dvec3>& points) {
   return first;
 }
 
-/// Drops corners that repeat the previous one, also around the end.
+/// Drops corners that equal the previous corner; the first corner follows the last.
 void drop_repeats(Face& face) {
   face.erase(std::unique(face.begin(), face.end()), face.end());
   while (face.size() > 1 && face.front() == face.back()) face.pop_back();
@@ -53,7 +53,7 @@ Face reversed(Face face) {
   return rotated(std::move(face));
 }
 
-/// Marks faces that cancel out: each pairs with another that has the same corners in reverse order.
+/// Marks pairs of faces with the same corners in opposite order, which cancel each other.
 std::vector<bool> cancelled(const std::vector<Face>& faces) {
   std::vector<std::pair<Face, std::uint32_t>> by_corners;
   for (std::uint32_t i = 0; i < faces.size(); ++i) {
@@ -76,7 +76,7 @@ std::vector<bool> cancelled(const std::vector<Face>& faces) {
   return gone;
 }
 
-/// The median length of the faces' edges, with shared edges counted once per face; 0 without edges.
+/// The median length of the faces' edges. A shared edge counts once for each face. 0 if there are no edges.
 double median_edge(const Mesh& mesh) {
   std::vector<double> lengths;
   for (const Face& face : mesh.faces) {

@@ -13,7 +13,7 @@ namespace csgsim::solids {
 
 namespace {
 
-/// Sides of a plane as a bit set: the side of one point, or all sides on which several points lie.
+/// Sides of a plane as a bit set: for a point its side; for several points all sides on which they lie.
 using Sides = std::uint8_t;
 constexpr Sides on = 0;
 constexpr Sides back = 1;
@@ -23,7 +23,7 @@ std::uint64_t sort_key(facet::Halfspace halfspace) {
   return std::uint64_t{halfspace.plane} << 1U | (halfspace.positive ? 1U : 0U);
 }
 
-/// A step coprime to `count`: it visits all indices, and the first ones are far apart.
+/// A step coprime to `count`: its multiples visit all indices, and the first ones are far apart.
 std::size_t coprime_stride(std::size_t count) {
   std::size_t stride = static_cast<std::size_t>(static_cast<double>(count) * 0.381966) | 1U;
   const auto divides = [&](std::size_t a, std::size_t b) {
@@ -55,7 +55,7 @@ class PlaneChooser {
     }
     if (!found) return std::nullopt;
     const std::optional<Found> level = choose_best(levels_inside());
-    constexpr double gain = 0.7;  // a level of about the same cost leaves more to cut
+    constexpr double gain = 0.7;  // a level whose cost is about the same would leave more to cut
     return level && level->cost < gain * found->cost ? level->halfspace : found->halfspace;
   }
 
@@ -110,8 +110,8 @@ class PlaneChooser {
     return found;
   }
 
-  /// The best candidate that has part of the surface in front of it. If there are many candidates, only a sample is
-  /// evaluated.
+  /// The candidate with the lowest cost that has part of the surface in front of it. If there are many candidates, only
+  /// a sample is evaluated.
   std::optional<Found> choose_best(const std::vector<facet::Halfspace>& candidates) {
     constexpr std::size_t work = 200'000;
     const std::size_t size = soup_.points.size() + soup_.corners.size();
@@ -143,9 +143,9 @@ class PlaneChooser {
     return (any & front) != 0;
   }
 
-  /// The cost of the plane whose sides were found last: it rises with the number of fragments cut and falls with the
-  /// number of reflex edges in the plane; large surfaces should be halved. Stops early and returns a value that is not
-  /// below `most` once the cost cannot be below it.
+  /// The cost of the plane for which find_sides() was last called. It rises with the number of fragments cut and falls
+  /// with the number of reflex edges in the plane; large surfaces should be halved. Stops early and returns some value
+  /// of at least `most` once the cost cannot be lower.
   [[nodiscard]] double cost_below(double most) const {
     const auto in_plane = [&](const ReflexEdge& edge) { return (sides_[edge.from] | sides_[edge.to]) == on; };
     const auto resolved = std::count_if(reflex_edges_.begin(), reflex_edges_.end(), in_plane);

@@ -21,8 +21,8 @@ struct Choices {
 };
 
 /// Chooses the plane that cuts a cell: the plane of a face with a reflex edge, of any face, or a level. Prefers planes
-/// that cut few faces and contain many reflex edges. None if the surface in the cell is convex. Throws WorkError past
-/// the limit on work.
+/// that cut few faces and contain many reflex edges. Empty if the surface in the cell is convex. Throws WorkError if
+/// the work limit is exceeded.
 std::optional<facet::Halfspace> choose_plane(const Soup& soup, const Choices& choices);
 
 /// Sorts by plane and side, and removes duplicates.

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint64_t max_points_times_faces = std::uint64_t{1} << 30U;
 
-/// Residue of rounding in doubles, in units of the size.
+/// Rounding error of doubles, in units of the mesh's size.
 constexpr double rounding = 1e-12;
 
 /// Maximum angle of a concave edge, in degrees.
@@ -34,7 +34,7 @@ struct Planes {
   /// Maximum distance of a point from its face.
   [[nodiscard]] double tolerance() const { return std::min(printed_tolerance, max_tolerance * size); }
 
-  /// Distance of a point from the plane of a face, positive outside.
+  /// Distance of a point from the plane of a face, positive outside the mesh.
   [[nodiscard]] double height(std::size_t face, std::uint32_t point) const {
     return glm::dot(normals[face], points[point]) - distances[face];
   }
@@ -73,7 +73,7 @@ Planes fit_planes(const Mesh& mesh) {
   return planes;
 }
 
-/// Whether all points are in one plane, to the rounding of doubles.
+/// Whether all points are in one plane, within the rounding of doubles.
 bool is_flat(const Planes& planes) {
   const auto largest = std::ranges::max_element(planes.areas) - planes.areas.begin();
   for (std::uint32_t i = 0; i < planes.points.size(); ++i) {

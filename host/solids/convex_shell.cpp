@@ -64,7 +64,7 @@ class Shell {
     return true;
   }
 
-  /// Omits corners at which only two regions meet: they lie on an edge.
+  /// Assembles the polyhedron. Omits corners at which only two regions meet, because they lie within an edge.
   [[nodiscard]] std::optional<model::Polyhedron> assemble(const std::map<std::uint32_t, Outline>& outlines) const {
     std::map<std::uint32_t, std::uint32_t> degrees;
     for (const auto& [region, outline] : outlines) {

@@ -47,11 +47,11 @@ struct Plane {
   [[nodiscard]] double height(const glm::dvec3& point) const { return glm::dot(normal, point - origin); }
 };
 
-/// The interval in which a triangle crosses a plane, along a line in that plane.
+/// The interval in which a triangle crosses a plane, measured along a line in that plane.
 struct Interval {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
-  double depth = 0;  ///< how far the triangle reaches, on the side where it reaches less
+  double depth = 0;  ///< how far the triangle reaches from the plane, on the side where it reaches less far
 
   void extend(double place) {
     low = std::min(low, place);

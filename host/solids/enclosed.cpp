@@ -71,7 +71,8 @@ class EnclosedDivision {
     if (cell.space.empty()) return;
     fragments_ += cell.sheets.size();
     if (fragments_ > limits_.max_fragments) {
-      throw InputError("the solid's faces are cut into more than " + std::to_string(limits_.max_fragments) + " parts");
+      throw InputError("the solid's faces are cut into more than " + std::to_string(limits_.max_fragments) +
+                       " parts; use fewer faces, or divide the solid");
     }
     open_.push_back(std::move(cell));
   }
@@ -97,7 +98,7 @@ class EnclosedDivision {
     return result;
   }
 
-  /// The plane of the sheet that cuts the fewest others. If there are many sheets, only a sample is evaluated.
+  /// The plane of the sheet that cuts the fewest other sheets. If there are many sheets, only a sample is evaluated.
   [[nodiscard]] facet::Halfspace best_wall(const std::vector<Sheet>& sheets) const {
     constexpr std::size_t most = 32;
     const std::size_t step = sheets.size() / most + 1;
@@ -117,7 +118,7 @@ class EnclosedDivision {
     return best;
   }
 
-  /// Keeps a piece that is inside the surface. No sheet is within the piece, so its centre decides for all of it.
+  /// Keeps a piece if it is inside the surface. No sheet is within the piece, so its centre decides for all of it.
   void keep(convex::Polytope piece) {
     limits_.work.charge(sheet_steps * soup_.fragments.size(), dividing);
     glm::dvec3 middle(0);
@@ -126,7 +127,8 @@ class EnclosedDivision {
     if (std::lround(winding(middle)) == 0) return;
     pieces_.push_back(std::move(piece));
     if (pieces_.size() > limits_.max_pieces) {
-      throw InputError("the solid needs more than " + std::to_string(limits_.max_pieces) + " convex pieces");
+      throw InputError("the solid needs more than " + std::to_string(limits_.max_pieces) +
+                       " convex pieces; use fewer faces, or divide the solid");
     }
   }
 

@@ -11,11 +11,11 @@
 
 namespace csgsim::solids {
 
-/// Convex polytopes, without overlap, that fill the space where the winding number of a closed surface is not 0:
-/// partition() for surfaces that cross themselves. The cell has to contain the surface. Space is divided by planes of
-/// the fragments until no part of the surface is inside a cell, so there are more pieces and it takes longer. Throws
-/// InputError if there are more pieces or fragments than the limits allow, and WorkError past the limit on work. Points
-/// closer to a plane than `near`, in model units, count as on it.
+/// Convex polytopes, without overlap, that fill the space where the winding number of a closed surface is not 0. Unlike
+/// partition(), this works for surfaces that cross themselves. The cell must contain the surface. Space is divided by
+/// planes of the fragments until no part of the surface is inside a cell, so there are more pieces and it takes longer.
+/// Points closer to a plane than `near`, in model units, are treated as on it. Throws InputError if there are more
+/// pieces or fragments than the limits allow, and WorkError if the work limit is exceeded.
 std::vector<convex::Polytope> enclosed(const Soup& soup, convex::Polytope cell, const facet::PlaneTable& planes,
                                        double near, const Limits& limits);
 

@@ -12,10 +12,10 @@ namespace csgsim::solids {
 
 /// The solid of a tree as convex pieces in model space. Pieces of one product do not overlap, but those of a union may
 /// (host/convex/pieces.h). If all operators are unions, the pieces are the faceted primitives. Throws InputError if
-/// there are too many pieces, and WorkError past the limit on work.
+/// there are too many pieces, and WorkError if the work limit is exceeded.
 std::vector<model::Polyhedron> evaluate_pieces(const model::Tree& tree, const Work& work = {});
 
-/// Points of the same solid, including all its corners: both have the same convex hull.
+/// Points of the solid of a tree, including all its corners, so that points and solid have the same convex hull.
 std::vector<glm::dvec3> evaluate_vertices(const model::Tree& tree, const Work& work = {});
 
 }  // namespace csgsim::solids

@@ -11,8 +11,8 @@ namespace csgsim::solids {
 
 namespace {
 
-// Numbers as sums of non-overlapping doubles, smallest first, without zeros. The steps follow the theorems of J.
-// Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates" (1997).
+// Numbers are stored as sums of non-overlapping doubles, smallest first, without zeros. The steps follow the theorems
+// of J. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates" (1997).
 
 /// A sum of up to `capacity` components.
 template <std::size_t capacity>

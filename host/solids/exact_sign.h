@@ -8,13 +8,13 @@
 
 namespace csgsim::solids {
 
-/// The difference of two points, not yet evaluated.
+/// The difference of two points, stored unevaluated.
 struct Difference {
   glm::dvec3 to;
   glm::dvec3 from;
 };
 
-/// The exact sign of the determinant of three differences of points: -1, 0 or 1. None if coordinates are so large or
+/// The exact sign of the determinant of three differences of points: -1, 0 or 1. Empty if coordinates are so large or
 /// small (beyond 1e90, or below 1e-75 but not 0) that an intermediate result might leave the range of doubles.
 std::optional<int> sign_of_determinant(const std::array<Difference, 3>& rows);
 

@@ -77,7 +77,7 @@ class EarClipper {
     return {left_[(i + count - 1) % count], left_[i % count], left_[(i + 1) % count]};
   }
 
-  /// The next ear after the last one, or the next corner if a face that crosses itself has no ear.
+  /// The next ear after the last one; if a face that crosses itself has no ear, the next corner.
   [[nodiscard]] std::size_t next() const {
     for (std::size_t k = 0; k < left_.size(); ++k) {
       const std::size_t i = (from_ + k) % left_.size();
@@ -106,8 +106,8 @@ class EarClipper {
   std::vector<Face> triangles_;
 };
 
-/// A triangle fan from the first corner, for a face whose parts cancel out, like a bow tie; the face itself if no
-/// triangle has area.
+/// A triangle fan from the first corner, for a face whose parts cancel each other, like a bow tie; the face itself if
+/// no triangle has area.
 std::vector<Face> fan(const Mesh& mesh, const Face& face) {
   std::vector<Face> triangles;
   bool has_area = false;

@@ -46,7 +46,7 @@ class SidePair {
   [[nodiscard]] bool meet() const {
     const auto [a, b] = one_;
     const auto [c, d] = other_;
-    // Sides with a common end may not overlap.
+    // Sides with a common end must not overlap.
     if (b == c) return is_on(at(a), at(b), at(d)) || is_on(at(c), at(d), at(a));
     if (a == d) return is_on(at(a), at(b), at(c)) || is_on(at(c), at(d), at(b));
     const bool parts_second = (turn(at(a), at(b), at(c)) > 0) != (turn(at(a), at(b), at(d)) > 0);
@@ -114,7 +114,7 @@ class OutlineSweep {
                         [&](const Region& region) { return (region.*side).second == point; });
   }
 
-  /// Adds the pending diagonal of a region's last point, if any.
+  /// Adds the pending diagonal of the region's last point, if there is one.
   At settled(At region, std::uint32_t point) {
     if (region->needs_diagonal) diagonals_.emplace_back(region->last, point);
     region->needs_diagonal = false;

@@ -28,10 +28,10 @@ int turn(const ProjectedPoint& a, const ProjectedPoint& b, const ProjectedPoint&
 /// A line between two points, given by their indices.
 using Link = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Whether sides meet only at their ends, and each used point has exactly one incoming and one outgoing side.
+/// Whether sides meet only at their ends, and each point that is used has exactly one incoming and one outgoing side.
 bool is_simple(std::span<const ProjectedPoint> points, std::span<const Link> sides);
 
-/// Diagonals that divide the region to the left of the sides into monotone parts. The sides have to be simple. A reflex
+/// Diagonals that divide the region to the left of the sides into monotone parts. The sides must be simple. A reflex
 /// corner that lacks a side to its left is connected to the last point before it in its part; one that lacks a side to
 /// its right is connected to the first point after it.
 std::vector<Link> monotone_diagonals(std::span<const ProjectedPoint> points, std::span<const Link> sides);

@@ -14,7 +14,7 @@ namespace csgsim::solids {
 
 namespace {
 
-/// The input of libpng. libpng is C code, so its callbacks may not throw.
+/// The input of libpng. libpng is C code, so its callbacks must not throw.
 struct Stream {
   std::string_view bytes;
   char error[128] = "";  // NOLINT(modernize-avoid-c-arrays)
@@ -49,7 +49,7 @@ bool read_header(png_structp png, png_infop info) {
   return true;
 }
 
-/// Holds no object with a destructor either.
+/// Like read_header(), holds no object with a destructor.
 bool read_rows(png_structp png, png_bytepp rows) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT(cert-err52-cpp)
   png_read_image(png, rows);

@@ -40,7 +40,7 @@ struct InFront {
   }
 };
 
-/// Whether one point is farther behind such a plane than another.
+/// Whether one point is farther behind the plane of three others than another point.
 struct IsFartherBehind {
   using result_type = bool;
 
@@ -93,7 +93,7 @@ Mesh hull(std::span<const glm::dvec3> points, const Work& work) {
       corners.push_back(static_cast<std::uint32_t>(vertex.idx()));
     }
   }
-  // CGAL orders edges by address, and the triangles of a face depend on that order.
+  // The triangles that CGAL makes of a face depend on the addresses of its edges, so they are replaced.
   return with_sorted_faces(made);
 }
 

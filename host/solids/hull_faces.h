@@ -8,8 +8,8 @@ namespace csgsim::solids {
 
 /// A canonical form of a convex hull, which depends only on the solid. `hull` is a convex surface of triangles with
 /// exact orientation; its triangulation is not unique if more than three points are in one plane. The result has only
-/// the points at corners of the solid, sorted by their coordinates; a face with more than three corners is a fan around
-/// its first corner.
+/// the points at corners of the solid, sorted by their coordinates; a face with more than three corners becomes a fan
+/// of triangles around its first corner.
 Mesh with_sorted_faces(const Mesh& hull);
 
 }  // namespace csgsim::solids

@@ -40,12 +40,12 @@ std::set<Edge> unjoined_edges(const Mesh& mesh) {
   return found;
 }
 
-/// Finds, for each point to be joined, the first point near it, which may be the point itself.
+/// Finds, for each point to be joined, the first point near it; this may be the point itself.
 class Nearest {
  public:
   Nearest(const Mesh& mesh, double tolerance) : mesh_(mesh), tolerance_(tolerance) {}
 
-  /// The first added point near this one; if there is none, adds this one.
+  /// The first added point near this point; if there is none, adds this point.
   std::uint32_t first_near(std::uint32_t point) {
     const Cell at = cell_of(mesh_.points[point]);
     std::uint32_t first = point;
@@ -61,8 +61,9 @@ class Nearest {
  private:
   static constexpr std::array<double, 3> beside = {-1, 0, 1};
 
-  /// Integral cell coordinates: points near each other are in the same or in adjacent cells. From 2^53 on, adjacent
-  /// doubles differ by more than the tolerance, so only equal points are near each other, and these share a cell.
+  /// Cell coordinates, which are integers: points near each other are in the same or in adjacent cells. From 2^53 on,
+  /// adjacent doubles differ by more than the tolerance, so only equal points are near each other, and these share a
+  /// cell.
   using Cell = std::array<double, 3>;
 
   [[nodiscard]] Cell cell_of(const glm::dvec3& point) const {
@@ -102,8 +103,8 @@ class EdgeJoiner {
   }
 
  private:
-  /// The corners of a chain of other faces' edges that runs from the end of the edge back to its start; returned in the
-  /// direction of the edge.
+  /// The corners of a chain of other faces' edges that leads from the end of the edge back to its start. They are
+  /// returned in the direction of the edge.
   [[nodiscard]] Face corners_on(const Edge& edge) const {
     if (!open_.contains(edge)) return {};
     Face corners;
@@ -119,7 +120,8 @@ class EdgeJoiner {
     return {};
   }
 
-  /// The end of an open edge from `at`, if that end lies on the given edge and is closer to its start.
+  /// The end of an open edge that starts at `at`, if that end lies on the given edge and is closer to its start;
+  /// otherwise empty.
   [[nodiscard]] std::optional<std::uint32_t> next_on(const Edge& edge, std::uint32_t at) const {
     const glm::dvec3& origin = mesh_.points[edge.first];
     const glm::dvec3 along = glm::normalize(mesh_.points[edge.second] - origin);

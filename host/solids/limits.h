@@ -11,31 +11,31 @@ namespace csgsim::solids {
 
 /// Maximum distance, in units of the largest coordinate, by which rounding may have moved a point. OpenSCAD prints 6
 /// digits, which moves a coordinate by up to 5e-6 of its value. In a test of 20,000 boxes printed that way and rotated
-/// and translated at random, the worst one, cut into triangles, was bent by 1.1e-5.
+/// and translated at random, the largest bend of a box, cut into triangles, was 1.1e-5.
 inline constexpr double printed_tolerance = 2e-5;
 
-/// The same for single precision, as in STL files: half a unit in the last place per coordinate; eight such errors may
-/// add up.
+/// The same distance for single precision, as in STL files: half a unit in the last place per coordinate; eight such
+/// errors may add up.
 inline constexpr double single_precision_tolerance = 0x1p-22;
 
-/// Residue of rounding in doubles.
+/// The same distance for doubles.
 inline constexpr double double_precision_tolerance = 1e-12;
 
-/// Upper bound of tolerances, as a fraction of the size: a mesh far from the origin that lost more precision is
-/// rejected.
+/// Upper bound of tolerances, as a fraction of the mesh's size: a mesh so far from the origin that it lost more
+/// precision is rejected.
 inline constexpr double max_tolerance = 1e-3;
 
 /// Upper bound of the joining distance, as a fraction of the median edge. Points farther apart were not separated by
-/// rounding: without this bound a single far corner would set the tolerance of all others.
+/// rounding; without this bound a single far corner would determine the tolerance of all other corners.
 inline constexpr double max_edge_fraction = 0.01;
 
-/// Beyond this distance from the origin, products of coordinates leave the range of doubles.
+/// Maximum magnitude of a coordinate; products of larger coordinates leave the range of doubles.
 inline constexpr double max_coordinate = model::max_coordinate;
 
 /// Limits and tolerances of the division of a solid into convex pieces.
 struct Limits {
   double tolerance = printed_tolerance;  ///< distance of points from a flat face, in units of the largest coordinate
-  bool checks_coverage = true;           ///< reject pieces that extend past the surface, as a hole
+  bool checks_coverage = true;           ///< whether pieces that extend past the surface are rejected as a hole
   std::size_t max_pieces = 100'000;
   std::size_t max_fragments = 4'000'000;  ///< parts of faces produced by cuts
   Work work{};

@@ -55,7 +55,7 @@ model::Polyhedron frustum(const flat::Outline& part, const Ends& ends, SideLines
   return piece;
 }
 
-/// Clamps the scale to 0 and above; none if the result is empty.
+/// Clamps the scale to 0 and above; empty if the extrusion is empty.
 std::optional<LinearExtrude> normalized(const flat::Area& area, LinearExtrude extrusion) {
   extrusion.scale = glm::max(extrusion.scale, glm::dvec2(0));
   if (area.empty() || !(extrusion.height > 0.0)) return std::nullopt;
@@ -71,7 +71,7 @@ Ends make_ends(const LinearExtrude& extrusion) {
   return {low, extrusion.center ? extrusion.height / 2.0 : extrusion.height, extrusion.scale.x};
 }
 
-/// One outline as a counter-clockwise convex polygon; none if it is not convex.
+/// The outline as a counter-clockwise convex polygon; empty if it is not convex.
 std::optional<flat::Outline> as_convex(flat::Outline outline, bool is_hole) {
   if (is_hole) std::reverse(outline.begin(), outline.end());
   std::vector<flat::Outline> parts = flat::convex_parts({{std::move(outline)}});
@@ -79,7 +79,8 @@ std::optional<flat::Outline> as_convex(flat::Outline outline, bool is_hole) {
   return std::move(parts.front());
 }
 
-/// The outer outline, then the holes. Empty unless there is one outer outline, at least one hole, and all are convex.
+/// The outer outline, then the holes. Empty unless there is exactly one outer outline, at least one hole, and all are
+/// convex.
 std::vector<flat::Outline> convex_outlines(const flat::Area& area) {
   std::vector<flat::Outline> found;
   std::size_t outer = 0;

@@ -9,7 +9,7 @@
 namespace csgsim::solids {
 
 /// The surface of a solid: faces with three or more corners each, which index `points` and run counter-clockwise as
-/// seen from outside. The surface need not be closed and may intersect itself; check.h tests both.
+/// seen from outside. The surface may be open or intersect itself; check.h tests for both.
 struct Mesh {
   std::vector<glm::dvec3> points;
   std::vector<std::vector<std::uint32_t>> faces;

@@ -22,7 +22,7 @@ std::size_t count_corners(const Pieces& pieces) {
   return count;
 }
 
-/// Whether all points of `other` are behind all planes of `piece`, to rounding.
+/// Whether all points of `other` are behind all planes of `piece`, apart from rounding.
 bool holds(const model::Polyhedron& piece, const model::Polyhedron& other, double near) {
   return std::all_of(piece.planes.begin(), piece.planes.end(), [&](const glm::dvec4& plane) {
     return std::all_of(other.points.begin(), other.points.end(),
@@ -30,7 +30,7 @@ bool holds(const model::Polyhedron& piece, const model::Polyhedron& other, doubl
   });
 }
 
-/// Removes pieces inside other pieces; of equal pieces the last one stays.
+/// Removes pieces that are inside other pieces; of equal pieces the last one stays.
 Pieces without_covered(Pieces pieces, const Work& work) {
   std::vector<facet::Box> boxes;
   facet::Box whole;

@@ -15,8 +15,8 @@ inline constexpr std::uint32_t none = 0xffffffffU;
 /// Adjacency of faces. Sides are numbered consecutively over all faces; side k of a face runs from its corner k to the
 /// next one.
 struct Neighbours {
-  std::vector<std::uint32_t> first_side;  ///< first side of each face, plus one past the last
-  std::vector<std::uint32_t> face;        ///< face beyond each side; `none` unless there is exactly one
+  std::vector<std::uint32_t> first_side;  ///< first side of each face, and the total number of sides as last entry
+  std::vector<std::uint32_t> face;        ///< neighbour at each side; `none` unless there is exactly one
 };
 
 /// A side of a face.
@@ -25,7 +25,7 @@ struct EdgeSide {
   std::uint32_t high;    ///< higher index
   std::uint32_t number;  ///< index among the sides of all faces
   std::uint32_t face;
-  bool forward;  ///< runs from the lower corner to the higher one
+  bool forward;  ///< whether the side runs from the lower corner to the higher one
 };
 
 /// All sides, sorted by edge, then by number.
@@ -46,13 +46,14 @@ void for_edges(const std::vector<EdgeSide>& sides, const Visit& visit) {
 struct Joint {
   std::uint32_t one;    ///< face index
   std::uint32_t other;  ///< face index; equal to `one` if that face runs along the edge twice
-  bool same_way;        ///< both sides run in the same direction
+  bool same_way;        ///< whether both sides run in the same direction
 };
 
 /// The edges with exactly two sides, sorted by their corners.
 std::vector<Joint> find_joints(const Mesh& mesh);
 
-/// Two faces are neighbours at an edge if they run along it in opposite directions and no third face does.
+/// Finds the neighbours of all faces. Two faces are neighbours at an edge if they run along it in opposite directions
+/// and no third face does.
 Neighbours find_neighbours(const Mesh& mesh);
 
 /// The shell number of each face. Faces with a common edge belong to one shell; shells are numbered in the order of

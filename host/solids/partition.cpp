@@ -25,7 +25,7 @@ constexpr double min_visible_width = 1e-6;
 
 constexpr std::string_view cutting = "cutting a solid into convex pieces";
 
-/// Cost per corner of the surface for one cut.
+/// Cost of one cut, in steps of work per corner of the surface.
 constexpr std::uint64_t cut_steps = 20;
 
 /// A part of space, and the surface inside it.
@@ -51,10 +51,10 @@ double compute_area(const Soup& soup, const Fragment& fragment) {
                       [&](std::size_t i) { return soup.points[soup.corners[fragment.begin + i].point]; });
 }
 
-/// Whether the surface covers the faces of a piece that do not lie in a wall. The total areas are compared, because
-/// nearly parallel planes share their area arbitrarily. Missing area may consist of slivers, at most `near` wide in
-/// model units, a few along each side. A piece that is not covered extends past the surface where part of the surface
-/// was lost.
+/// Whether the surface covers the faces of a piece that do not lie in a wall. Total areas are compared, because nearly
+/// parallel planes share their area arbitrarily. Missing area may consist of slivers, at most `near` wide in model
+/// units, a few along each side. A piece that is not covered extends past the surface where part of the surface was
+/// lost.
 bool is_covered(const convex::Polytope& piece, std::span<const facet::Halfspace> walls, const Soup& surface,
                 double near) {
   constexpr double slivers = 8;  // maximum number of lost slivers along a side
@@ -70,7 +70,7 @@ bool is_covered(const convex::Polytope& piece, std::span<const facet::Halfspace>
   return missing <= 0;
 }
 
-/// One side of a cut, with only the points that it needs.
+/// One side of a cut, with only the points that this side needs.
 class Half {
  public:
   explicit Half(const std::vector<glm::dvec3>& points) : points_(points), places_(points.size(), none) {}
@@ -112,7 +112,7 @@ class Cut {
     }
   }
 
-  /// Divides all fragments. Fragments whose plane is the cutting plane count as in it regardless of rounding, so
+  /// Divides all fragments. A fragment whose plane is the cutting plane is treated as in it regardless of rounding, so
   /// neither half keeps a fragment that the same plane would cut again.
   void operator()() {
     for (const Fragment& fragment : soup_.fragments) {
@@ -135,7 +135,7 @@ class Cut {
  private:
   [[nodiscard]] Side side(std::uint32_t corner) const { return sides_[soup_.corners[corner].point]; }
 
-  /// Accumulates the area of faces in the plane; its sign shows which side of the plane is solid.
+  /// Accumulates the area of faces in the plane. The sign of the sum shows which side of the plane is solid.
   void accumulate(const Fragment& fragment) {
     facing += compute_area(soup_, fragment) *
               glm::dot(convex::outward_plane(fragment.halfspace, planes_).normal, plane_.normal);
@@ -149,7 +149,7 @@ class Cut {
       const Side there = side(next);
       const bool is_out = here != kept && here != Side::on;
       const bool leaves = there != kept && there != Side::on;
-      // An edge in the plane is no longer reflex on either side, and the edge made by the cut never is.
+      // An edge in the plane is no longer reflex on either side, and an edge made by the cut never is.
       const bool stays = here == kept || there == kept;
       if (!is_out) half.add(soup_.corners[i].point, soup_.corners[i].reflex && stays);
       if ((here == kept && leaves) || (is_out && there == kept)) {
@@ -228,7 +228,7 @@ class Partition {
     open_fragments_ += cell.soup.fragments.size();
     if (open_fragments_ > limits_.max_fragments) {
       throw InputError("the solid's faces are cut into more than " + std::to_string(limits_.max_fragments) +
-                       " parts; give it fewer faces, or divide it");
+                       " parts; use fewer faces, or divide the solid");
     }
     open_.push_back(std::move(cell));
   }
@@ -261,7 +261,7 @@ class Partition {
     pieces_.push_back(std::move(piece));
     if (pieces_.size() > limits_.max_pieces) {
       throw InputError("the solid needs more than " + std::to_string(limits_.max_pieces) +
-                       " convex pieces; give it fewer faces, or divide it");
+                       " convex pieces; use fewer faces, or divide the solid");
     }
   }
 
@@ -271,8 +271,8 @@ class Partition {
   const Limits& limits_;
   std::vector<Cell> open_;
   std::vector<convex::Polytope> pieces_;
-  std::vector<bool> is_of_surface_;  ///< for each plane, whether it is of the surface or a level; other planes are
-                                     ///< walls of the first cell
+  /// For each plane, whether it belongs to the surface or a level; the other planes are walls of the first cell.
+  std::vector<bool> is_of_surface_;
   std::size_t open_fragments_ = 0;
 };
 

@@ -45,14 +45,14 @@ void for_triangles(const Soup& soup, const Fragment& fragment, const Visit& visi
 }
 
 /// A plane across an axis that contains many reflex edges, such as the planes between the slices of a twist. Faces end
-/// there, so the plane cuts few of them.
+/// at such a plane, so it cuts few of them.
 struct Level {
   int axis = 0;
   double place = 0;  ///< relative to PlaneTable::centre()
   facet::Halfspace halfspace;
 };
 
-/// The surface has a hole, either in its faces or in the planes that replace several faces.
+/// Thrown if the surface has a hole, either in its faces or in the planes that replace several faces.
 class HoleError : public InputError {
  public:
   using InputError::InputError;
@@ -60,9 +60,9 @@ class HoleError : public InputError {
 
 /// The solid inside a surface, as convex polytopes that do not overlap. Space is divided by planes of the surface's
 /// faces, or by levels (sorted by axis and place), until the surface in each cell is part of a convex solid: each
-/// fragment is behind all planes of the others. Points closer to a plane than `near`, in model units, count as on it.
-/// The cell has to contain the surface with a margin. Throws InputError if there are more pieces or fragments than the
-/// limits allow, HoleError if the surface is open, and WorkError past the limit on work.
+/// fragment is behind the planes of all others. Points closer to a plane than `near`, in model units, are treated as on
+/// it. The cell must contain the surface with a margin. Throws InputError if there are more pieces or fragments than
+/// the limits allow, HoleError if the surface is open, and WorkError if the work limit is exceeded.
 std::vector<convex::Polytope> partition(Soup soup, convex::Polytope cell, std::span<const Level> levels,
                                         const facet::PlaneTable& planes, double near, const Limits& limits);
 

@@ -58,7 +58,7 @@ class Division {
     return std::move(pieces_);
   }
 
-  /// Whether the volume of the pieces matches that of the solids, within the error that corners off their planes may
+  /// Whether the volume of the pieces equals that of the solids, within the error that corners off their planes may
   /// cause.
   [[nodiscard]] bool keeps_volume() const { return std::abs(gain_) <= near_ * area_; }
 
@@ -103,7 +103,7 @@ class Division {
     return soup;
   }
 
-  /// Whether the face beyond a side rises in front of this one; true if the side has no unique neighbour.
+  /// Whether the face beyond a side rises in front of this face; true if the side has no unique neighbour.
   [[nodiscard]] bool is_reflex(std::uint32_t face, std::uint32_t side) const {
     const std::uint32_t beyond = neighbours_.face[neighbours_.first_side[face] + side];
     if (beyond == none) return true;
@@ -132,7 +132,7 @@ class Division {
     return levels;
   }
 
-  /// Sorted positions along an axis of the reflex edges perpendicular to it.
+  /// Sorted positions along an axis of the reflex edges that are perpendicular to it.
   [[nodiscard]] std::vector<double> edges_across(const Soup& soup, int axis) const {
     std::vector<double> places;
     for (const Fragment& fragment : soup.fragments) {
@@ -168,7 +168,7 @@ class Division {
   double area_ = 0;  ///< surface area of the solids
 };
 
-/// Divides with each face in its own plane; loss or gain by tolerances then shows in the volume.
+/// Divides the solid with each face in its own plane, so that losses and gains by tolerances appear in the volume.
 std::vector<model::Polyhedron> exact_pieces(const Mesh& mesh, const facet::Box& box, Limits limits) {
   limits.tolerance = double_precision_tolerance;
   limits.checks_coverage = false;
@@ -188,7 +188,7 @@ std::vector<model::Polyhedron> convex_pieces(const Mesh& mesh, const Limits& lim
     std::vector<model::Polyhedron> pieces = division();
     if (division.keeps_volume()) return pieces;
   } catch (const HoleError&) {
-    // division with each face in its own plane may leave no hole
+    // a division with each face in its own plane may leave no hole
   }
   return exact_pieces(mesh, box, limits);
 }

@@ -17,19 +17,20 @@ namespace {
 
 using Points = std::vector<glm::dvec2>;
 
-/// Solids are truncated where they extend farther than this multiple of the size of the result, and parts count as far
-/// apart along z at more than this multiple of their width. This keeps the tolerance of clip() within 1e-6 of that
-/// size.
+/// Solids are truncated where they extend farther than this multiple of the size of the result, and parts are treated
+/// as far apart if they are apart along z by more than this multiple of their width. This keeps the tolerance of clip()
+/// within 1e-6 of that size.
 constexpr double times_apart = 4096;
 
-/// An interval along z of the result of a tree, and the scale along z that makes it about as high as wide.
+/// An interval along z of the result of a tree, and the scale along z that makes the interval about as high as it is
+/// wide.
 struct Slab {
   double low = 0;
   double high = 0;
   double scale = 1;
 };
 
-/// The intervals in which solids begin and end, and the long ones between them, in ascending order.
+/// The intervals in which solids begin and end, and the long intervals between these, in ascending order.
 std::vector<Slab> split_into_slabs(const facet::Box& rest, std::span<const facet::Convex> solids) {
   const double width = std::max(rest.high.x - rest.low.x, rest.high.y - rest.low.y);
   std::vector<double> ends{rest.low.z, rest.high.z};
@@ -120,7 +121,7 @@ void add_term(std::vector<Points>& plan, const model::Tree& tree, const Work& wo
   for (const Slab& slab : slabs) add_pieces(plan, cut_off(tree, geometry, slab), tree, work);
 }
 
-/// The first node of each subtree, and the number of leaves before it.
+/// The first node of a subtree, and the number of leaves before it.
 struct Begin {
   std::uint32_t node = 0;
   std::uint32_t primitive = 0;

@@ -9,8 +9,8 @@ namespace csgsim::solids {
 
 namespace {
 
-/// Far below the 53 bits of the doubles that Clipper uses to intersect sides; far above the difference between corners
-/// that are meant to coincide.
+/// Number of bits of the grid: far below the 53 bits of the doubles with which Clipper intersects sides, and far above
+/// the differences between corners that are meant to coincide.
 constexpr int bits = 36;
 
 using Group = std::vector<std::uint32_t>;
@@ -37,7 +37,7 @@ std::vector<Group> group_boxes(std::span<const facet::Box> boxes) {
   struct Open {
     Group group;
     int axis = 0;        ///< axis along which to split next
-    bool tried = false;  ///< the other axis had no gap
+    bool tried = false;  ///< whether the other axis had no gap
   };
   std::vector<Open> open(1);
   for (std::uint32_t i = 0; i < boxes.size(); ++i) {

@@ -7,7 +7,7 @@
 
 namespace csgsim::solids {
 
-/// Converts a polytope to model space, with the planes as stored in the table.
+/// Converts a polytope to model space. Its planes are stored with the numbers of the table.
 model::Polyhedron to_polyhedron(const convex::Polytope& polytope, const facet::PlaneTable& planes);
 
 }  // namespace csgsim::solids

@@ -29,7 +29,7 @@ constexpr double same_corner = 0x1p-20;
 /// Maximum rounding error of a corner along z, in units of its x and y.
 constexpr double corner_rounding = 0x1p-47;
 
-/// Maximum rounding step, as a fraction of an outline's size, that needs no warning.
+/// Maximum rounding step, as a fraction of an outline's size, without a warning.
 constexpr double fine_enough = 1e-6;
 
 bool is_in_plane(const glm::dvec3& corner) {
@@ -87,7 +87,7 @@ flat::Outline cut(const flat::Outline& outline, int axis, double limit, bool is_
   return made;
 }
 
-/// The part of a convex outline inside a box enlarged by its size; the rest cannot affect the result in the box.
+/// The part of a convex outline inside a box enlarged by its size. The rest cannot affect the result in the box.
 flat::Outline cut_around(flat::Outline outline, const facet::Box& box) {
   const double margin = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
   for (int axis = 0; axis < 2; ++axis) {
@@ -224,7 +224,8 @@ class SectionBuilder {
   std::vector<flat::Outline> leaves_;  ///< outline of each primitive
   std::vector<facet::Box> boxes_;      ///< bounds of each node
   std::vector<std::uint32_t> terms_;
-  std::vector<Paths> made_ = std::vector<Paths>(tree_.nodes.size());  ///< node results, until used
+  /// Results of nodes; each is kept until it is used.
+  std::vector<Paths> made_ = std::vector<Paths>(tree_.nodes.size());
 };
 
 }  // namespace

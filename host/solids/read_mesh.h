@@ -17,28 +17,29 @@ inline constexpr std::size_t max_mesh_faces = 4'000'000;
 /// The extension of a file name in lower case, such as `.stl`.
 std::string lower_case_extension(const std::filesystem::path& path);
 
-/// Parses the meshes of a file whose format follows from its name: .stl, .off, .obj, .amf or .3mf. An STL, OFF or OBJ
-/// file has one mesh. Points may repeat; only finite coordinates and valid corner indices are checked. `text` is the
-/// content of the file; its name appears in messages. Throws InputError with the file name, and the position in it
-/// where one is known.
+/// Parses the meshes of a file whose format follows from its extension: .stl, .off, .obj, .amf or .3mf. An STL, OFF or
+/// OBJ file has one mesh. Points may repeat; only finite coordinates and valid corner indices are checked. `text` is
+/// the content of the file; its name appears in messages. Throws InputError with the file name and, where known, the
+/// position in it.
 std::vector<Mesh> parse_meshes(std::string_view text, const std::filesystem::path& path);
 
-/// STL, binary or text. Normals are ignored, as in OpenSCAD. Text files may contain triangles only.
+/// Parses STL, binary or text. Normals are ignored, as in OpenSCAD. Text files may contain triangles only.
 Mesh parse_stl(std::string_view text, std::string_view name);
 
-/// Object File Format as text. Colours and normals after a point's coordinates or a face's corners are ignored.
+/// Parses the text form of the Object File Format. Colours and normals after a point's coordinates or a face's corners
+/// are ignored.
 Mesh parse_off(std::string_view text, std::string_view name);
 
-/// Wavefront OBJ with all its objects. Materials and other attributes of appearance are ignored; curves and surfaces
-/// are rejected.
+/// Parses Wavefront OBJ with all its objects. Materials and other attributes of appearance are ignored; curves and
+/// surfaces are rejected.
 Mesh parse_obj(std::string_view text, std::string_view name);
 
-/// Additive Manufacturing File, optionally zipped: one mesh per object, of all its volumes. As in OpenSCAD, curved
-/// triangles are treated as flat; units and constellations are ignored.
+/// Parses an Additive Manufacturing File, which may be zipped: one mesh per object, with all its volumes. As in
+/// OpenSCAD, curved triangles are treated as flat; units and constellations are ignored.
 std::vector<Mesh> parse_amf(std::string_view text, std::string_view name);
 
-/// 3D Manufacturing Format: one mesh per object that has one. As in OpenSCAD, units, components and build transforms
-/// are ignored.
+/// Parses the 3D Manufacturing Format: one mesh per object that has a mesh. As in OpenSCAD, units, components and build
+/// transforms are ignored.
 std::vector<Mesh> parse_3mf(std::string_view text, std::string_view name);
 
 }  // namespace csgsim::solids

@@ -22,7 +22,8 @@ std::string_view next_word(Words& words) {
   return word;
 }
 
-/// The point of a corner `point`, `point/texture` or `point/texture/normal`: counted from 1, or backwards from -1.
+/// The point of a corner `point`, `point/texture` or `point/texture/normal`. Points are counted from 1, or backwards
+/// from -1.
 std::uint32_t corner(const Words& words, std::string_view word, std::size_t points) {
   const std::string_view digits = word.substr(0, word.find('/'));
   std::int64_t number = 0;

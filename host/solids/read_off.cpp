@@ -19,7 +19,7 @@ std::uint32_t max_count(std::size_t bytes, std::size_t each) {
 
 void read_header(Words& words) {
   const std::string_view kind = words.next();
-  // Colours, normals and texture coordinates follow the coordinates of a point and are ignored.
+  // After the coordinates of a point, these formats have colours, normals or texture coordinates, which are ignored.
   for (const std::string_view known : {"OFF", "COFF", "NOFF", "CNOFF", "STOFF"}) {
     if (kind == known) return;
   }

@@ -74,7 +74,8 @@ void expect(Words& words, std::string_view expected) {
   if (!is_word(words.next(), expected)) words.fail(fmt::format("expected '{}'; export it as STL again", expected));
 }
 
-/// STL has single precision: equal points printed by other programs with more digits may differ in the last place.
+/// STL has single precision: points that are equal may differ in the last place if another program printed them with
+/// more digits.
 double in_single_precision(Words& words, double number) {
   if (std::abs(number) > static_cast<double>(std::numeric_limits<float>::max()))
     words.fail("a coordinate exceeds the range of single precision; scale the model down");

@@ -16,7 +16,7 @@ namespace csgsim::solids {
 
 namespace {
 
-/// Reads elements of an XML document; errors report the position of the element.
+/// Reads elements of an XML document. Errors report the position of the element.
 class Document {
  public:
   Document(std::string text, std::string_view name) : text_(std::move(text)), name_(name) {
@@ -76,14 +76,14 @@ class Document {
   pugi::xml_document document_;
 };
 
-/// `text(name)` returns the node's text for a coordinate.
+/// `text(name)` returns the text of the node for a coordinate.
 template <class Text>
 void add_point(Mesh& mesh, const Document& document, const pugi::xml_node& node, const Text& text) {
   const auto coordinate = [&](const char* name) { return document.coordinate(node, text(name)); };
   mesh.points.push_back({coordinate("x"), coordinate("y"), coordinate("z")});
 }
 
-/// `text(name)` returns the node's text for a corner.
+/// `text(name)` returns the text of the node for a corner.
 template <class Text>
 void add_triangle(Mesh& mesh, const Document& document, const pugi::xml_node& node, const Text& text) {
   auto& face = mesh.faces.emplace_back();
@@ -117,7 +117,7 @@ Mesh read_3mf_object(const Document& document, const pugi::xml_node& source) {
   return mesh;
 }
 
-/// The name of the 3MF package part that the relationships declare as the model.
+/// The name of the part that the relationships of the 3MF package declare as the model.
 std::string model_part(std::string_view text, std::string_view name) {
   const Document relations(unzip(text, name, "_rels/.rels"), name);
   for (const pugi::xml_node relation : relations.root("Relationships").children("Relationship")) {

@@ -12,7 +12,7 @@ namespace csgsim::solids {
 
 namespace {
 
-/// Cost of adding a face to a region, and of testing a face against the region's final plane.
+/// Cost, in steps of work, of adding a face to a region, and of testing a face against the region's final plane.
 constexpr std::uint64_t gather_steps = 40;
 constexpr std::uint64_t settle_steps = 8;
 constexpr std::string_view gathering = "gathering the faces of a plane";
@@ -49,7 +49,7 @@ class RegionGrower {
     std::stable_sort(order.begin(), order.end(),
                      [this](std::uint32_t a, std::uint32_t b) { return sums_[a].area > sums_[b].area; });
     for (const std::uint32_t face : order) {
-      // A region may lose its seed face when its plane is refitted, so the seed is grown again.
+      // A region may lose its seed face when its plane is refitted; in that case a region is grown from the seed again.
       while (regions_.of_face[face] == none && glm::length(sums_[face].vector) > 0) grow(face);
     }
     return std::move(regions_);
@@ -82,7 +82,7 @@ class RegionGrower {
     const auto region = static_cast<std::uint32_t>(regions_.planes.size());
     std::vector<std::uint32_t> members = gather(seed, region);
     Sums sums = total(members);
-    // The plane changes while faces are gathered, so the first ones may no longer fit.
+    // The plane changes while faces are gathered, so the first faces may no longer fit.
     for (bool settled = false; !settled && members.size() > 1; sums = total(members)) {
       work_.charge(settle_steps * members.size(), gathering);
       const facet::Plane plane = sums.plane();

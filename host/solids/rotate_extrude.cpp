@@ -20,7 +20,7 @@ namespace csgsim::solids {
 
 namespace {
 
-/// Corners closer to the axis than this, in units of the farthest corner's distance, count as on it.
+/// Corners closer to the axis than this, in units of the farthest corner's distance, are treated as on it.
 constexpr double axis_tolerance = double_precision_tolerance;
 
 /// Directions of the copies of the profile, counter-clockwise.
@@ -31,7 +31,7 @@ struct Turn {
   [[nodiscard]] std::uint32_t segments() const { return static_cast<std::uint32_t>(angles.size()) - 1; }
 };
 
-/// The range of x, including 0. Throws InputError with OpenSCAD's message if the area is on both sides of the axis.
+/// The range of x, including 0. Throws InputError, with OpenSCAD's message, if the area is on both sides of the axis.
 std::pair<double, double> x_range(const flat::Area& area) {
   double least = 0;
   double greatest = 0;
@@ -51,7 +51,7 @@ std::pair<double, double> x_range(const flat::Area& area) {
   return {least, greatest};
 }
 
-/// The area to the right of the axis, mirrored if it is on the left.
+/// The part of the area to the right of the axis; an area on the left is mirrored first.
 flat::Area right_of_axis(const flat::Area& area, bool is_left, double radius) {
   flat::Area result = area;
   for (flat::Outline& outline : result.outlines) {
@@ -72,7 +72,7 @@ Turn make_turn(const RotateExtrude& extrusion, double radius, bool is_left) {
   const double start = (turn.is_full ? 180.0 : 0.0) + (is_left ? 180.0 : 0.0);
   for (std::uint32_t i = 0; i <= count; ++i) turn.angles.push_back(start + i * angle / count);
   if (angle < 0.0) std::reverse(turn.angles.begin(), turn.angles.end());
-  // Straight sides between two copies pass the axis on the side where the copies are less than half a turn apart.
+  // Between two copies, straight sides pass the axis on the side where the copies are less than half a turn apart.
   const double wide = turn.angles.back() - turn.angles.front();
   if (count == 1 && wide >= 180.0) {
     if (wide == 180.0) return {};
@@ -112,7 +112,7 @@ class Lathe {
   }
 
  private:
-  /// Whether the part stays convex when turned by any angle up to 180 degrees or by a full turn: one side is on the
+  /// Whether the part stays convex when rotated by any angle up to 180 degrees or by a full turn: one side is on the
   /// axis, and no other side faces the axis.
   bool sweeps_convex(const flat::Outline& part) {
     bool touches = false;
@@ -126,7 +126,7 @@ class Lathe {
     return touches;
   }
 
-  /// The number of segments from `first` that are convex together: a full turn, or at most half a turn.
+  /// The number of segments from `first` on whose union is convex: a full turn, or at most half a turn.
   [[nodiscard]] std::uint32_t convex_run(std::uint32_t first) const {
     if (turn_.is_full) return turn_.segments();
     std::uint32_t count = 1;
@@ -194,8 +194,8 @@ class Lathe {
     add_face(std::move(corners), plane);
   }
 
-  /// The plane swept by a side of the profile in one segment. Its distance from the axis is smaller midway, because the
-  /// segment is a chord.
+  /// The plane swept by a side of the profile in one segment. It is closer to the axis in the middle of the segment,
+  /// because the segment is a chord.
   [[nodiscard]] glm::dvec4 side_plane(const glm::dvec3& line, std::uint32_t segment) const {
     const double from = turn_.angles[segment];
     const double to = turn_.angles[segment + 1];

@@ -10,8 +10,8 @@ namespace csgsim::solids {
 
 namespace {
 
-/// Corner indices from the second corner around to the first: in libtess2, the first of equal candidates in this order
-/// wins.
+/// Corner indices from the second corner around to the first. In libtess2, the first of equal candidates in this order
+/// is chosen.
 std::vector<std::uint32_t> corner_order(std::span<const glm::vec3> outline) {
   std::vector<std::uint32_t> order(outline.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -19,8 +19,8 @@ std::vector<std::uint32_t> corner_order(std::span<const glm::vec3> outline) {
   return order;
 }
 
-/// The normal of the largest triangle over the two corners that are farthest apart along an axis, with twice its area
-/// as length.
+/// The normal of the largest triangle whose base connects the two corners that are farthest apart along an axis; its
+/// length is twice the area.
 glm::vec3 face_normal(std::span<const glm::vec3> outline) {
   const std::vector<std::uint32_t> order = corner_order(outline);
   glm::length_t longest = 0;

@@ -10,8 +10,8 @@
 
 namespace csgsim::solids {
 
-/// Projects the corners of a face along the dominant axis of its normal, so that it runs counter-clockwise. There must
-/// be at least three corners.
+/// Projects the corners of a face along the dominant axis of its normal, so that the result runs counter-clockwise.
+/// There must be at least three corners.
 std::vector<ProjectedPoint> project_outline(std::span<const glm::vec3> outline);
 
 }  // namespace csgsim::solids

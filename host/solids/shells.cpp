@@ -30,10 +30,10 @@ bool holds(const facet::Box& outer, const facet::Box& inner) {
 
 constexpr std::string_view nesting = "finding the nesting of a mesh's shells";
 
-/// Cost of one face in the computation of a winding number.
+/// Cost of one face in a winding number, in steps of work.
 constexpr std::uint64_t angle_steps = 50;
 
-/// Whether one shell is inside another, decided at the centre of the first face that is not close to the other shell.
+/// Whether one shell is inside another. The centre of the first face that is not close to the other shell decides.
 bool is_within(const Mesh& mesh, const FaceList& inner, const FaceList& outer, const Work& work) {
   double sum = 0;
   for (const std::uint32_t face : inner) {

@@ -20,7 +20,8 @@ facet::Box box_of(const Mesh& mesh, std::span<const std::uint32_t> faces);
 /// Six times the enclosed volume, with the first point as apex; negative if the faces are oriented inwards.
 double six_volumes(const Mesh& mesh, std::span<const std::uint32_t> faces);
 
-/// The solid angle of a triangle as seen from the origin, negative from behind (A. van Oosterom and J. Strackee, 1983).
+/// The solid angle of a triangle as seen from the origin; negative if seen from behind (A. van Oosterom and J.
+/// Strackee, 1983).
 double solid_angle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
 /// The winding number of closed faces around a point: 1 inside a shell that faces outwards, 0 outside, and between 0
@@ -30,12 +31,12 @@ double winding(const Mesh& mesh, std::span<const std::uint32_t> faces, const glm
 /// The faces of each shell, in ascending order.
 std::vector<FaceList> collect_shells(const Mesh& mesh);
 
-/// The number of other shells that contain each shell. Shells may touch but not cross. Throws WorkError past the limit
-/// on work.
+/// The number of other shells that contain each shell. Shells may touch but not cross. Throws WorkError if the work
+/// limit is exceeded.
 std::vector<std::uint32_t> nesting_depths(const Mesh& mesh, const std::vector<FaceList>& shells, const Work& work = {});
 
 /// The faces of each solid: those of a shell that faces outwards, and of the voids directly inside it. Shells may touch
-/// but not cross. Throws InputError for a void outside all solids, and WorkError past the limit on work.
+/// but not cross. Throws InputError for a void outside all solids, and WorkError if the work limit is exceeded.
 std::vector<FaceList> collect_solids(const Mesh& mesh, const Work& work);
 
 }  // namespace csgsim::solids

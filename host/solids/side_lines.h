@@ -10,11 +10,11 @@
 
 namespace csgsim::solids {
 
-/// The area of an outline; negative for a hole, which runs clockwise.
+/// The area of an outline; negative for a hole, because a hole runs clockwise.
 double signed_area(const flat::Outline& outline);
 
-/// The lines of a profile's sides. Sides on a common line get the same numbers, whichever side of it their parts are
-/// on.
+/// The lines of a profile's sides. Sides on a common line get the same numbers, even if the parts are on opposite sides
+/// of the line.
 class SideLines {
  public:
   explicit SideLines(const flat::Area& area);

@@ -19,7 +19,7 @@ constexpr std::size_t max_swept_faces = 4'000'000;
 
 constexpr double degrees_a_slice = 120.0;  ///< maximum twist of one slice
 
-/// The maximum over all corners of a squared length.
+/// The maximum over all corners of the area of a squared length.
 template <class Squared>
 double greatest(const flat::Area& area, const Squared& squared) {
   double most = 0;
@@ -29,12 +29,12 @@ double greatest(const flat::Area& area, const Squared& squared) {
   return most;
 }
 
-/// Length of the Archimedean spiral r = step * angle from its start; angles in radians.
+/// Length of the Archimedean spiral r = step * angle, from its start to `angle` in radians.
 double spiral_length(double step, double angle) {
   return 0.5 * step * (angle * std::sqrt(1.0 + angle * angle) + std::asinh(angle));
 }
 
-/// Length of the path of a corner, given its squared distance from the axis; the corner turns by `turn` radians on its
+/// Length of the path of a corner, given its squared distance from the axis. The corner turns by `turn` radians on its
 /// way up.
 double way_length(double squared_radius, double turn, const LinearExtrude& extrusion) {
   const double scale = extrusion.scale.x;

@@ -43,7 +43,7 @@ std::vector<Link> collect_sides(const std::vector<std::uint32_t>& corners) {
   return sides;
 }
 
-/// The triangles of an outline that crosses itself; only defined for four sides.
+/// The triangles of an outline that crosses itself; empty unless it has four sides.
 std::optional<std::vector<OutlineTriangle>> crossed(const std::vector<Link>& sides) {
   if (sides.size() != 4) return std::nullopt;
   return std::vector<OutlineTriangle>{{3, 0, 1}, {1, 2, 3}};

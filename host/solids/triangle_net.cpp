@@ -9,7 +9,7 @@ namespace csgsim::solids {
 
 namespace {
 
-/// Maximum excess over 180 degrees, in radians, of the two angles opposite to a diagonal before it is flipped.
+/// Maximum excess over 180 degrees, in radians, of the two angles opposite to a diagonal that is not flipped.
 constexpr double slack = 0.01;
 
 /// Positive if the middle one of three points, in sweep order, is above the line through the others.
@@ -53,7 +53,7 @@ void TriangleNet::join(Half half, Half next) {
   edges_[next].previous = half;
 }
 
-/// Links each half to the one that turns farthest to the left at its end.
+/// Links each half to the half that turns farthest to the left at its end.
 void TriangleNet::join_around_points() {
   const auto direction = [&](Half half) {
     return std::atan2(static_cast<double>(to(half).t) - static_cast<double>(from(half).t),
@@ -80,7 +80,7 @@ void TriangleNet::cut_parts() {
   for (auto part = parts_.begin(); part != parts_.end(); ++part) cut_part(part);
 }
 
-/// Cuts off the triangle of two consecutive halves. Returns the half of the closing edge that stays with the part.
+/// Cuts off the triangle of two consecutive halves. Returns the half of the closing edge that remains in the part.
 TriangleNet::Half TriangleNet::cut_off(Half one, Half two, std::list<Half>::iterator part) {
   const Half before = previous(one);
   const Half after = next(two);
@@ -95,11 +95,11 @@ TriangleNet::Half TriangleNet::cut_off(Half one, Half two, std::list<Half>::iter
 }
 
 void TriangleNet::cut_part(std::list<Half>::iterator part) {
-  Half upper = *part;  // runs from the right end of the remaining part along its upper side
+  Half upper = *part;  // starts at the right end of the remaining part and runs along its upper side
   while (goes_left(upper)) upper = previous(upper);
   while (goes_right(upper)) upper = next(upper);
   *part = upper;
-  Half lower = previous(upper);  // runs to the right end along its lower side
+  Half lower = previous(upper);  // runs along the lower side of the part to its right end
   while (next(upper) != lower) {
     if (precedes(to(upper), from(lower))) {
       while (next(lower) != upper && (goes_left(next(lower)) || above(from(lower), to(lower), to(next(lower))) <= 0)) {
@@ -159,7 +159,7 @@ void TriangleNet::flip_diagonals() {
     edges_[half].is_queued = edges_[other(half)].is_queued = false;
     if (!(opposite_angle(half) + opposite_angle(other(half)) >= std::numbers::pi + slack)) continue;
     flip_diagonal(half);
-    // libtess2 does not requeue the fourth edge either.
+    // The fourth edge is not requeued, as in libtess2.
     enqueue(next(half), stack);
     enqueue(previous(half), stack);
     enqueue(next(other(half)), stack);

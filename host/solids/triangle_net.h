@@ -16,13 +16,13 @@ namespace csgsim::solids {
 /// with consecutive indices.
 class TriangleNet {
  public:
-  /// The sides have to be simple, and the diagonals have to divide the interior into monotone parts (flat_outline.h).
+  /// The sides must be simple, and the diagonals must divide the interior into monotone parts (flat_outline.h).
   TriangleNet(std::span<const ProjectedPoint> points, std::span<const Link> sides, std::span<const Link> diagonals);
 
   /// Cuts each part into triangles: a maximal fan at each point, from right to left.
   void cut_parts();
 
-  /// Flips each diagonal whose two opposite angles sum to more than 180 degrees, with some tolerance.
+  /// Flips each diagonal whose two opposite angles sum to more than 180 degrees plus a tolerance.
   void flip_diagonals();
 
   [[nodiscard]] std::vector<OutlineTriangle> triangles() const;
@@ -34,8 +34,8 @@ class TriangleNet {
     std::uint32_t from = 0;
     Half next = 0;  ///< next half around the part to its left
     Half previous = 0;
-    bool is_inside = true;   ///< a part is to its left
-    bool is_queued = false;  ///< waits on the stack of flip_diagonals()
+    bool is_inside = true;   ///< whether a part is to its left
+    bool is_queued = false;  ///< whether it is on the stack of flip_diagonals()
   };
 
   static Half other(Half half) { return half ^ 1U; }

@@ -14,10 +14,11 @@ namespace {
 /// A face across an edge of another face.
 struct Beyond {
   std::uint32_t face;
-  bool runs_same_way;  ///< both faces run along the edge in the same direction, which neighbours should not
+  /// Whether both faces run along the edge in the same direction, which correctly oriented neighbours do not.
+  bool runs_same_way;
 };
 
-/// The faces across each face's edges; only edges shared by exactly two faces count.
+/// The faces beyond each face's edges; only for edges shared by exactly two faces.
 std::vector<std::vector<Beyond>> faces_beyond(const Mesh& mesh) {
   std::vector<std::vector<Beyond>> beyond(mesh.faces.size());
   for (const Joint& joint : find_joints(mesh)) {
@@ -32,8 +33,8 @@ enum class Turn : std::uint8_t { unknown, stays, turns };
 
 Turn opposite(Turn turn) { return turn == Turn::stays ? Turn::turns : Turn::stays; }
 
-/// Decides for each face that is connected to the first one by edges whether it has to be reversed relative to it.
-/// Returns these faces; empty if the orientation is inconsistent, as on a one-sided band.
+/// Decides, for each face that is connected to the first face by edges, whether it must be reversed relative to that
+/// face. Returns these faces; empty if the orientation is inconsistent, as on a one-sided band.
 std::vector<std::uint32_t> spread(std::uint32_t first, const std::vector<std::vector<Beyond>>& beyond,
                                   std::vector<Turn>& turns) {
   std::vector<std::uint32_t> reached{first};

@@ -24,7 +24,8 @@ constexpr std::string_view end_locator_64 = "PK\x06\x07";
 constexpr std::size_t locator_bytes = 20;
 constexpr std::string_view end_record_64 = "PK\x06\x06";
 
-constexpr std::uint64_t in_extra_field = 0xffffffffU;  ///< marks a number stored with 64 bits in the extra field
+/// Marks a number that is stored with 64 bits in the extra field.
+constexpr std::uint64_t in_extra_field = 0xffffffffU;
 constexpr std::uint64_t extra_field_64 = 1;
 
 struct Entry {
@@ -84,7 +85,7 @@ class Archive {
     return number(end_64 + 48, 8);
   }
 
-  /// The directory entry at `at`; advances `at` to the next one.
+  /// The directory entry at `at`. Advances `at` to the next entry.
   Entry entry_at(std::uint64_t& at) const {
     const std::uint64_t name_size = number(at + 28, 2);
     const std::uint64_t extra_size = number(at + 30, 2);
@@ -100,7 +101,7 @@ class Archive {
     return entry;
   }
 
-  /// Reads the sizes and positions that did not fit in 32 bits, as 64-bit numbers in this order.
+  /// Reads, as 64-bit numbers, the sizes and positions that did not fit 32 bits; they are stored in this order.
   void read_extra(Entry& entry, std::uint64_t at, std::uint64_t size) const {
     const std::uint64_t end = at + piece(at, size).size();
     while (at + 4 <= end) {
@@ -142,7 +143,7 @@ class Archive {
                                  binary_size(max_unzipped_bytes)));
   }
 
-  /// Decompresses a member; does not rely on the size stated in the archive.
+  /// Decompresses a member, without relying on the size stated in the archive.
   [[nodiscard]] std::string inflate_data(std::string_view packed) const {
     z_stream stream{};
     if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) throw InputError("not enough memory to unzip a file");

@@ -69,7 +69,7 @@ double Words::number_of(std::string_view word, std::string_view what) const {
   double value = 0;
   const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   const bool is_number = !digits.empty() && result.ptr == digits.data() + digits.size();
-  // Numbers too small for a double are out of range too; a coordinate is never intentionally that small.
+  // Numbers too small for a double are also out of range: a coordinate is never intentionally that small.
   if (!is_number || result.ec != std::errc{} || !std::isfinite(value)) {
     fail(fmt::format("{} must be a finite number, not {}; correct it", what, quote_word(word)));
   }

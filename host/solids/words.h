@@ -7,10 +7,11 @@
 
 namespace csgsim::solids {
 
-/// The words of a text, separated by blanks and line ends, and their positions.
+/// The words of a text, separated by blanks and line ends, with their positions.
 class Words {
  public:
-  /// `text` and `name` have to outlive this. Comments run from `comment` to the end of the line; 0 means no comments.
+  /// `text` and `name` must outlive this object. Comments run from `comment` to the end of the line; 0 means that there
+  /// are none.
   Words(std::string_view text, std::string_view name, char comment = 0) : text_(text), name_(name), comment_(comment) {}
 
   /// The next word; empty at the end of the text.
@@ -25,7 +26,7 @@ class Words {
   /// Reads the next word as a finite number.
   double number(std::string_view what) { return number_of(next(), what); }
 
-  /// Parses the last word as a finite number.
+  /// Parses a word that next() or next_on_line() returned as a finite number.
   [[nodiscard]] double number_of(std::string_view word, std::string_view what) const;
 
   /// Reads the next word as an integer from 0 to `max`.

@@ -16,15 +16,16 @@ std::size_t count_spans(const Curve& curve) {
   return curve.closed ? curve.points.size() : curve.points.size() - curve.degree;
 }
 
-/// Knot i; span k starts at knot k. For an open curve, knots before the first span or after the last one are clamped to
-/// its end.
+/// Knot i; span k starts at knot k. The knots of an open curve before the first span or after the last span are clamped
+/// to its ends.
 double knot(const Curve& curve, std::ptrdiff_t i) {
   const auto spans = static_cast<double>(count_spans(curve));
   const auto place = static_cast<double>(i);
   return curve.closed ? place : std::clamp(place, 0.0, spans);
 }
 
-/// The polar form of span k at these degree arguments (de Boor's recurrence with a different argument in each round).
+/// The polar form of span k at the given arguments, one per degree (de Boor's recurrence with a different argument in
+/// each round).
 glm::dvec3 blossom(const Curve& curve, std::size_t span, const std::array<double, 3>& arguments) {
   const auto k = static_cast<std::ptrdiff_t>(span);
   const auto p = static_cast<std::ptrdiff_t>(curve.degree);

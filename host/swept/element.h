@@ -36,7 +36,7 @@ struct Node {
   Element element;
 };
 
-/// The nodes of a patch's quadtree in depth-first order: each node before its four parts, in the order of corners.
+/// The nodes of a patch's quadtree in depth-first order: each node before its four parts, in the order of the corners.
 class Stream {
  public:
   Stream() = default;
@@ -44,7 +44,7 @@ class Stream {
   Stream(const Stream&) = delete;
   Stream& operator=(const Stream&) = delete;
 
-  /// The next node; nothing after the last one.
+  /// The next node; empty after the last node.
   virtual std::optional<Node> next() = 0;
 };
 

@@ -12,14 +12,14 @@ namespace csgsim::swept {
 
 namespace {
 
-/// Sides of an element. Vertices between the corners are in the order of their positions.
+/// Sides of an element. The vertices between the corners are in the order of their positions.
 enum Side : std::uint8_t { south, east, north, west };
 
 struct HeldElement {
   Square square;
   std::array<std::uint32_t, 4> corners{};
   std::array<std::vector<std::uint32_t>, 4> sides;
-  std::uint32_t edges = 0;  ///< number of border edges that are its sides or parts of them
+  std::uint32_t edges = 0;  ///< number of border edges that are its sides or parts of its sides
 };
 
 /// Visits the vertices counter-clockwise from the south-west corner.
@@ -41,9 +41,10 @@ struct Edge {
   std::uint32_t to = 0;
   std::uint32_t start = nothing;  ///< vertex; `nothing` until the first element without a wire frame sets it
   std::uint32_t end = nothing;
-  std::uint32_t element = nothing;  ///< element whose side it is
+  std::uint32_t element = nothing;  ///< element of whose side this is a part
   std::uint32_t next = nothing;
-  const WireVertex* between = nullptr;  ///< the first vertex after the start; only with a wire frame
+  /// The first vertex of the wire frame after the start; null without a wire frame.
+  const WireVertex* between = nullptr;
 
   [[nodiscard]] std::uint32_t size() const { return to - from; }
 };
@@ -68,7 +69,7 @@ class Filter {
   }
 
  private:
-  /// The part of the border along one side of a leaf. Each vertex in `between` carries a hold from a removed edge.
+  /// The part of the border along one side of a leaf. Each vertex in `between` is held by a removed edge.
   struct Bordering {
     std::uint32_t start = nothing;
     std::uint32_t end = nothing;
@@ -113,7 +114,7 @@ class Filter {
   std::uint64_t held_elements_ = 0;
   std::uint32_t u_first_ = nothing;
   std::uint32_t v_first_ = nothing;
-  const WireVertex* north_ = nullptr;  ///< position in the wire frame up to which elements were processed
+  const WireVertex* north_ = nullptr;  ///< position in the wire frame up to which elements have been processed
   const WireVertex* east_ = nullptr;
 };
 
@@ -141,7 +142,7 @@ std::uint32_t Filter::new_element() {
   return element;
 }
 
-/// Makes the list with one edge, or with the segments of a wire frame's edge.
+/// Makes a list with one edge or, with a wire frame, with the segments of its edge.
 std::uint32_t Filter::first_edges(const WireEdge* wire) {
   const std::uint32_t first = new_edge();
   edges_[first].to = whole_side;
@@ -171,7 +172,7 @@ std::uint32_t Filter::first_edges(const WireEdge* wire) {
 }
 
 /// Algorithm 3.2. A merge keeps the first of several edges, a split keeps the first part, and neither starts before the
-/// current element; so the stored list heads stay valid.
+/// current element, so the stored list heads stay valid.
 void Filter::traverse(std::uint32_t size, std::uint32_t& u_edge, std::uint32_t& v_edge) {
   const std::optional<Node> node = stream_.next();
   if (!node) throw std::logic_error("a stream of elements has ended before its patch");
@@ -207,7 +208,7 @@ void Filter::process(const Element& leaf, std::uint32_t u_edge, std::uint32_t v_
   element.sides[south] = below.between;
   element.sides[west] = beside.between;
   for_vertices(element, [&](std::uint32_t vertex) { vertices_.hold_by_element(vertex); });
-  // The element's own holds are taken before those of its old border are released.
+  // The vertices are held by the element before those of its old border are released.
   move(u_edge, number, element.corners[nw], element.corners[ne]);
   move(v_edge, number, element.corners[se], element.corners[ne]);
   for (const Bordering* const side : {&below, &beside}) {
@@ -245,7 +246,7 @@ Filter::Bordering Filter::border_on(std::uint32_t edge, Side side, const Element
   return found;
 }
 
-/// Merges edges into one, and places the vertices of the smaller elements on the side of the larger one.
+/// Merges edges into one, and places the vertices of smaller elements on the side of the larger element.
 std::vector<std::uint32_t> Filter::merge(std::uint32_t edge, std::uint32_t size) {
   std::vector<std::uint32_t> between;
   std::vector<std::uint32_t> places;
@@ -254,7 +255,7 @@ std::vector<std::uint32_t> Filter::merge(std::uint32_t edge, std::uint32_t size)
     const Edge gone = edges_[next];
     between.push_back(gone.start);
     places.push_back(gone.from);
-    drop(gone.start);  // one of two holds
+    drop(gone.start);  // one of the vertex's two holds
     left_.push_back(gone.element);
     edges_[edge].to = gone.to;
     edges_[edge].end = gone.end;
@@ -287,8 +288,8 @@ void Filter::split(std::uint32_t edge, Side side, std::uint32_t size, const glm:
   edges_[edge].between = nullptr;
 }
 
-/// Makes the vertex at which a smaller element ends, with an edge's hold: it lies on the line of the larger element's
-/// side, at the wire frame's vertex, or on the surface.
+/// Makes the vertex at which a smaller element ends, held by an edge. The vertex is at the wire frame's vertex, on the
+/// line of the larger element's side, or on the surface.
 std::uint32_t Filter::new_on_edge(const Edge& edge, Side side, std::uint32_t place, const glm::dvec3& point) {
   if (edge.between != nullptr) {
     const std::uint32_t vertex = known(*edge.between);

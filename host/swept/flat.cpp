@@ -28,12 +28,12 @@ double distance_to_plane(const glm::dvec3& point, const std::array<glm::dvec3, 3
 
 bool is_flat(const std::array<glm::dvec3, 4>& corners, const glm::dvec3& middle, double tolerance,
              SubdivisionCounts& counts) {
-  // If a side collapses to a point, as at a tip, the plane is that of the other three corners.
+  // If a side collapses to a point, as at a tip, the plane passes through the other three corners.
   const bool has_tip = corners[sw] == corners[se] || corners[sw] == corners[nw];
   const std::array plane =
       has_tip ? std::array{corners[ne], corners[nw], corners[se]} : std::array{corners[sw], corners[se], corners[nw]};
   counts.tests += 2;
-  // One normal and its length, then two distances.
+  // The arithmetic of one normal and its length, then of two distances.
   counts.arithmetic += {6 + 3 + 2 + 2 * 5, 6 + 3 + 1 + 2 * 3, 0, 1};
   return distance_to_plane(has_tip ? corners[sw] : corners[ne], plane) <= tolerance &&
          distance_to_plane(middle, plane) <= tolerance;

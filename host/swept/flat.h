@@ -10,16 +10,18 @@
 
 namespace csgsim::swept {
 
-/// Distance of a point from the plane of three points, or from the line through the farthest two if they are collinear.
+/// Distance of a point from the plane through three points; if these are collinear, from the line through the two
+/// farthest apart.
 double distance_to_plane(const glm::dvec3& point, const std::array<glm::dvec3, 3>& plane);
 
 /// Distance of a point from a line segment.
 double distance_to_segment(const glm::dvec3& point, const glm::dvec3& from, const glm::dvec3& to);
 
-/// Operations of one call of distance_to_segment().
+/// Operations in one call of distance_to_segment().
 inline constexpr Arithmetic line_arithmetic{16, 12, 1, 0};
 
-/// The thesis's Flat. We assume that its plane is that of the south-west, south-east and north-west corners.
+/// Flat, the test of the thesis. We assume that its plane passes through the south-west, south-east and north-west
+/// corners.
 bool is_flat(const std::array<glm::dvec3, 4>& corners, const glm::dvec3& middle, double tolerance,
              SubdivisionCounts& counts);
 

@@ -57,8 +57,8 @@ void HeldVertices::settle_on_line(std::uint32_t vertex) {
   settle(vertex);
 }
 
-/// Fixes a position and those that depend on it. The recursion is as deep as lines that end on other lines; each is of
-/// a larger element than the one before.
+/// Fixes a position and those that depend on it. The recursion depth is the number of lines that end on one another;
+/// each belongs to a larger element than the one before.
 void HeldVertices::settle(std::uint32_t vertex) {
   slots_[vertex].is_settled = true;
   output_.vertex(slots_[vertex].number, slots_[vertex].point);

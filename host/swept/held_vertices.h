@@ -13,22 +13,22 @@ namespace csgsim::swept {
 
 inline constexpr std::uint32_t nothing = 0xffffffffU;
 
-/// The vertices held by the filter, addressed by reusable handles. A vertex is held while a border edge or an element
-/// uses it, or while its final position is unknown.
+/// The vertices held by the integrity filter, addressed by reusable handles. A vertex is held while a border edge or an
+/// element uses it, or while its final position is unknown.
 class HeldVertices {
  public:
   HeldVertices(Output& output, RepairCounts& counts) : output_(output), counts_(counts) {}
 
   /// Adds a vertex of this patch, which may still be placed on a line.
   std::uint32_t add(const glm::dvec3& point);
-  /// Adds a vertex of a wire frame, which the output already has.
+  /// Adds a vertex of a wire frame, which has already been sent to the output.
   std::uint32_t add_known(std::uint32_t number, const glm::dvec3& point);
 
   /// Places a vertex on the line between two others, at the fraction `part`.
   void place_on_line(std::uint32_t vertex, std::uint32_t from, std::uint32_t to, double part);
 
   void hold_by_edge(std::uint32_t vertex) { ++slots_[vertex].edges; }
-  /// A vertex that no border edge holds is never placed on a line again.
+  /// Releases the vertex for one edge. A vertex that no border edge holds is never placed on a line again.
   void drop_by_edge(std::uint32_t vertex);
   void hold_by_element(std::uint32_t vertex) { ++slots_[vertex].elements; }
   void drop_by_element(std::uint32_t vertex);
@@ -49,7 +49,7 @@ class HeldVertices {
     std::uint32_t elements = 0;
     bool is_settled = false;
     bool is_on_line = false;
-    std::uint32_t missing = 0;  ///< number of ends of its line without a final position
+    std::uint32_t missing = 0;  ///< number of ends of its line that have no final position yet
     std::array<glm::dvec3, 2> ends{};
     double part = 0;
     std::vector<Waiting> waiting;

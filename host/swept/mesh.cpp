@@ -81,7 +81,7 @@ class SolidBuilder {
     for (const std::uint32_t vertex : ring) same_[vertex] = ring.front();
   }
 
-  /// Adds a face. A base or cap is planar to rounding, and need not be convex.
+  /// Adds a face. A base or cap is planar apart from rounding, and need not be convex.
   void add(Face face, bool is_end = false) {
     for (std::uint32_t& vertex : face) vertex = same_[vertex];
     face.erase(std::unique(face.begin(), face.end()), face.end());

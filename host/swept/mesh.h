@@ -13,27 +13,27 @@
 
 namespace csgsim::swept {
 
-/// The method that makes the elements of a mesh meet.
+/// The method that makes the mesh conforming.
 enum class Repair : std::uint8_t { filter, quadtree };
 
-/// A surface as a conforming mesh: a vertex on the side of an element is one of its corners.
+/// A surface as a conforming mesh: every vertex on the side of an element is one of the element's corners.
 struct Patchwork {
   std::vector<glm::dvec3> points;
   std::vector<std::vector<std::uint32_t>> elements;
   SubdivisionCounts wiring;       ///< counts for the edges between patches, if there are several
   SubdivisionCounts subdivision;  ///< counts for the patches
-  RepairCounts repair;            ///< peak counts are those of a single patch
+  RepairCounts repair;            ///< peak counts are the maxima over single patches
   std::uint64_t wire_vertices = 0;
 };
 
-/// Subdivides and repairs all patches; a single patch without neighbours needs no wire frame. Throws InputError as
+/// Subdivides and repairs all patches. A single patch without neighbours needs no wire frame. Throws InputError as
 /// Surface::subdivide() does.
 Patchwork make_patchwork(Surface& surface, const Accuracy& accuracy, Repair repair = Repair::filter);
 
 /// A swept solid.
 struct SweptSolid {
-  solids::Mesh mesh;    ///< closed, faces outwards; elements that are not flat are cut into triangles
-  Patchwork patchwork;  ///< excludes base and cap
+  solids::Mesh mesh;    ///< closed and facing outwards; elements that are not flat are cut into triangles
+  Patchwork patchwork;  ///< the swept surface, without base and cap
 };
 
 /// Builds the solid of a valid sweep. Base and cap are one face each, bounded by the surface's edge vertices; they are

@@ -49,8 +49,8 @@ glm::dvec3 middle(const Grid& grid) {
   return at(cubic(column), 0.5);
 }
 
-/// Whether a cubic is close to the line between its ends: its distance is at most 3/4 of that of its inner
-/// coefficients.
+/// Whether a cubic is close to the line between its ends: its distance from the line is at most 3/4 of that of its
+/// inner coefficients.
 bool is_straight(const Segment& side, double tolerance, SubdivisionCounts& counts) {
   counts.tests += 2;
   for (int i = 0; i < 2; ++i) counts.arithmetic += line_arithmetic;
@@ -59,7 +59,7 @@ bool is_straight(const Segment& side, double tolerance, SubdivisionCounts& count
          tolerance;
 }
 
-/// Additions and halvings of coordinates to halve one cubic: six intermediate points, three coordinates.
+/// Additions and halvings of coordinates when one cubic is halved: six intermediate points with three coordinates each.
 constexpr std::uint64_t cubic_halves = 2 * 3 * 6;
 
 struct GridShape {

@@ -10,13 +10,13 @@
 
 namespace csgsim::swept {
 
-/// A surface of uniform bicubic B-spline patches: at least 4 `rows` of at least 4 points, all of the same length. N
-/// rows of M points make (M - 3) x (N - 3) patches.
+/// A surface of uniform bicubic B-spline patches: at least 4 `rows` of at least 4 points; all rows have the same
+/// length. N rows of M points make (M - 3) x (N - 3) patches.
 struct Net {
   std::vector<std::vector<glm::dvec3>> rows;
 };
 
-/// The error in a net and a fix; empty if the net is valid.
+/// The error in a net and how to fix it; empty if the net is valid.
 std::string fault_of(const Net& net);
 
 /// The surface of a valid net.

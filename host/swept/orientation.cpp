@@ -14,8 +14,8 @@ namespace csgsim::swept {
 namespace {
 
 constexpr glm::dvec3 y_axis{0, 1, 0};
-/// Minimum length of the y axis's projection that determines v; below it, the tangent is within 5.7 degrees of the
-/// axis.
+/// Minimum length of the projection of the y axis that determines v. For smaller lengths, the tangent is within 5.7
+/// degrees of the axis.
 constexpr double min_projection = 0.1;
 constexpr std::size_t samples = 256;  ///< samples per segment in the search for gaps
 constexpr double nowhere = -1;
@@ -29,7 +29,7 @@ glm::dvec3 turned(const glm::dvec3& vector, const glm::dvec3& axis, double angle
          (1 - std::cos(angle)) * glm::dot(axis, vector) * axis;
 }
 
-/// Rotates a vector by the smallest rotation from one tangent to the other.
+/// Applies to a vector the smallest rotation from one tangent to the other.
 glm::dvec3 carried(const glm::dvec3& vector, const glm::dvec3& from, const glm::dvec3& to) {
   const glm::dvec3 axis = glm::cross(from, to);
   const double sine = glm::length(axis);
@@ -103,8 +103,8 @@ Orientation::Orientation(const Path& path) {
   }
 }
 
-/// Bisects for the boundary of a gap between an upright position and one along the y axis. Corners have no positions in
-/// between.
+/// Finds the boundary of a gap by bisection, between a position outside it (`upright`) and one inside it (`along`,
+/// along the y axis). Corners have no positions in between.
 double Orientation::edge(const Path& path, double upright, double along) {
   if (path.has_corners) return upright;
   constexpr int halvings = 40;
@@ -136,7 +136,7 @@ void Orientation::add_gap(const Path& path, double before, double first, double 
 }
 
 glm::dvec3 Orientation::upward(double place, const glm::dvec3& tangent) const {
-  // Gaps are sorted by start; the last one of a closed path may extend past its end.
+  // Gaps are sorted by start; the last gap of a closed path may extend past the path's end.
   for (const double there : {place, place + length_}) {
     const auto behind = std::ranges::upper_bound(gaps_, there, {}, &Gap::from);
     if (behind == gaps_.begin()) continue;

@@ -16,14 +16,14 @@ struct Plane {
   glm::dvec3 v{0};
 };
 
-/// A trajectory. The position k + t is at t on segment k.
+/// A trajectory. The position k + t is at the parameter t of segment k.
 struct Path {
   std::vector<Segment> segments;
   bool is_closed = false;
-  bool has_corners = false;  ///< degree 1
+  bool has_corners = false;  ///< whether it has degree 1
 
-  /// Unit directions in which a segment leaves its start and reaches its end. Throws InputError for a segment whose
-  /// coefficients all coincide.
+  /// Unit directions of a segment at its start and at its end. Throws InputError for a segment whose coefficients all
+  /// coincide.
   [[nodiscard]] glm::dvec3 leaving(std::size_t segment) const;
   [[nodiscard]] glm::dvec3 arriving(std::size_t segment) const;
 
@@ -31,9 +31,9 @@ struct Path {
   [[nodiscard]] glm::dvec3 tangent(double place) const;
 };
 
-/// Direction of the contour's v axis: along the projection of the y axis onto the contour's plane. Where the trajectory
-/// is within some degrees of the y axis, the contour turns linearly in the parameter between its directions before and
-/// after that gap.
+/// Direction of the contour's v axis: along the projection of the y axis onto the contour's plane. In a gap where the
+/// trajectory is within some degrees of the y axis, the contour turns linearly in the parameter between its directions
+/// before and after the gap.
 class Orientation {
  public:
   explicit Orientation(const Path& path);
@@ -46,9 +46,9 @@ class Orientation {
   struct Gap {
     double from = 0;
     double to = 0;
-    glm::dvec3 tangent{0};  ///< tangent at the end from which the direction is carried
+    glm::dvec3 tangent{0};  ///< tangent at the end of the gap from which the direction is continued
     glm::dvec3 v{0};
-    double turn = 0;  ///< radians about the tangent by which it has turned at the end of the gap
+    double turn = 0;  ///< rotation about the tangent over the whole gap, in radians
   };
 
   void add_gap(const Path& path, double before, double first, double last, double behind);

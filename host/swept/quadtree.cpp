@@ -27,18 +27,18 @@ struct TreeNode {
   [[nodiscard]] bool is_leaf() const { return children[0] == no_node; }
 };
 
-/// A vertex; if it lies on the side of a larger element, `from` and `to` are the corners there.
+/// A vertex. If it lies on the side of a larger element, `from` and `to` are the corners of that side.
 struct TreeVertex {
   glm::dvec3 point{0};
   std::uint32_t number = 0;
   bool is_known = false;  ///< vertex of a wire frame
   bool is_placed = false;
-  std::uint32_t from = no_node;  ///< vertices; no_node: it is on the surface
+  std::uint32_t from = no_node;  ///< vertices; no_node if it is on the surface
   std::uint32_t to = no_node;
   double part = 0;
 };
 
-/// Bits of a part of a square: 1 east, 2 north.
+/// The bits of a part's index: 1 is east, 2 is north.
 bool lies_at(std::uint32_t part, Direction side) {
   switch (side) {
     case to_south: return (part & 2U) == 0;
@@ -107,8 +107,8 @@ class Quadtree {
   }
 
  private:
-  /// The neighbour at a side, of the same or a larger size, or a divided node of the same size; no_node at the patch's
-  /// edge.
+  /// The neighbour at a side: a leaf of the same or a larger size, or a divided node of the same size; no_node at the
+  /// patch's edge.
   std::uint32_t neighbour(std::uint32_t node, Direction side) {
     ++counts_.edges_visited;
     const TreeNode& one = nodes_[node];
@@ -145,7 +145,7 @@ class Quadtree {
     return place->second;
   }
 
-  /// Makes the vertex at a leaf's corner, unless a neighbour already assigned it.
+  /// Makes the vertex at a leaf's corner, unless a neighbour has already assigned it.
   void find_vertex(std::uint32_t leaf, Corner corner) {
     if (nodes_[leaf].corners[corner] != no_node) return;
     const Square& square = nodes_[leaf].element.square;
@@ -163,7 +163,7 @@ class Quadtree {
     assign(leaf, corner, vertex);
   }
 
-  /// Assigns a vertex to a leaf, and to all leaves around it with the same corner.
+  /// Assigns a vertex to a corner of a leaf, and to all leaves around it with the same corner.
   void assign(std::uint32_t leaf, Corner corner, std::uint32_t vertex) {
     if (nodes_[leaf].corners[corner] != no_node) return;
     nodes_[leaf].corners[corner] = vertex;
@@ -221,7 +221,7 @@ class Quadtree {
     });
   }
 
-  /// Computes the position of a vertex. The recursion is as deep as lines that end on other lines.
+  /// Computes the position of a vertex. The recursion depth is the number of lines that end on other lines.
   void place(std::uint32_t number) {
     TreeVertex& vertex = vertices_[number];
     if (vertex.is_placed) return;

@@ -38,7 +38,7 @@ double arc_length(const Segment& segment, double t) {
   return length;
 }
 
-/// Value of a function on [0, 1].
+/// Value of a function at a position in [0, 1].
 glm::dvec3 value(const std::vector<Segment>& function, double place) {
   const auto count = static_cast<double>(function.size());
   const double scaled = std::clamp(place, 0.0, 1.0) * count;
@@ -49,7 +49,7 @@ glm::dvec3 value(const std::vector<Segment>& function, double place) {
 Path make_path(const Curve& trajectory) {
   Path path{bernstein_segments(trajectory), trajectory.closed, trajectory.degree == 1};
   if (path.has_corners) return path;
-  // The curve is smooth except where control points coincide; the sections on both sides of such a corner would differ.
+  // The curve is smooth except where control points coincide. The sections on both sides of such a corner would differ.
   constexpr double corner = 1e-3;
   const std::size_t count = path.segments.size();
   for (std::size_t i = path.is_closed ? 0 : 1; i < count; ++i) {
@@ -62,19 +62,19 @@ Path make_path(const Curve& trajectory) {
   return path;
 }
 
-/// The plane's axes projected along a straight segment onto a plane perpendicular to it.
+/// The axes of a plane, projected along a straight segment to a plane perpendicular to the segment.
 Plane flattened(const Plane& plane, const glm::dvec3& along) {
   return {plane.u - glm::dot(plane.u, along) * along, plane.v - glm::dot(plane.v, along) * along};
 }
 
-/// The offset along a segment at which the plane lies over a vector perpendicular to the segment.
+/// The offset along a segment at which the plane is above a vector perpendicular to the segment.
 double reach(const glm::dvec3& across, const Plane& plane, const glm::dvec3& along) {
   const glm::dvec3 normal = glm::cross(plane.u, plane.v);
   return -glm::dot(across, normal) / glm::dot(along, normal);
 }
 
-/// A plane inside a straight segment: it interpolates the rotation about the segment and the tilt between the planes at
-/// its ends.
+/// A plane inside a straight segment. It interpolates the rotation about the segment, and the tilt, between the planes
+/// at the ends.
 Plane between(const Plane& from, const Plane& to, const glm::dvec3& along, double t) {
   const Plane start = flattened(from, along);
   const Plane end = flattened(to, along);

@@ -15,8 +15,8 @@
 namespace csgsim::swept {
 
 /// Algorithm 3.1 for any surface, with a stack in place of recursion. A `Part` is a square of the surface. `Shape`
-/// provides corners(part), is_flat(part, corners, accuracy, counts), and parts(part, counts), which returns its four
-/// parts in the order of corners.
+/// provides corners(part), is_flat(part, corners, accuracy, counts), and parts(part, counts), which returns the four
+/// parts of a part in the order of the corners.
 template <class Shape>
 class Subdivision : public Stream {
  public:
@@ -45,8 +45,9 @@ class Subdivision : public Stream {
 
  private:
   static constexpr std::string_view subdividing = "subdividing a surface";
-  static constexpr std::uint64_t steps = 100;               ///< per node; other work is charged where it is done
-  static constexpr std::uint64_t steps_of_section = 2'000;  ///< the position along the trajectory is an integral
+  static constexpr std::uint64_t steps = 100;  ///< per node; other work is charged where it is performed
+  /// High, because the position along the trajectory is an integral.
+  static constexpr std::uint64_t steps_of_section = 2'000;
 
   void halve(const Part& part, const Square& square) {
     if (square.size <= whole_side >> std::min(accuracy_.most_levels, max_depth))

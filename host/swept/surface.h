@@ -11,7 +11,7 @@
 
 namespace csgsim::swept {
 
-/// The criterion for an element that needs no further subdivision.
+/// The condition under which an element needs no further subdivision.
 enum class Flatness : std::uint8_t {
   plane,  ///< the thesis's test: the fourth corner and the midpoint are close to the plane of three corners
   sides   ///< the sides are also close to the lines between the corners
@@ -20,11 +20,11 @@ enum class Flatness : std::uint8_t {
 struct Accuracy {
   double tolerance = 0.1;  ///< model units
   Flatness flatness = Flatness::sides;
-  std::uint32_t most_levels = 12;  ///< halvings of a patch, at most `max_depth`
+  std::uint32_t most_levels = 12;  ///< maximum number of halvings of a patch, at most `max_depth`
   Work work{};
 };
 
-/// Operations on coordinates, independent of the processor.
+/// Numbers of operations on coordinates, independent of the processor.
 struct Arithmetic {
   std::uint64_t adds = 0;  ///< including differences and halvings
   std::uint64_t products = 0;
@@ -45,10 +45,10 @@ struct SubdivisionCounts {
   std::uint64_t nodes = 0;     ///< nodes of the quadtrees, including leaves
   std::uint64_t elements = 0;  ///< leaves
   std::uint64_t points = 0;    ///< evaluated points of the surface
-  std::uint64_t tests = 0;     ///< distances computed from a plane or a line
-  std::uint64_t halvings = 0;  ///< halvings of curves; of a patch, halvings of its coefficients along u or v
-  std::uint64_t sections = 0;  ///< positions of the contour along the trajectory
-  Arithmetic arithmetic;       ///< total of the above
+  std::uint64_t tests = 0;     ///< number of distances computed from a plane or a line
+  std::uint64_t halvings = 0;  ///< number of halvings of curves; for a patch, of its coefficients along u or v
+  std::uint64_t sections = 0;  ///< number of positions of the contour along the trajectory
+  Arithmetic arithmetic;       ///< total of all of these operations
 };
 
 inline constexpr std::size_t max_patches = 100'000;        ///< per surface
@@ -64,12 +64,13 @@ class Surface {
 
   [[nodiscard]] virtual std::size_t columns() const = 0;
   [[nodiscard]] virtual std::size_t rows() const = 0;
-  [[nodiscard]] virtual bool wraps_columns() const { return false; }  ///< the first column follows the last one
+  /// Whether the first column follows the last column.
+  [[nodiscard]] virtual bool wraps_columns() const { return false; }
   [[nodiscard]] virtual bool wraps_rows() const { return false; }
 
-  /// The quadtree of a patch (algorithm 3.1). The surface and the counts have to outlive it. Its next() throws
-  /// InputError if the levels do not suffice for the tolerance or the count exceeds `most_elements`, and WorkError past
-  /// the limit on work.
+  /// The quadtree of a patch (algorithm 3.1). The surface and the counts must outlive it. Its next() throws InputError
+  /// if the levels do not suffice for the tolerance or there are more than `most_elements` elements, and WorkError if
+  /// the work limit is exceeded.
   virtual std::unique_ptr<Stream> subdivide(std::size_t column, std::size_t row, const Accuracy& accuracy,
                                             SubdivisionCounts& counts) = 0;
 };

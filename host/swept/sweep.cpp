@@ -15,7 +15,7 @@ namespace csgsim::swept {
 
 namespace {
 
-/// A node of the segment tree of a contour: a part of a segment. Its halves are made on demand.
+/// A node of the segment tree of a contour: a part of a segment. Its halves are created on demand.
 struct ContourNode {
   Segment segment;
   glm::dvec3 middle{0};
@@ -26,7 +26,7 @@ struct ContourNode {
 struct TrajectoryNode {
   Segment segment;
   std::size_t number = 0;  ///< index of the whole segment
-  double from = 0;         ///< parameter range on the whole segment
+  double from = 0;         ///< start of the parameter range on the whole segment
   double to = 1;
   Section start;
   Section middle;
@@ -39,14 +39,14 @@ struct TrajectoryNode {
 /// 1 of it.
 double slack(std::uint32_t degree) { return degree == 2 ? 2 : 4.0 / 3; }
 
-/// Additions and halvings to halve one segment whose points have that number of coordinates.
+/// Additions and halvings when a segment is halved whose points have the given number of coordinates.
 std::uint64_t halves_arithmetic(const Segment& segment, std::uint64_t coordinates) {
   return 2 * coordinates * segment.degree * (segment.degree + 1) / 2;
 }
 
 /// Arithmetic of one contour point in a section: two products per coordinate.
 constexpr Arithmetic point_arithmetic{6, 6, 0, 0};
-/// Arithmetic of one section, given its tangent: v and u of length 1, rotated and scaled; the length is looked up.
+/// Arithmetic of one section whose tangent is given: v and u of length 1, rotated and scaled; the length is looked up.
 constexpr Arithmetic section_arithmetic{40, 60, 6, 2};
 
 class SweptShape {

@@ -13,13 +13,16 @@ namespace csgsim::swept {
 /// A solid defined by the four design curves of the thesis (3.2): a contour in u (x) and v (y) moves along a
 /// trajectory, perpendicular to its tangent, and is scaled and rotated in its plane.
 struct Sweep {
-  Curve contour;                          ///< closed; degree 1 to 3
-  Curve trajectory;                       ///< degree 1 to 3
-  Curve rotation{0, false, {{0, 0, 0}}};  ///< x: degrees from u to v, over the fraction of the trajectory's length
-  Curve scale{0, false, {{1, 1, 0}}};     ///< x: along u, y: along v, at least 0; over the same fraction
+  Curve contour;     ///< closed; degree 1 to 3
+  Curve trajectory;  ///< degree 1 to 3
+  /// X: degrees from u to v, as a function of the fraction of the trajectory's length.
+  Curve rotation{0, false, {{0, 0, 0}}};
+  /// X: factor along u; y: factor along v; both at least 0, as functions of the fraction of the trajectory's length.
+  Curve scale{0, false, {{1, 1, 0}}};
 };
 
-/// The first error in a sweep that is detectable before its surface is built, and a fix; empty if there is none.
+/// The first error in a sweep that is detectable before its surface is built, and how to fix it; empty if there is
+/// none.
 std::string fault_of(const Sweep& sweep);
 
 /// Twice the signed area of a contour's control polygon; positive if counter-clockwise.

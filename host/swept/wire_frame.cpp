@@ -23,7 +23,8 @@ WireFrame::WireFrame(Surface& surface, const Accuracy& accuracy, SubdivisionCoun
       v_joints_(columns_ + (surface.wraps_columns() ? 0 : 1)),
       along_u_(columns_ * u_joints_),
       along_v_(v_joints_ * rows_) {
-  // Marks of the patches on both sides of each edge; for an edge along u, those of the patch above and the one below.
+  // Marks of the patches on the two sides of each edge; for an edge along u, of the patch above it and of the patch
+  // below it.
   std::vector<std::array<Marks, 2>> u_marks(along_u_.size());
   std::vector<std::array<Marks, 2>> v_marks(along_v_.size());
   for (std::size_t row = 0; row < rows_; ++row) {

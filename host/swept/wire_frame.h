@@ -17,7 +17,8 @@ struct WireVertex {
   std::uint32_t place = 0;   ///< position along the edge, from 0 to whole_side
   std::uint32_t number = 0;  ///< vertex number in the mesh
   glm::dvec3 point{0};
-  bool is_end = true;  ///< end of a segment; otherwise inside one, where one patch has smaller elements
+  /// Whether it is the end of a segment; otherwise it is inside a segment, where one patch has smaller elements.
+  bool is_end = true;
 };
 
 /// Vertices in the order of their positions, including both ends.
@@ -31,17 +32,17 @@ struct PatchEdges {
   const WireEdge* east;
 };
 
-/// The edges of all patches. Each segment is as long as the larger of the two elements that meet there; vertices of
-/// smaller elements inside it are placed on its line.
+/// The edges of all patches. Each segment of an edge is as long as the larger of the two elements that meet there;
+/// vertices of smaller elements inside it are placed on its line.
 class WireFrame {
  public:
   /// Subdivides each patch once, and adds the vertices to `output`.
   WireFrame(Surface& surface, const Accuracy& accuracy, SubdivisionCounts& counts, Output& output);
 
   [[nodiscard]] PatchEdges edges(std::size_t column, std::size_t row) const;
-  /// The edge below a row, or above the last one.
+  /// The edge below a row, or above the last row.
   [[nodiscard]] const WireEdge& along_u(std::size_t column, std::size_t joint) const;
-  /// The edge west of a column, or east of the last one.
+  /// The edge west of a column, or east of the last column.
   [[nodiscard]] const WireEdge& along_v(std::size_t joint, std::size_t row) const;
 
   [[nodiscard]] std::uint64_t vertices() const { return vertices_; }
@@ -61,8 +62,8 @@ class WireFrame {
 
   std::size_t columns_;
   std::size_t rows_;
-  std::size_t u_joints_;  ///< number of parallel edges, from south to north
-  std::size_t v_joints_;  ///< same, from west to east
+  std::size_t u_joints_;  ///< number of parallel edges in a column, from south to north
+  std::size_t v_joints_;  ///< number of parallel edges in a row, from west to east
   std::vector<WireEdge> along_u_;
   std::vector<WireEdge> along_v_;
   std::uint64_t vertices_ = 0;

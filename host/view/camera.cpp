@@ -47,7 +47,7 @@ Basis basis(const Camera& camera) {
     throw InputError("the camera's eye and centre must be different points at a finite distance");
   }
   const glm::dvec3 forward = glm::normalize(view);
-  // Looking straight up or down, the view gives no horizontal direction; as in OpenSCAD, +y is up then.
+  // A view straight up or down determines no horizontal direction; +y is up in this case, as in OpenSCAD.
   const glm::dvec3 across = glm::cross(forward, camera.up);
   const bool is_along = !(glm::length(across) > 1e-12);
   const glm::dvec3 right = glm::normalize(is_along ? glm::cross(forward, glm::dvec3(0, 1, 0)) : across);
@@ -68,7 +68,7 @@ double pixel_size(const Camera& camera, std::uint32_t height, double distance) {
 
 Camera view_all(const Camera& camera, const facet::Box& box, std::uint32_t width, std::uint32_t height) {
   if (box.empty()) return camera;
-  // A picture higher than wide has a horizontal field of view that is narrower than the vertical one.
+  // A picture that is higher than wide has a horizontal field of view narrower than the vertical one.
   const double narrower = std::min(1.0, static_cast<double>(width) / height);
   const double half_angle = std::atan(half_height_per_distance() * narrower);
   const double radius = box.diagonal() / 2.0;

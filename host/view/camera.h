@@ -17,11 +17,12 @@ struct Camera {
   glm::dvec3 eye{0, 0, 1};
   glm::dvec3 centre{0};
   Projection projection = Projection::orthographic;
-  glm::dvec3 up{0, 0, 1};  ///< upward in the picture; only its component perpendicular to the view matters
+  /// Upward direction in the picture; only its component perpendicular to the view direction matters.
+  glm::dvec3 up{0, 0, 1};
 };
 
-/// OpenSCAD's camera of seven numbers: it looks at `centre` from above, with +y up, and is then rotated by `degrees`
-/// about x, y and z in that order.
+/// OpenSCAD's camera of seven numbers: it looks at `centre` from above, with +y up, at `distance`, and is then rotated
+/// by `degrees` about x, y and z in that order.
 Camera gimbal_camera(const glm::dvec3& centre, const glm::dvec3& degrees, double distance);
 
 /// The camera rotated counterclockwise about the vertical axis through its centre.
@@ -34,7 +35,8 @@ struct Basis {
   glm::dvec3 forward;
 };
 
-/// Throws InputError if eye and centre coincide or are not finite. For a view along `up`, +y is up.
+/// The basis of a camera. Throws InputError if eye and centre coincide or are not finite. If the view is along `up`, +y
+/// is up instead.
 Basis basis(const Camera& camera);
 
 /// Tangent of half the vertical field of view.
@@ -43,11 +45,11 @@ double half_height_per_distance();
 /// Half the height of an orthographic picture, model units.
 double half_height(const Camera& camera);
 
-/// Size of a pixel at a distance along the view axis, model units; the picture is `height` pixels high.
+/// Size of a pixel at a distance along the view axis, in model units, in a picture that is `height` pixels high.
 double pixel_size(const Camera& camera, std::uint32_t height, double distance);
 
-/// A camera with the same direction that looks at the centre of the box, at the distance where its bounding sphere just
-/// fits into a picture of `width` x `height` pixels.
+/// A camera with the same direction that looks at the centre of the box, from the distance at which its bounding sphere
+/// just fits into a picture of `width` x `height` pixels.
 Camera view_all(const Camera& camera, const facet::Box& box, std::uint32_t width, std::uint32_t height);
 
 /// OpenSCAD's default view direction, from the front right and above, with the whole box in the picture.

@@ -46,14 +46,14 @@ double rounding(const Sampling& sampling, unsigned fraction_bits) {
   return (1.0 + sampling.width / 2.0 + sampling.height / 2.0) * std::ldexp(0.5, -static_cast<int>(fraction_bits));
 }
 
-/// How far rounding of the planes may move half-spaces outwards.
+/// How far rounding of the planes may move half-spaces outwards, in depth steps and pixels.
 struct Moves {
   explicit Moves(const Sampling& sampling)
       : step(1.0 + rounding(sampling, sampling.fraction_bits)),
         edge(sampling.edge_on_fraction + rounding(sampling, edge_fraction_bits(sampling))) {}
 
   double step;  ///< surfaces lose up to a step to the floor
-  double edge;  ///< edge tests stand where the plane crosses half the depth range
+  double edge;  ///< an edge test is drawn where the plane crosses half the depth range
 };
 
 /// How far rounding may move a half-space outwards, relative to its slack at a point.
@@ -86,8 +86,8 @@ PixelRect touched_pixels(const std::vector<glm::dvec3>& places, const Sampling& 
   const auto to_pixel = [](double value) {
     return static_cast<std::int32_t>(std::clamp(value, -1.0, static_cast<double>(isa::max_array_side) + 1.0));
   };
-  // Edge-on planes differ from their drawn position by at most half their extent over the depth range; the rest is for
-  // rounding.
+  // Edge-on planes differ from their drawn position by at most half their sideways movement over the depth range; the
+  // remainder is for rounding.
   const double margin = sampling.edge_on_fraction + 1.0 / 64;
   const PixelRect screen{0, 0, static_cast<std::int32_t>(sampling.width) - 1,
                          static_cast<std::int32_t>(sampling.height) - 1};
@@ -111,8 +111,8 @@ void narrow_by_planes(Extent& extent, const facet::Convex& solid, const View& vi
 }
 
 /// In picture space, a solid is the intersection of half-spaces g(p) <= 0. If rounding moves each of them to g(p) <= d,
-/// and g(inside) <= -s < 0, then scaling the solid about `inside` by 1 + max d/s contains the rounded solid. Returns
-/// max d/s, which is infinite for a solid without an interior.
+/// and g(inside) <= -s < 0, then scaling the solid about `inside` by 1 + max d/s gives a solid that contains the
+/// rounded one. Returns max d/s, which is infinite for a solid without an interior.
 double growth_about(const glm::dvec3& inside, const facet::Convex& solid, bool near_cuts, const View& view,
                     const PixelRect& pixels) {
   // The cap of a solid that the near plane cuts at depth 1 is at depth 0.
@@ -127,7 +127,7 @@ double growth_about(const glm::dvec3& inside, const facet::Convex& solid, bool n
   return growth;
 }
 
-/// The model-space box of points in the picture; infinite if one of them is not in front of the eye.
+/// The box in model space of points in the picture; infinite if a point is not in front of the eye.
 facet::Box box_around(const std::vector<glm::dvec3>& places, const EyeSpace& space, const View& view) {
   facet::Box box;
   for (const glm::dvec3& place : places) {

@@ -16,10 +16,10 @@ struct EyeSpace {
   glm::dvec3 eye;
   bool perspective;
   double pixel;     ///< orthographic: model units per pixel; perspective: tangent per pixel
-  double middle_x;  ///< column and row of the view axis, relative to the sample of the first pixel
+  double middle_x;  ///< column of the view axis, relative to the sample of the first pixel
   double middle_y;
 
-  /// Coordinates right, up and forward of the eye, model units.
+  /// Coordinates along right, up and forward, relative to the eye, in model units.
   [[nodiscard]] glm::dvec3 to_eye(const glm::dvec3& point) const {
     const glm::dvec3 d = point - eye;
     return {glm::dot(d, axes.right), glm::dot(d, axes.up), glm::dot(d, axes.forward)};
@@ -28,7 +28,7 @@ struct EyeSpace {
     return eye + axes.right * in_eye.x + axes.up * in_eye.y + axes.forward * in_eye.z;
   }
 
-  /// Column and row in pixels, which are sampled at integers; the third coordinate remains the distance.
+  /// Column and row in pixels; pixels are sampled at integers. The third coordinate remains the distance.
   [[nodiscard]] glm::dvec3 to_picture(const glm::dvec3& in_eye) const {
     const double unit = unit_at(in_eye.z);
     return {middle_x + in_eye.x / unit, middle_y - in_eye.y / unit, in_eye.z};

@@ -15,7 +15,8 @@ namespace {
 /// Fraction bits of r^2 - d^2, in square pixels.
 constexpr unsigned outline_fraction_bits = 8;
 
-/// Maximum difference of the two exponents: a smaller second power would cost more bits than its accuracy is worth.
+/// Maximum difference of the two exponents: with a greater difference, the second power would cost more bits than its
+/// accuracy is worth.
 constexpr int max_exponent_gap = 4;
 
 /// Maximum width of the sums from which depths are computed; additions of fields are limited to it.
@@ -24,7 +25,7 @@ constexpr int max_sum_bits = 32;
 /// Maximum width of the expressions of depths.
 constexpr int max_expression_bits = 60;
 
-/// The greatest sum or difference of two powers of two that is not above `most`.
+/// The greatest sum or difference of two powers of two that does not exceed `most`.
 TwoPowers greatest_within(double most) {
   TwoPowers best;
   if (!(most > 0.0)) return best;
@@ -99,7 +100,7 @@ ScreenQuadric make_fast_sphere(const EyeSpace& space, const View& view, const fa
   const double steps = isa::depth_steps(sampling.z_bits) / (view.depth.far - view.depth.near) / row_length;
   const double middle = std::floor(isa::depth_of(view.depth, sampling.z_bits, in_eye.z));
   const bool is_near_picture = std::abs(place.x) < 4 * most_radius && std::abs(place.y) < 4 * most_radius;
-  // The sphere is far larger than the picture, or far deeper than the depth range.
+  // Unfit in perspective, and if the sphere is far larger than the picture or far deeper than the depth range.
   if (space.perspective || !is_near_picture || radius > most_radius ||
       std::abs(middle) + steps > std::ldexp(1.0, max_sum_bits))
     return screen;

@@ -8,11 +8,11 @@
 namespace csgsim::view {
 
 /// The integer nearest to value * 2^fraction_bits, halves away from zero; empty if the value is not finite or the
-/// integer does not fit 62 bits. All conversions from double to coefficients use it; their error is at most
+/// integer does not fit 62 bits. All conversions from double to coefficients use this function; their error is at most
 /// 2^-(fraction_bits + 1).
 std::optional<std::int64_t> to_fixed(double value, unsigned fraction_bits);
 
-/// A linear function of the pixel's column and row, in double precision: at_centre + a (x - cx) + b (y - cy), where
+/// A linear function of the pixel's column x and row y, in double precision: at_centre + a (x - cx) + b (y - cy), where
 /// (cx, cy) is the middle of the picture.
 struct RealLinear {
   double a = 0;
@@ -27,19 +27,19 @@ struct FixedLinear {
   std::int64_t c = 0;
 };
 
-/// The value at a pixel, with fraction bits. The pixel must be in the picture for which the function was made.
+/// The value at a pixel, including the fraction bits. The pixel must be in the picture for which the function was made.
 constexpr std::int64_t value_at(const FixedLinear& linear, std::int32_t column, std::int32_t row) {
   return linear.a * column + linear.b * row + linear.c;
 }
 
-/// a - b + more.
+/// The function a - b + more.
 constexpr FixedLinear difference(const FixedLinear& a, const FixedLinear& b, std::int64_t more = 0) {
   return {a.a - b.a, a.b - b.b, a.c - b.c + more};
 }
 
-/// Rounds each coefficient once. C is chosen after A and B, so that the function is off by at most 2^-(fraction_bits +
-/// 1) at the middle of the picture, and by 2^-(fraction_bits + 1) more for each pixel away from it along x or y. Empty
-/// if a coefficient does not fit.
+/// Rounds each coefficient once. C is chosen after A and B, so that the error is at most 2^-(fraction_bits + 1) at the
+/// middle of the picture, and grows by at most 2^-(fraction_bits + 1) per pixel of distance along x or y. Empty if a
+/// coefficient does not fit.
 std::optional<FixedLinear> to_fixed(const RealLinear& linear, unsigned fraction_bits, std::uint32_t width,
                                     std::uint32_t height);
 

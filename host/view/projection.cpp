@@ -49,8 +49,8 @@ void check(const Sampling& sampling) {
   }
 }
 
-/// Minimum near distance, relative to the far distance: nearer ones leave too few of a double's 53 bits to distinguish
-/// depths.
+/// Minimum near distance, relative to the far distance. With smaller distances too few of a double's 53 bits
+/// distinguish depths.
 constexpr double min_near_ratio = 0x1p-48;
 
 void check_near(double near, double far) {
@@ -66,7 +66,7 @@ void check_near(double near, double far) {
   }
 }
 
-/// Narrows the depths to those of an ellipsoid, which are less than those of its box.
+/// Narrows the depths of a box to those of an ellipsoid, which has a smaller range than its box.
 void narrow_depth(facet::Box& box, const facet::Convex& solid, const facet::QuadricTable& quadrics,
                   const EyeSpace& space) {
   if (solid.quadrics.size() != 1) return;
@@ -141,11 +141,11 @@ RealLinear depth_plane(const EyeSpace& space, const isa::DepthScale& scale, unsi
           1.0 + (-plane.offset / n.z - scale.near) * scaled};
 }
 
-/// Whether the edge has its canonical orientation: a zero of the line belongs to the side of the points infinitely
-/// close to the right or, for horizontal lines, below.
+/// Whether the edge has its canonical orientation. A point where the line is 0 then belongs to the side of the points
+/// infinitely close to the right or, for horizontal lines, below.
 bool points_right(const FixedLinear& line) { return line.a > 0 || (line.a == 0 && line.b >= 0); }
 
-/// `line` is sampled at the pixels' sample positions.
+/// `line` must be a function of the pixels' sample positions.
 ScreenPlane make_edge(const RealLinear& line, const Sampling& sampling) {
   ScreenPlane edge;
   edge.kind = PlaneKind::edge;

@@ -14,7 +14,7 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 struct Around {
   double unit;         ///< unit of D's root, depth steps
   double d;            ///< lower bound of D at the point
-  double from_middle;  ///< upper bound of the depth steps between the point and the middle
+  double from_middle;  ///< upper bound of the distance between the point and the middle, in depth steps
   double middle;       ///< middle at the point
   double least_polar;  ///< minimum over the pixels of D's polar form about the point, see required_growth
   double depth_error;  ///< error of a rounded depth where the unrounded D is not negative, depth steps
@@ -57,7 +57,7 @@ bool is_concave(const FixedQuadratic& f) {
   return xx < 0.0 && yy < 0.0 && 4.0 * xx * yy > 1.000001 * xy * xy;
 }
 
-/// The growth of a paraboloid: the floors of its middle and of the depth shift z by at most 2 steps, and F = |z - M| -
+/// The growth of a paraboloid. The floors of its middle and of the depth shift z by at most 2 steps, and F = |z - M| -
 /// k D is convex.
 double growth_of_paraboloid(const ScreenQuadric& quadric, const Around& here) {
   const double k =
@@ -80,7 +80,7 @@ double growth_between(const ScreenQuadric& quadric, const Around& here, const Vi
   return (here.depth_error + std::sqrt(here.error) * here.unit) / (half_depth - here.from_middle);
 }
 
-/// The growth of a region beyond one of two depths that every ray has.
+/// The growth of a region beyond one of two depths. Every ray must have these depths.
 double growth_beyond(const ScreenQuadric& quadric, QuadricRole role, const glm::dvec3& inside, const Around& here,
                      const PixelRect& pixels) {
   if (range_over(quadric.discriminant, pixels).low <= 0 || !(here.d >= 0.0)) return unlimited;

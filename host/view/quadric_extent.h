@@ -1,5 +1,4 @@
-// Bounds of quadrics that include rounding.
-// Used by the extents of solids.
+// Bounds of quadrics, including rounding. Used by the extents of solids.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -9,8 +8,8 @@
 
 namespace csgsim::view {
 
-/// How much a solid bounded by this side of a quadric must grow about a point inside it, relative to its size in
-/// columns, rows and depth steps, to contain the rounded quadric over its pixels. Infinite if no bound is known.
+/// The factor by which a solid bounded by this side of a quadric must grow about a point inside it (in columns, rows
+/// and depth steps) to contain the rounded quadric over its pixels. Infinite if no bound is known.
 double required_growth(const ScreenQuadric& quadric, facet::QuadricSide side, const glm::dvec3& inside,
                        const View& view, const PixelRect& pixels);
 

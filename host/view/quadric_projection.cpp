@@ -17,7 +17,7 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-/// 113 bits: D is the small difference of much greater products if the eye is far away or the surface is steep.
+/// 113 bits, because D is the small difference of much greater products if the eye is far away or the surface is steep.
 using Real = boost::multiprecision::cpp_bin_float_quad;
 using Vec = std::array<Real, 3>;
 
@@ -25,7 +25,7 @@ constexpr Wide sum_limit = Wide{1} << 61U;
 constexpr int max_root_bits = 30;
 constexpr int most_shift = 60;
 
-/// a*x + b*y + c, with columns and rows relative to the middle pixel of a rectangle.
+/// a*x + b*y + c; columns and rows are relative to the middle pixel of a rectangle.
 struct Linear {
   Real a;
   Real b;
@@ -51,8 +51,8 @@ Real dot(const Vec& a, const glm::dvec3& b) { return a[0] * b.x + a[1] * b.y + a
 Vec to_vec(const glm::dvec3& v) { return {Real(v.x), Real(v.y), Real(v.z)}; }
 
 /// The quadric on the rays of a picture: u = fixed * t + moving(x, y), where t is the distance from the eye in an
-/// orthographic view, and its reciprocal in a perspective view. There u is divided by the distance, and the quadric's
-/// level is multiplied by t^2.
+/// orthographic view, and its reciprocal in a perspective view. In a perspective view u is divided by the distance, and
+/// the quadric's level is multiplied by t^2.
 struct OnRays {
   std::array<double, 3> signs{};
   double level = 0;
@@ -78,8 +78,8 @@ struct OnRays {
     return sum;
   }
 
-  /// The square of half the coefficient of t minus the product of the others, by Lagrange's identity: products of the
-  /// ray's distances from the quadric's centre, which avoids cancellation of the distance to the eye.
+  /// The square of half the coefficient of t minus the product of the other two coefficients, by Lagrange's identity:
+  /// products of the ray's distances from the quadric's centre, which avoids cancellation of the distance to the eye.
   [[nodiscard]] Quadratic discriminant() const {
     Quadratic sum{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -98,7 +98,7 @@ struct OnRays {
     return sum;
   }
 
-  /// The negated value at t, which is not negative inside the quadric.
+  /// The negated value at t; it is not negative inside the quadric.
   [[nodiscard]] Quadratic depth_inside(const Real& t) const {
     Quadratic sum{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -164,7 +164,7 @@ struct DepthLine {
   }
 };
 
-/// The coefficients in double precision, for choices and bounds.
+/// The coefficients in double precision, for decisions and bounds.
 using Plain = std::array<double, 6>;
 
 Plain plain(const Quadratic& f) {
@@ -230,9 +230,9 @@ std::optional<FixedLinear> to_fixed(const Linear& f, unsigned fraction_bits, con
   return fixed->linear;
 }
 
-/// The allowed error of D: an eighth of a step in the middle of a surface at the default width; sideways, at the
-/// outline, no more than the error of edge-on planes. There D falls by at least 2 D / R per pixel, if it falls from D
-/// to 0 over R pixels.
+/// The allowed error of D. In the middle of a surface it is an eighth of a step at the default width; at the outline it
+/// causes no more sideways error than edge-on planes have. There D falls by at least 2 D / R per pixel, if it falls
+/// from D to 0 over R pixels.
 double allowed_error(double most, const Middle& middle, const Sampling& sampling) {
   constexpr double least = 0x1p-20;
   const double d = most > 0 ? std::max(most, least) : 1.0;
@@ -270,7 +270,8 @@ double sideways(const EyeSpace& space, const isa::DepthScale& scale, const Sampl
     return (model::hypotenuse(apex.x, apex.y) + std::abs(apex.z) * tangent) * (1.0 / scale.near - 1.0 / scale.far) /
            space.pixel;
   }
-  // The cross-section one unit of length beyond the place where it is centred at the origin: a conic in pixels.
+  // The cross-section one unit of length beyond the place where the section is centred at the origin: a conic in
+  // pixels.
   std::array<double, 3> right{};
   std::array<double, 3> down{};
   std::array<double, 3> forward{};
@@ -286,7 +287,7 @@ double sideways(const EyeSpace& space, const isa::DepthScale& scale, const Sampl
   const double xy = product(right, down);
   const double yy = product(down, down);
   const double determinant = xx * yy - xy * xy;
-  // Its section is not an ellipse when seen from the side; only rounding could make it one.
+  // Seen from the side, the cross-section is not an ellipse, though rounding could make it one.
   constexpr double least_part = 0x1p-46;
   if (!(xx > 0.0 && determinant > least_part * xx * yy)) return never;
   const double fx = product(forward, right);
@@ -303,8 +304,8 @@ double sideways(const EyeSpace& space, const isa::DepthScale& scale, const Sampl
   return (moved + widened) * (scale.far - scale.near);
 }
 
-/// Whether the rays of all pixels are on one side of the plane across the axis; then they meet only one nappe of a cone
-/// whose apex is the eye.
+/// Whether the rays of all pixels are on one side of the plane across the axis. If so, they meet only one nappe of a
+/// cone whose apex is the eye.
 bool meets_one_nappe(const EyeSpace& space, const facet::Quadric& quadric, const PixelRect& pixels) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
@@ -326,7 +327,7 @@ ScreenQuadric make_edge(const EyeSpace& space, const View& view, const OnRays& r
   const Real near = view.depth.near;
   const Real far = view.depth.far;
   Quadratic inside = rays.depth_inside(space.perspective ? Real((1 / near + 1 / far) / 2) : Real((near + far) / 2));
-  // The value has no unit, so it is scaled to a size at which bits below 1 are negligible.
+  // The value has no unit, so it is scaled until bits below 1 are negligible.
   constexpr double wanted = 0x1p20;
   double most = max_over(plain(inside), middle);
   double greatest = std::abs(most);
@@ -341,7 +342,7 @@ ScreenQuadric make_edge(const EyeSpace& space, const View& view, const OnRays& r
 }
 
 /// Bits of the depth unit of a cylinder whose root has too many bits. In an orthographic view, its depth changes
-/// everywhere by at least its axis' slope, in steps per pixel.
+/// everywhere by at least the slope of its axis, in steps per pixel.
 unsigned depth_unit_bits(const facet::Quadric& quadric, const Linear& middle, int root_bits, const Sampling& sampling) {
   const int beyond = root_bits - static_cast<int>(sampling.z_bits) - 2;
   if (beyond <= 0 || quadric.kind != facet::QuadricKind::cylinder) return 0;

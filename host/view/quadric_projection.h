@@ -9,8 +9,8 @@
 
 namespace csgsim::view {
 
-/// A canonical quadric in a picture. Its origin is relative to `centre`, and its solids touch at most `pixels`. The
-/// depth scale of `view` must be set.
+/// A canonical quadric in a picture. Its origin is relative to `centre`, and its solids touch only `pixels`. The depth
+/// scale of `view` must be set.
 ScreenQuadric make_screen_quadric(const EyeSpace& space, const View& view, const facet::Quadric& quadric,
                                   const glm::dvec3& centre, const PixelRect& pixels);
 

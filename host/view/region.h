@@ -11,19 +11,19 @@
 
 namespace csgsim::view {
 
-/// A convex polygon of the picture that contains every pixel of a rectangle at which given integer linear functions are
-/// at least 0. It is as small as rounding allows.
+/// A convex polygon in the picture that contains every pixel of a rectangle at which the given integer linear functions
+/// are at least 0. It is as small as rounding allows.
 class Region {
  public:
   explicit Region(const PixelRect& pixels);
 
-  /// Drops the part where the function is certainly negative. Returns whether the function is certainly at least
-  /// `least` (0 or more) at all remaining pixels, so that nothing was dropped.
+  /// Removes the part in which the function is certainly negative. Returns whether the function is certainly at least
+  /// `least` (0 or more) at all pixels of the region, so that nothing was removed.
   bool clip(const FixedLinear& linear, double least = 0);
   /// Whether the function is certainly at least `least` everywhere in the region.
   [[nodiscard]] bool is_certainly_at_least(const FixedLinear& linear, double least) const;
 
-  /// Its minimum and maximum in the region, in double precision. The region must not be empty.
+  /// Minimum and maximum of the function in the region, in double precision. The region must not be empty.
   [[nodiscard]] std::pair<double, double> range(const FixedLinear& linear) const;
 
   [[nodiscard]] bool empty() const { return corners_.empty(); }
@@ -34,7 +34,7 @@ class Region {
  private:
   std::vector<glm::dvec2> corners_;
   std::vector<glm::dvec2> clipped_;
-  double reach_ = 0;  ///< maximum distance of its pixels from the picture's first pixel
+  double reach_ = 0;  ///< maximum distance of the region's pixels from the picture's first pixel
 };
 
 }  // namespace csgsim::view

@@ -13,7 +13,7 @@ namespace {
 
 using Numbers = std::vector<std::uint32_t>;
 
-/// Up to this number of functions, all are taken as rivals.
+/// If there are at most this many functions, all of them are rivals.
 constexpr std::size_t few = 16;
 
 /// Number of a tile's corners, and index of its middle pixel, which follows them.
@@ -25,7 +25,7 @@ constexpr bool is_pixel(const PixelRect& tile) { return tile.x0 == tile.x1 && ti
 
 constexpr std::int32_t midpoint(std::int32_t low, std::int32_t high) { return low + (high - low) / 2; }
 
-/// The tile cut in two across its longer side. It must be larger than a pixel.
+/// The halves of a tile, cut across its longer side. The tile must be larger than a pixel.
 std::array<PixelRect, 2> halves(const PixelRect& tile) {
   std::array<PixelRect, 2> parts{tile, tile};
   if (tile.x1 - tile.x0 >= tile.y1 - tile.y0) {
@@ -41,13 +41,13 @@ std::array<PixelRect, 2> halves(const PixelRect& tile) {
 /// The fronts or backs that lead in a tile.
 struct Leading {
   Numbers numbers;
-  std::uint32_t first = 0;  ///< the one that leads at the middle; valid if `numbers` is not empty
+  std::uint32_t first = 0;  ///< the number of the function that leads at the middle; valid if `numbers` is not empty
   Values ranks{};           ///< ranks of `first`
 };
 
-/// Fronts or backs: the greatest rank leads, and of equal ranks the first. At a single pixel, ranks are depths, which
-/// are negated for backs; in a larger tile, where depths are not linear, ranks are values, and one with a higher number
-/// leads before one with a lower number only if it is ahead by a whole depth step all over the tile.
+/// Fronts or backs: the one with the greatest rank leads; among equal ranks, the first. At a single pixel, ranks are
+/// depths, which are negated for backs. In a larger tile, where depths are not linear, ranks are values, and a function
+/// with a higher number leads one with a lower number only if it is ahead by a whole depth step in the whole tile.
 class Envelope {
  public:
   Envelope(std::span<const FixedLinear> functions, bool is_back, unsigned shift)
@@ -55,15 +55,15 @@ class Envelope {
 
   [[nodiscard]] std::size_t size() const { return functions_.size(); }
 
-  /// Finds those that lead somewhere in a tile. Calls lose(number, by) for each of the others: `by` leads before it at
-  /// every pixel of the tile.
+  /// Finds the functions that lead somewhere in a tile. Calls lose(number, by) for each of the others, where `by` leads
+  /// it at every pixel of the tile.
   template <class Lose>
   Leading leading(const Numbers& numbers, const PixelRect& tile, const Lose& lose) {
     Leading left;
     if (numbers.empty()) return left;
     ranks_.clear();
     for (const std::uint32_t number : numbers) ranks_.push_back(ranks(functions_[number], tile));
-    // Indices into `numbers`. The middle comes first, since its leader is ahead of most others.
+    // Indices into `numbers`. The middle comes first, because its leader is ahead of most others.
     std::array<std::size_t, corners + 1> leaders{};
     for (std::size_t at = 0; at <= corners; ++at) {
       const auto greatest = std::ranges::max_element(ranks_, {}, [&](const Values& one) { return one[at]; });
@@ -145,14 +145,14 @@ class Finder {
     if (rival != one) rivals_[one].push_back(rival);
   }
 
-  /// Makes `rival` a rival of all the others.
+  /// Makes `rival` a rival of all the fronts and backs.
   void add_to_all(const Numbers& fronts, const Numbers& backs, std::uint32_t rival) {
     for (const std::uint32_t number : fronts) add(number, rival);
     for (const std::uint32_t number : backs) add(back(number), rival);
   }
 
-  /// Collects the edges that are negative at some of the tile's pixels. Returns false if one is negative at all of
-  /// them; it becomes a rival of all functions.
+  /// Collects the edges that are negative at some of the tile's pixels. Returns false if one edge is negative at all of
+  /// them; that edge becomes a rival of all functions.
   bool find_edges(const PixelRect& tile, const Numbers& fronts, const Numbers& backs, const Numbers& edges,
                   Numbers& left) {
     for (const std::uint32_t number : edges) {
@@ -193,7 +193,7 @@ class Finder {
     for (const PixelRect& part : halves(tile)) divide(part, fronts.numbers, backs.numbers, edges);
   }
 
-  /// Whether these ranks of a front and a back make the solid empty at each pixel of a tile.
+  /// Whether the ranks of a front and a back make the solid empty at each pixel of a tile.
   static bool is_nowhere(const Values& front, const Values& back) {
     return std::equal(front.begin(), front.begin() + corners, back.begin(),
                       [](std::int64_t begins, std::int64_t ends) { return begins >= -ends; });

@@ -10,15 +10,15 @@
 namespace csgsim::view {
 
 /// The linear functions that bound a convex solid in a picture. Depths are floor(value >> shift). At a pixel, the solid
-/// begins at the greatest depth of the fronts and ends at the least depth of the backs, the first of equal ones. It is
-/// present if it begins before it ends and no edge is negative.
+/// begins at the greatest depth of the fronts and ends at the least depth of the backs; among equal depths, the first
+/// function counts. The solid is present if it begins before it ends and no edge is negative.
 struct Boundary {
   std::vector<FixedLinear> fronts;
   std::vector<FixedLinear> backs;
   std::vector<FixedLinear> edges;
 };
 
-/// The functions of a Boundary that compete with one of its fronts or backs, by their numbers, ascending.
+/// The functions of a Boundary that compete with one of its fronts or backs, as indices in ascending order.
 struct Rivals {
   std::vector<std::uint32_t> fronts;
   std::vector<std::uint32_t> backs;
@@ -32,7 +32,7 @@ struct AllRivals {
 };
 
 /// The rivals of each front and back. They suffice to decide, at every pixel of the rectangle, whether the solid begins
-/// or ends with this function; the other end of the solid there is one of the rivals.
+/// or ends with this function; the function at the other end of the solid there is also among the rivals.
 ///
 /// The rectangle is halved until few functions lead somewhere in a part. If faces are spread over the picture, this
 /// takes n log n steps, and each face has few rivals.

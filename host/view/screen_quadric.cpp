@@ -23,10 +23,10 @@ struct Side {
   Wide b;
   std::int32_t first;
   std::int32_t last;
-  bool slants;  ///< whether a ridge or valley may cross the side at a slant
+  bool slants;  ///< whether a ridge or valley of the function may cross the side at a slant
 };
 
-/// Widens the range by the side's turning point: by the values at the adjacent integers and, if a ridge may cross the
+/// Extends the range by the side's turning point: by the values at the adjacent integers and, if a ridge may cross the
 /// side at a slant, by the value between them. Such a ridge may pass through an integer point inside the rectangle.
 template <class At>
 void include_turning_point(Range& range, const Side& side, const At& at) {
@@ -42,8 +42,8 @@ void include_turning_point(Range& range, const Side& side, const At& at) {
   include(range, at(static_cast<std::int32_t>(below)) + (side.a < 0 ? beyond : -beyond));
 }
 
-/// Upper bound of how far the extremum is beyond the value at a point with that gradient: half of the gradient's square
-/// divided by the second derivatives of f, whose determinant is given.
+/// Upper bound of how far the extremum is beyond the value at a point with the gradient (by_x, by_y): half of the
+/// gradient's square divided by the second derivatives of f, whose determinant is given.
 std::int64_t beyond_place(const FixedQuadratic& f, Wide determinant, Wide by_x, Wide by_y) {
   const auto dx = static_cast<long double>(by_x);
   const auto dy = static_cast<long double>(by_y);
@@ -53,7 +53,7 @@ std::int64_t beyond_place(const FixedQuadratic& f, Wide determinant, Wide by_x, 
   return static_cast<std::int64_t>(std::ceil(std::abs(square / static_cast<long double>(determinant)) * up)) + 1;
 }
 
-/// Widens the range by the extremum if it is inside the rectangle.
+/// Extends the range by the extremum if it is inside the rectangle.
 void include_inner(Range& range, const FixedQuadratic& f, const PixelRect& rect) {
   const Wide determinant = 4 * Wide{f.xx} * f.yy - Wide{f.xy} * f.xy;
   if (determinant <= 0) return;  // a saddle or a valley, whose extremes are at the sides

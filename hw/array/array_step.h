@@ -7,12 +7,12 @@
 
 namespace csgsim::array {
 
-/// Functions of a pixel's ALU. In one clock the ALU applies a function to one bit of its operands, or to several, from
-/// the least significant on (see function_of_bit). In the meanings E is the enable bit, K the carry bit, L the operand
-/// latch, G the sign flag of a root, P whether the pixel is part of the region, M[w] the memory bit written; x and y
-/// are the operands, k is the constant and maj(a, b, c) the carry of a full adder. Columns: function, function of the
-/// second and later bits, reads x, reads y, writes memory, reads or writes K, reads or writes G, may change enable or
-/// memory of a disabled pixel, meaning.
+/// Functions of a pixel's ALU. In one clock the ALU applies a function to one bit of its operands, or to several bits,
+/// least significant first (see function_of_bit). In the meanings, E is the enable bit, K the carry bit, L the operand
+/// latch, G the sign flag of a root, P is 1 if the pixel is part of the region, and M[w] is the memory bit written; x
+/// and y are the operands, k is the constant and maj(a, b, c) the carry of a full adder. Columns: function, function of
+/// the second and later bits, reads x, reads y, writes memory, reads or writes K, reads or writes G, may change enable
+/// or memory of a disabled pixel, meaning.
 // clang-format off
 #define CSGSIM_ALU_FUNCTIONS(F)                                                                                                                                 \
   F(idle,               idle,               false, false, false, false, false, false, "nothing")                                                               \
@@ -94,9 +94,9 @@ enum class OperandSource : std::uint8_t {
 };
 
 /// The control word that all pixels execute in one clock. If operand x comes from the trees, which deliver several bits
-/// of F in a clock, the step selects what happens to each: `function` takes `bits` of them, from bit `first` on;
-/// `beyond` takes the next `beyond_bits`, one after another, and `sign` takes the bit after these. Only `function`
-/// accesses memory, at the given addresses. The clock's other bits are ignored.
+/// of F per clock, the step selects a function for each of these bits: `function` processes `bits` bits, starting at
+/// bit `first`; `beyond` processes the next `beyond_bits`, one after another; `sign` processes the bit after these. The
+/// remaining bits are ignored. Only `function` accesses memory, at the given addresses.
 struct ArrayStep {
   AluFunction function = AluFunction::idle;
   OperandSource source = OperandSource::tree;  ///< source of operand x
@@ -104,22 +104,22 @@ struct ArrayStep {
   std::uint16_t y = 0;                         ///< address of operand y
   std::uint16_t write = 0;                     ///< address written
   std::uint16_t bits = 1;                      ///< number of adjacent bits; the addresses are those of the first
-  std::uint32_t constant = 0;              ///< `bits` bits, the first lowest; for a sum, 1 where operand x has a bit
-  std::uint16_t first = 0;                 ///< the first of the clock's bits from the trees that is used
-  std::uint16_t beyond_bits = 0;           ///< number of bits from the trees for `beyond`
-  AluFunction beyond = AluFunction::idle;  ///< function of the bits after those of `function`
-  AluFunction sign = AluFunction::idle;    ///< function of the bit after them, unless idle
+  std::uint32_t constant = 0;                  ///< `bits` bits, the first lowest; in a sum, 1 where operand x has a bit
+  std::uint16_t first = 0;                     ///< index of the first tree bit that is used
+  std::uint16_t beyond_bits = 0;               ///< number of tree bits for `beyond`
+  AluFunction beyond = AluFunction::idle;      ///< function of the bits after those of `function`
+  AluFunction sign = AluFunction::idle;        ///< function of the bit after those of `beyond`; idle if there is none
 
   constexpr bool operator==(const ArrayStep&) const = default;
 };
 
 /// Number of bits that the ALU processes in a step, including those of `beyond` and `sign`.
-constexpr unsigned worked_bits(const ArrayStep& step) {
+constexpr unsigned processed_bits(const ArrayStep& step) {
   return step.bits + step.beyond_bits + (step.sign == AluFunction::idle ? 0U : 1U);
 }
 
-/// The function that a step applies to one of its worked_bits(). In a comparison or sum the first bit sets the carry,
-/// which ripples through the others; in a comparison of fields the last bit decides.
+/// The function that a step applies to one of its processed_bits(). In a comparison or sum the first bit sets the
+/// carry, which ripples through the others; in a comparison of fields the last bit decides.
 constexpr AluFunction function_of_bit(const ArrayStep& step, unsigned bit) {
   using enum AluFunction;
   if (bit >= step.bits) return bit - step.bits < step.beyond_bits ? step.beyond : step.sign;

@@ -32,15 +32,15 @@ ColumnBits::ColumnBits(PlaneShape shape, std::span<const Place> places)
       stride_(round_up(row_words_ + kernels::block_words, kernels::block_words)),
       places_(places.begin(), places.end()) {}
 
-std::span<const kernels::StreamTable> ColumnBits::of(std::span<const Stream> streams) {
+std::span<const kernels::StreamTable> ColumnBits::compute(std::span<const Stream> streams) {
   if (words_.size() < streams.size()) words_.resize(streams.size(), Words(word_bits * stride_));
   tables_.clear();
-  for (std::size_t i = 0; i < streams.size(); ++i) tables_.push_back(table_of(streams[i], words_[i]));
+  for (std::size_t i = 0; i < streams.size(); ++i) tables_.push_back(build_table(streams[i], words_[i]));
   return tables_;
 }
 
-/// Beyond the row's width the columns repeat from the first.
-kernels::StreamTable ColumnBits::table_of(const Stream& stream, Words& words) const {
+/// Beyond the row's width the columns repeat, starting with the first.
+kernels::StreamTable ColumnBits::build_table(const Stream& stream, Words& words) const {
   if (stream.xy != 0 && places_.empty()) return {.bits = stream.bits, .crossed = &stream};
   const std::uint64_t second = 2 * word_bits * word_bits * stream.xx;  // second difference from word to word
   for (std::size_t bit = 0; bit < word_bits; ++bit) {

@@ -12,18 +12,18 @@
 
 namespace csgsim::array {
 
-/// The part of streams that depends only on the column: the bits of xx*x*x + a*x + c, which all rows share. A stream
-/// with x*y has no such part.
+/// The part of each stream that depends only on the column: the bits of xx*x*x + a*x + c, which are the same in all
+/// rows. A stream with x*y has no such part.
 class ColumnBits {
  public:
   /// `places`: if not empty, the array is one row of these pixels of another array, and the tables hold the whole sum.
   ColumnBits(PlaneShape shape, std::span<const Place> places);
 
-  /// Computes the tables. They are valid until the next call and while the streams exist.
-  std::span<const kernels::StreamTable> of(std::span<const Stream> streams);
+  /// Computes one table per stream. They are valid until the next call and while the streams exist.
+  std::span<const kernels::StreamTable> compute(std::span<const Stream> streams);
 
  private:
-  kernels::StreamTable table_of(const Stream& stream, Words& words) const;
+  kernels::StreamTable build_table(const Stream& stream, Words& words) const;
 
   std::uint32_t width_;
   std::size_t row_words_;

@@ -79,7 +79,7 @@ bool DeferredPixels::is_skippable(const Batch& batch) {
          batch.flag != Touch::uses;
 }
 
-/// Selects the blocks that execute the batch, and those of them that first have to replay skipped batches.
+/// Selects the blocks that execute the batch, and among them those that must first replay skipped batches.
 void DeferredPixels::choose(const Batch& batch) {
   kernels::find_ones(enable_.data(), on_);
   const bool may_skip = is_skippable(batch);
@@ -96,7 +96,7 @@ void DeferredPixels::add_to_run(std::uint32_t block, const Batch& batch) {
   if (stale_[block].any() && must_replay(batch, stale_[block])) to_replay_.push_back(block);
 }
 
-/// Updates the block's record: for each register, the last skipped batch that set it.
+/// Updates the block's record of the last skipped batch that set each register.
 void DeferredPixels::note_stale(std::uint32_t block) {
   Stale& stale = stale_[block];
   const std::uint64_t since = since_[block];
@@ -114,7 +114,7 @@ bool DeferredPixels::must_replay(const Batch& batch, const Stale& stale) {
          is_needed(stale.flag, batch.flag);
 }
 
-/// Whether the batch writes memory on which the skipped batch's results depend.
+/// Whether the batch writes memory on which the results of the skipped batch depend.
 bool DeferredPixels::invalidates(const Batch& batch, std::uint64_t stale) {
   if (checked_batch_ == stale) return is_invalidated_;
   checked_batch_ = stale;
@@ -171,7 +171,7 @@ void DeferredPixels::replay_register(std::span<const std::uint32_t> blocks, std:
 void DeferredPixels::run(const Batch& batch, std::span<const std::uint32_t> blocks, kernels::Effects effects) {
   if (blocks.empty()) return;
   effects.has_flag = batch.flag != Touch::none;
-  kernels::run(batch.runs, columns_.of(batch.streams),
+  kernels::run(batch.runs, columns_.compute(batch.streams),
                {.bits = words_.data(),
                 .stride = bits_.count() * kernels::block_words,
                 .enable = enable_.data(),

@@ -25,8 +25,8 @@ class DeferredPixels {
 
   /// Logs the step of one clock.
   void push(const ArrayStep& step, const StreamBit& tree);
-  /// Logs the step of one clock in which the registers between trees and pixels hold `tree`: one plane per bit, the
-  /// first bit first. The number of planes never changes. `tree` is read only if the step uses it.
+  /// Logs the step of one clock in which the registers between trees and pixels hold `tree`: one plane per bit, lowest
+  /// bit first. The number of planes must be the same in all calls. `tree` is read only if the step uses it.
   void push_with(std::span<const std::uint64_t> tree, const ArrayStep& step);
 
   /// Executes pending steps, so that memory and enable are up to date.
@@ -39,10 +39,10 @@ class DeferredPixels {
   /// Discards pending steps and clears memory.
   void reset();
   void clear_memory(unsigned address, unsigned count);
-  /// Clears the registers; from now on the pixels in `present` take part.
+  /// Clears the registers. The pixels in `present` take part in all later steps; the others stay disabled.
   void select(const Words& present);
 
-  // Settled state. `bit` is an index as in bits().
+  // State of which the pending steps have been executed. `bit` is an index as in bits().
   [[nodiscard]] const PixelBits& bits() const { return bits_; }
   [[nodiscard]] const Words& enable() const { return enable_; }
   [[nodiscard]] std::uint64_t word(unsigned bit, std::size_t word) const {
@@ -51,7 +51,7 @@ class DeferredPixels {
   }
 
  private:
-  /// Numbers of the last skipped batches that set a block's carry, latch and flag; 0 if a register is up to date.
+  /// Numbers of the last skipped batches that wrote a block's carry, latch and flag; 0 if a register is up to date.
   struct Stale {
     std::uint64_t carry = 0;
     std::uint64_t latch = 0;
@@ -92,7 +92,7 @@ class DeferredPixels {
   std::vector<Batch> kept_;      ///< ring of batches that some blocks have skipped
   std::uint64_t last_kept_ = 0;  ///< number of the last kept batch
   Stale last_;                   ///< last kept batches that set each register
-  std::vector<Stale> stale_;     ///< per block, for batches up to since_; the block has skipped all later batches
+  std::vector<Stale> stale_;     ///< per block, for batches up to since_; the block has skipped all batches after it
   std::vector<std::uint64_t> since_;
   std::vector<std::uint8_t> on_;  ///< per block: whether any pixel is enabled
   std::vector<std::uint32_t> to_run_;

@@ -11,7 +11,7 @@ namespace csgsim::array::kernels::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Attributes of lambdas on vectors and of loops that call them. They must be inlined, or vectors would be passed
+// Attributes of lambdas on vectors and of loops that call them. They must be inlined; otherwise vectors would be passed
 // through memory. Under sanitizers a single inlined function would take minutes to compile.
 #undef CSGSIM_BODY
 #undef CSGSIM_LOOP
@@ -33,7 +33,8 @@ HWY_ATTR HWY_INLINE Vector load(const std::uint64_t* words) { return hn::Load(Bl
 
 HWY_ATTR HWY_INLINE void store(Vector value, std::uint64_t* words) { hn::Store(value, BlockTag(), words); }
 
-/// a where the mask is 1, b elsewhere, bit by bit. On blending targets IfVecThenElse would test whole bytes or words.
+/// a where the mask is 1, b elsewhere, bit by bit. IfVecThenElse would test whole bytes or words on targets with blend
+/// instructions.
 HWY_ATTR HWY_INLINE Vector select(Vector mask, Vector a, Vector b) {
 #if HWY_TARGET <= HWY_AVX3
   return hn::IfVecThenElse(mask, a, b);
@@ -90,7 +91,7 @@ struct RowMasks {
 /// The bits of a stream with x*y at a vector of pixels: bit j is row j.
 class CrossedBits {
  public:
-  /// Kept out of line so that it does not slow down loops that do not use it.
+  /// Not inlined, so that it does not slow down loops that do not use it.
   HWY_ATTR HWY_NOINLINE void set(const Stream& stream, std::size_t first_word, std::size_t row_words) {
     const BlockTag d;
     alignas(64) std::uint64_t values[block_words];
@@ -355,7 +356,7 @@ CSGSIM_LOOP void run_one(const Run& run, const Adders<one_row>& adders, std::uin
     case AluFunction::less_from_1:
     case AluFunction::sum_from_0:
     case AluFunction::sum_with_1_from_0:
-    case AluFunction::difference_from_1: break;  // these functions have no runs
+    case AluFunction::difference_from_1: break;  // no runs have these functions
   }
   r.enable = e;
   r.carry = k;

@@ -38,7 +38,7 @@ struct Blocks {
 
 /// Selects the results that a run stores.
 struct Effects {
-  bool enabled = true;  ///< the enable bits are read and stored; otherwise all count as 0
+  bool enabled = true;  ///< the enable bits are read and stored; if false, they are treated as 0
   bool carry = true;
   bool latch = true;
   bool flag = true;

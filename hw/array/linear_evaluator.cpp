@@ -16,7 +16,7 @@ struct Node {
   std::uint64_t cross = 0;  ///< growth of row_slope from leaf to leaf
 };
 
-/// The right child is `half` leaves further on; 0 if there is none.
+/// `half`: distance in leaves to the right child; 0 if there is none.
 LevelProbe make_probe(const StreamBit& bit, const Node& node, std::uint64_t half) {
   if (!bit.token.active()) return {};
   const auto of = [&](std::uint64_t value) { return bit.token.of(value); };
@@ -38,7 +38,7 @@ LevelProbe make_probe(const StreamBit& bit, const Node& node, std::uint64_t half
 /// First leaf of the node that covers `leaf` and lies `below` levels above the leaves.
 std::uint32_t first_leaf(std::uint32_t leaf, unsigned below) { return leaf >> below << below; }
 
-/// Distance in leaves from the node's first leaf to its right child's; 0 if it has no right child.
+/// Distance in leaves from the node's first leaf to that of its right child; 0 if it has no right child.
 std::uint64_t child_distance(std::uint32_t node, unsigned below, std::uint32_t leaves) {
   const std::uint64_t half = below == 0 ? 0 : std::uint64_t{1} << (below - 1);
   return node + half < leaves ? half : 0;

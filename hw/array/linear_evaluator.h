@@ -11,8 +11,8 @@
 
 namespace csgsim::array {
 
-/// Coefficient bits that the controller sends in one clock, those named by the token, the first lowest. Trees of degree
-/// 1 have no wires for the last three.
+/// Coefficient bits that the controller sends in one clock, selected by the token, lowest bit first. Trees of degree 1
+/// have no wires for the last three coefficients.
 struct RootBits {
   Token token;
   std::uint32_t a = 0;
@@ -39,7 +39,7 @@ struct TreeForm {
   unsigned register_levels = 1;  ///< levels from one register to the next
 };
 
-/// Depth of a tree. Registers follow every `between_registers` levels and the last level.
+/// Depth of a tree. There are registers after every `between_registers` levels and after the last level.
 struct TreeDepth {
   unsigned levels = 0;
   unsigned between_registers = 1;
@@ -55,9 +55,10 @@ struct TreeDepth {
 struct LevelProbe {
   Token token;               ///< stream bits that enter the level
   std::uint32_t stream = 0;  ///< values of those bits
-  bool carry = false;        ///< carry into the level's adder of the first bit, if there is a right child
+  bool carry = false;        ///< carry into the level's adder for the first bit; false if the node has no right child
 
-  // Only in trees of degree 2: the slope is the growth of the value from leaf to leaf without the square term.
+  // The following members are used only in trees of degree 2. The slope is the growth of the value from leaf to leaf
+  // without the square term.
   std::uint32_t slope = 0;
   bool slope_carry = false;
   bool step_carry = false;       ///< carry of the adder that adds the square term to the slope
@@ -110,13 +111,13 @@ class LinearEvaluator {
   /// Whether a bit is on its way to the pixels.
   [[nodiscard]] bool any_active() const { return active_ > 0; }
 
-  /// Advances one clock. `leaves` are the registers at the pixels, which are written in clocks in which a bit reaches
-  /// them, and hold their value otherwise. Returns whether a bit did. Without levels `leaves` are wires: they show
-  /// `root` at once. The bits of a stream enter in consecutive clocks, from bit 0 on.
+  /// Advances one clock. `leaves` are the registers at the pixels: they are written in clocks in which a bit reaches
+  /// them, and keep their value otherwise. Returns whether a bit reached them. In trees without levels `leaves` are
+  /// wires, which show `root` in the same clock. The bits of a stream enter in consecutive clocks, starting with bit 0.
   bool clock(const RootBits& root, StreamBit& leaves);
 
   /// Signals at a level of the X or Y tree on the path to a pixel, while `root` is on the wires. Level 0 is the root of
-  /// the tree, the last level its leaves. The leaves of the X tree enter the Y tree; those of the Y tree are the
+  /// the tree, the last level is its leaves. The leaves of the X tree enter the Y tree; those of the Y tree are the
   /// registers at the pixels.
   [[nodiscard]] LevelProbe x_level(unsigned level, std::uint32_t x, const RootBits& root) const;
   [[nodiscard]] LevelProbe y_level(unsigned level, Place pixel, const RootBits& root) const;

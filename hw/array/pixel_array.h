@@ -27,7 +27,7 @@ struct PixelProbe {
 /// The pixel processors and memories of the whole array. Steps are deferred; reads force pending steps to complete.
 class PixelArray {
  public:
-  /// `alu_bits`: maximum number of bits that a step works on.
+  /// `alu_bits`: maximum number of bits that a step processes.
   PixelArray(const isa::ArrayShape& shape, unsigned alu_bits);
 
   /// Builds only the given pixels of an array, side by side in a row. They behave as in the whole array.
@@ -42,15 +42,15 @@ class PixelArray {
   /// Clears `bits` memory bits of every pixel, starting at `address`.
   void clear_memory(std::uint32_t address, std::uint32_t bits);
 
-  /// Clears the registers. Pixels right of `width` or below `height` take no part until the next select(): their enable
-  /// bits stay 0.
+  /// Clears the registers. Pixels right of `width` or below `height` take no part until the next select(): they stay
+  /// disabled.
   void select(std::uint32_t width, std::uint32_t height);
 
-  /// One clock of all pixels. `tree` is the bits at the leaves of the multiplier trees.
+  /// Executes one clock of all pixels. `tree` holds the bits at the leaves of the multiplier trees.
   void step(const ArrayStep& step, const StreamBit& tree);
 
-  /// One clock of all pixels with explicit tree bits: one plane in the format of enable() for each bit that the trees
-  /// deliver in a clock, always the same number.
+  /// Executes one clock of all pixels with explicit tree bits: one plane in the format of enable() for each bit that
+  /// the trees deliver per clock. The number of planes must be the same in all calls.
   void step_with(std::span<const std::uint64_t> tree, const ArrayStep& step);
 
   [[nodiscard]] bool any_enabled() const;

@@ -22,11 +22,11 @@ class PixelReplay {
   void begin(const isa::Region& region);
   void execute(const isa::Instruction& instruction);
 
-  /// Like execute() for memory and enable, but skips an instruction that finds no enabled pixel and then changes
-  /// neither. The other registers are unknown afterwards.
+  /// Like execute() for memory and enable bits, but skips an instruction that finds no enabled pixel and therefore
+  /// changes neither. The other registers are unknown afterwards.
   void execute_where_enabled(const isa::Instruction& instruction);
 
-  /// Whether all registers are known, because later instructions have overwritten all unknown ones.
+  /// Whether all registers are known, because later instructions have overwritten the unknown ones.
   [[nodiscard]] bool registers_known() const {
     return tree_known_ && carry_known_ && flag_known_ && unknown_latches_ == 0;
   }

@@ -70,7 +70,7 @@ BitStep Sequencer::once(ArrayStep step) {
   return {.root = {}, .pixels = step, .last = true};
 }
 
-/// Issues the bits of the linear expression that the trees deliver in a clock; the stream is sent `passes` times.
+/// Issues the bits of the linear expression that the trees deliver in a clock. The whole stream is sent `passes` times.
 BitStep Sequencer::stream_bits(const Places& places, unsigned passes) {
   const ArrayStep step = linear_step(places);
   const isa::Linear& linear = instruction_.linear;
@@ -100,8 +100,8 @@ BitStep Sequencer::field_bits(ArrayStep step) {
   return {.root = {}, .pixels = step, .last = !busy_};
 }
 
-/// field_bits() for two source operands x and y. With one read port x is read into the operand latch one clock earlier;
-/// that clock is idle if x has no more bits.
+/// field_bits() for two source operands x and y. With one read port, x is read into the operand latch one clock before
+/// y; that clock is idle if x has no more bits.
 BitStep Sequencer::two_operand_bits(ArrayStep step) {
   if (!two_ports_ && pass_ == 0) {
     pass_ = 1;
@@ -116,8 +116,8 @@ BitStep Sequencer::two_operand_bits(ArrayStep step) {
   return field_bits(step);
 }
 
-/// Issues one bit of a root trial. Trial k works on the remainder, the k + 3 field bits from bit 2(w-1-k) up: it
-/// subtracts 4q + 1 or adds 4q + 3, where q is the k root bits above the remainder. With one read port a bit of q is
+/// Issues one bit of a root trial. Trial k changes the remainder, the k + 3 field bits from bit 2(w-1-k) up: it
+/// subtracts 4q + 1 or adds 4q + 3, where q is the k root bits above the remainder. With one read port, a bit of q is
 /// latched one clock earlier.
 BitStep Sequencer::trial_bit() {
   const isa::Field field = instruction_.fields[0];
@@ -185,7 +185,7 @@ ArrayStep Sequencer::linear_step(const Places& places) const {
   return step;
 }
 
-/// The step for the bits that fall into the field.
+/// Fills in the step for the bits of F that belong to the field.
 ArrayStep Sequencer::field_step(const Places& places, const BitCounts& counts) const {
   const std::uint32_t field_bit = bit_ + counts.fraction - instruction_.linear.shift;  // first field bit of this step
   const auto address = static_cast<std::uint16_t>(instruction_.fields[0].base + field_bit);
@@ -208,12 +208,12 @@ std::uint16_t Sequencer::field_address(unsigned operand) const {
   return static_cast<std::uint16_t>(instruction_.fields[operand].base + bit_);
 }
 
-/// Field bits that the next step processes.
+/// Number of field bits that the next step processes.
 std::uint16_t Sequencer::step_bits() const {
   return static_cast<std::uint16_t>(std::min(alu_bits_, instruction_.fields[0].width - bit_));
 }
 
-/// The number of step_bits() that the second field has, too.
+/// How many of the step_bits() the second field has.
 std::uint16_t Sequencer::second_bits() const {
   const std::uint32_t width = instruction_.fields[1].width;
   return static_cast<std::uint16_t>(std::min<std::uint32_t>(step_bits(), width > bit_ ? width - bit_ : 0));
@@ -223,15 +223,15 @@ ArrayStep Sequencer::enable_from_memory(AluFunction function) const {
   return {.function = function, .source = OperandSource::memory, .x = instruction_.fields[0].base};
 }
 
-/// Compares by the carry of F - s, where s is 0 beyond the field; the sign decides.
+/// Compares by the carry of F - s, where s is 0 beyond the field; the sign bit of F decides.
 Sequencer::Places Sequencer::compared(AluFunction first, AluFunction on_sign) {
   return {first, AluFunction::compare, AluFunction::compare_with_0, on_sign};
 }
 
-/// Writes the bits of F within the field and checks that those beyond are 0.
+/// Writes the bits of F within the field and checks that those beyond the field are 0.
 Sequencer::Places Sequencer::loaded(AluFunction write, AluFunction check) { return {write, write, check, check}; }
 
-/// The first pass compares, the second writes where F was selected.
+/// The first pass compares; the second pass writes where F was selected.
 Sequencer::Places Sequencer::kept(AluFunction first, AluFunction on_sign) const {
   if (pass_ == 0) return compared(first, on_sign);
   return loaded(AluFunction::store_x_selected, AluFunction::enable_fits);

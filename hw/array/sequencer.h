@@ -18,7 +18,7 @@ struct BitStep {
 };
 
 /// Expands an instruction into bit steps, one per clock. A step on fields processes `alu_bits` adjacent bits, a step on
-/// a linear expression `evaluator_bits`; the remainder of a root takes one bit per clock.
+/// a linear expression `evaluator_bits`; the remainder of a square root is computed one bit per clock.
 class Sequencer {
  public:
   /// `memory_reads`: read ports of pixel memory, 1 or 2. `alu_bits`: bits that the ALU processes in a clock.
@@ -33,10 +33,12 @@ class Sequencer {
   BitStep issue();
 
   [[nodiscard]] const isa::Instruction& instruction() const { return instruction_; }
-  /// The coefficients of the preceding `squares` for this instruction's stream; zero if there was none.
+  /// The coefficients of the preceding instruction `squares`, for the stream of this instruction; zero if there was
+  /// none.
   [[nodiscard]] const isa::Linear& squares() const { return squares_; }
-  [[nodiscard]] std::uint32_t bit() const { return bit_; }    ///< first field or stream bit of the next step
-  [[nodiscard]] std::uint32_t pass() const { return pass_; }  ///< repetitions of the stream or of the memory read
+  [[nodiscard]] std::uint32_t bit() const { return bit_; }  ///< index of the first field or stream bit of the next step
+  /// Number of completed passes over the stream or the memory operand.
+  [[nodiscard]] std::uint32_t pass() const { return pass_; }
 
  private:
   /// Functions for the bits of F by their position relative to the field. Fraction bits are ignored.
@@ -47,7 +49,7 @@ class Sequencer {
     AluFunction sign = AluFunction::idle;    ///< function of the last bit of F
   };
 
-  /// Numbers of the current clock's bits of F in each position, in this order.
+  /// Numbers of this clock's bits of F in each of these positions, lowest position first.
   struct BitCounts {
     unsigned fraction = 0;
     unsigned field = 0;

@@ -69,10 +69,10 @@ void StepLog::push(const ArrayStep& step, const StreamBit* tree) {
     one.x = static_cast<std::uint16_t>(batch_.runs.back().x - bits_.memory(0));
     batch_.runs.pop_back();
   }
-  for (unsigned bit = 0; bit < worked_bits(one); ++bit) push_bit(one, bit, tree, latches);
+  for (unsigned bit = 0; bit < processed_bits(one); ++bit) push_bit(one, bit, tree, latches);
 }
 
-/// Whether the previous step read the one bit of operand x from memory into the latch, so that both steps can be
+/// Whether the previous step read operand x, a single bit, from memory into the latch, so that both steps can be
 /// merged.
 bool StepLog::takes_latch(const ArrayStep& step) const {
   if (step.source != OperandSource::latch || step.bits != 1 || batch_.runs.empty()) return false;
@@ -134,7 +134,8 @@ void StepLog::note(const Run& run) {
   if (row.writes) batch_.writes.add(run.write);
 }
 
-/// Streams whose coefficients agree in the bits known of both are treated as one: their bits are the same.
+/// Streams whose coefficients agree in all bits that are valid in both are treated as one, because their bits are the
+/// same.
 std::uint16_t StepLog::find_stream(const StreamBit& tree) {
   const Token all{.bit = 0, .bits = static_cast<std::uint16_t>(bits_.alu_bits)};
   const StreamBit bits = tree.token.active() ? tree : StreamBit{.token = all};

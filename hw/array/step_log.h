@@ -21,7 +21,8 @@ namespace csgsim::array {
 struct PixelBits {
   unsigned alu_bits = 1;
   unsigned memory_bits = 0;
-  unsigned tree_bits = 0;  ///< width of those registers; 0 if the stream's coefficients represent them
+  /// Width of the registers between trees and pixels; 0 if the stream's coefficients represent them.
+  unsigned tree_bits = 0;
 
   static constexpr unsigned carry = 0;
   static constexpr unsigned flag = 1;
@@ -34,9 +35,9 @@ struct PixelBits {
 /// Carry into the first step of a run.
 enum class CarryIn : std::uint8_t { keep, zero, one };
 
-/// One function on adjacent bits, one after another. A function that differs from another only in its initial carry is
-/// represented by that other: there are no runs of compare_from_0, compare_from_1, less_from_0, less_from_1,
-/// sum_from_0, sum_with_1_from_0 and difference_from_1.
+/// One function applied to adjacent bits, one after another. Functions that differ only in their initial carry share
+/// one entry: there are no runs of compare_from_0, compare_from_1, less_from_0, less_from_1, sum_from_0,
+/// sum_with_1_from_0 and difference_from_1.
 struct Run {
   AluFunction function = AluFunction::idle;
   CarryIn carry_in = CarryIn::keep;
@@ -111,8 +112,8 @@ class StepLog {
  public:
   explicit StepLog(PixelBits bits) : bits_(bits) {}
 
-  /// Adds the step of one clock in which `tree` is at the pixels; null if the registers in PixelBits hold the tree
-  /// bits.
+  /// Adds the step of one clock in which `tree` is at the pixels. `tree` is null if the registers in PixelBits hold the
+  /// tree bits.
   void push(const ArrayStep& step, const StreamBit* tree);
 
   [[nodiscard]] const Batch& batch() const { return batch_; }

@@ -63,7 +63,7 @@ std::size_t SteppedEvaluator::plane_words() const {
 
 std::size_t SteppedEvaluator::leaf_words() const { return bits_ * plane_words(); }
 
-/// Advances the Y trees first: they read what the X tree produced one clock earlier.
+/// The Y trees advance first, because they read what the X tree produced one clock earlier.
 Token SteppedEvaluator::clock(const RootBits& root, std::span<std::uint64_t> leaves) {
   if (!root.token.active() && !any_active()) return {};
   fill_lanes(root.c, root_.value);
@@ -96,7 +96,7 @@ TreeWires SteppedEvaluator::to_columns(const RootBits& root) const {
   return {{a_, root.a, 0}, {xx_, root.xx, 0}, {xy_, root.xy, 0}};
 }
 
-/// The Y trees have no product of both coordinates.
+/// The Y trees do not add the product of both coordinates.
 TreeWires SteppedEvaluator::to_rows(const RootBits& root) const {
   const unsigned ahead = columns_.clocks();
   return {{b_, root.b, ahead}, {yy_, root.yy, ahead}, {none_, 0, 0}};

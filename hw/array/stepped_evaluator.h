@@ -12,8 +12,8 @@
 
 namespace csgsim::array {
 
-/// The trees of LinearEvaluator adder by adder. The outputs and the signals at every level are the same in each clock,
-/// but result only from the bits that have passed through the adders.
+/// The trees of LinearEvaluator, modelled adder by adder. Outputs and signals at every level are equal to those of
+/// LinearEvaluator in each clock, but are computed only from the bits that have passed through the adders.
 class SteppedEvaluator {
  public:
   /// `shape` is that of the whole array. If `pixels` is not empty, only these pixels are built, side by side; then only
@@ -25,8 +25,8 @@ class SteppedEvaluator {
   /// Size of the bits at the pixels in the format of PixelArray: one plane for each bit that enters in a clock.
   [[nodiscard]] std::size_t leaf_words() const;
 
-  /// Advances one clock. `leaves` has leaf_words() words and is written in clocks in which bits reach the pixels.
-  /// Returns the token of these bits, at the same clocks as LinearEvaluator::clock.
+  /// Advances one clock. `leaves` has leaf_words() words, which are written in clocks in which bits reach the pixels.
+  /// Returns the token of these bits, in the same clocks as LinearEvaluator::clock.
   Token clock(const RootBits& root, std::span<std::uint64_t> leaves);
 
   // Same signals as in LinearEvaluator; `pixel` must be one of the built pixels. Trees of degree 1 have no slopes.

@@ -28,7 +28,7 @@ std::uint64_t add_bit(std::uint64_t one, std::uint64_t other, std::uint64_t& car
   return sum;
 }
 
-/// Clears the carry before the first bit of a stream.
+/// Clears the carry if the token is at the first bit of a stream.
 void begin(Token here, Words& carry) {
   if (here.bit == 0) std::fill(carry.begin(), carry.end(), 0);
 }
@@ -72,8 +72,8 @@ bool SteppedTree::any_active() const {
   return std::any_of(tokens_.begin(), tokens_.end(), [](Token token) { return token.active(); });
 }
 
-/// The deepest registers come first, because each stage reads what the stage above produced one clock earlier. Levels
-/// without registers between them are chained within the clock.
+/// The deepest registers are written first, because each stage reads what the stage above produced one clock earlier.
+/// Levels without registers between them are chained within the clock.
 void SteppedTree::clock(Token token, const NodeStreams& root, const TreeWires& wires) {
   for (unsigned stage = clocks(); stage-- > 0;) {
     const unsigned first = stage * depth_.between_registers;
@@ -92,8 +92,8 @@ void SteppedTree::act(unsigned k, Token here, const NodeStreams& in, const TreeW
   add(levels_[k], here, in, shifted(wires.multiplicand, depth_.clocks_to(k), levels_[k].below, here));
 }
 
-/// The tapped bits aligned with the token's bits, at a level `clocks` clocks after the roots where they have weight
-/// 2^places: combined from two taps one clock apart, and 0 before the stream's first bit.
+/// The bits of a shared wire that match the token's bits at a level `clocks` clocks after the roots, where they have
+/// weight 2^places. They are combined from two taps one clock apart; before the stream's first bit they are 0.
 std::uint32_t SteppedTree::shifted(const Tap& tap, unsigned clocks, unsigned places, Token here) const {
   const unsigned late = clocks + places / form_.bits;
   const unsigned crossed = places % form_.bits;
@@ -135,12 +135,12 @@ std::optional<SteppedTree::Delayed> SteppedTree::delayed_bit(const Level& level,
   return Delayed{static_cast<std::size_t>(bit / width - wanted / width), static_cast<std::size_t>(wanted % width)};
 }
 
-/// The entry of the ring `clocks` clocks ago, at least 1.
+/// The entry of the ring that was written `clocks` clocks ago; `clocks` is at least 1.
 const NodeBits& SteppedTree::entered(const Level& level, std::size_t clocks) {
   return level.delayed[(level.oldest + level.delayed.size() - clocks) % level.delayed.size()];
 }
 
-/// The plane of that bit, null before the first bit; `slope` enters in this clock.
+/// The plane of the slope bit, null before the first bit; `slope` is the entry of this clock.
 const Words* SteppedTree::delayed_slope(const Level& level, int bit, const NodeBits& slope) const {
   const std::optional<Delayed> delayed = delayed_bit(level, bit);
   if (!delayed) return nullptr;
@@ -209,7 +209,7 @@ std::uint32_t SteppedTree::delayed_lane(const Level& level, std::size_t node, st
   return bits;
 }
 
-/// Sum outputs of a node's adders before the end of the clock.
+/// Outputs of a node's adders for its right child, before the end of the clock.
 SteppedTree::LaneBits SteppedTree::right_child(unsigned k, std::size_t node, std::size_t lane, Token here, LaneBits in,
                                                const TreeWires& wires) const {
   const Level& level = levels_[k];
@@ -231,7 +231,7 @@ SteppedTree::LaneBits SteppedTree::right_child(unsigned k, std::size_t node, std
   return out;
 }
 
-/// Starts at the last registers before the level and follows the streams through the adders in between.
+/// Starts at the last registers before the level and follows the streams through the adders from there to the level.
 LevelProbe SteppedTree::probe(unsigned level, std::uint32_t leaf, std::size_t lane, Token token,
                               const NodeStreams& root, const TreeWires& wires) const {
   const Token here = token_at(level, token);

@@ -31,7 +31,7 @@ class Wire {
   std::size_t newest_ = 0;
 };
 
-/// Wires as seen by a tree in a clock, `ahead` clocks away from the roots.
+/// Wires as seen by a tree that is `ahead` clocks away from the roots.
 struct Tap {
   const Wire& wire;
   std::uint32_t entering = 0;
@@ -40,7 +40,7 @@ struct Tap {
   [[nodiscard]] std::uint32_t at(unsigned delay) const { return wire.at(ahead + delay, entering); }
 };
 
-/// Operands shared by the nodes of a tree: the multiplicand in degree 1; the factors of the square and of the product
+/// Operands shared by all nodes of a tree: the multiplicand in degree 1; the factors of the square and of the product
 /// with the other coordinate in degree 2.
 struct TreeWires {
   Tap multiplicand;
@@ -77,16 +77,16 @@ class SteppedTree {
   }
 
   /// The streams that enter the nodes of a level; those of level 0 are `root`. For a level without registers before it,
-  /// the streams are those of the last clock.
+  /// these are the streams of the last clock.
   [[nodiscard]] const NodeStreams& at(unsigned level, const NodeStreams& root) const {
     return level == 0 ? root : levels_[level - 1].out;
   }
 
-  /// Advances one clock with that token and those bits at the root.
+  /// Advances one clock, in which `token` and the streams `root` enter at the root.
   void clock(Token token, const NodeStreams& root, const TreeWires& wires);
 
-  /// Signals at the node of a level on the path to a leaf, in one lane, in a clock with that token and those bits at
-  /// the root.
+  /// Signals at the node of a level on the path to a leaf, in one lane, in a clock in which `token` and the streams
+  /// `root` enter at the root.
   [[nodiscard]] LevelProbe probe(unsigned level, std::uint32_t leaf, std::size_t lane, Token token,
                                  const NodeStreams& root, const TreeWires& wires) const;
 

@@ -24,14 +24,15 @@ struct Token {
 
 /// xx*x*x + xy*x*y + yy*y*y + a*x + b*y + c modulo 2^64.
 template <class Coefficients>
-constexpr std::uint64_t value_at(const Coefficients& of, std::uint64_t x, std::uint64_t y) {
-  return (of.xx * x + of.xy * y + of.a) * x + (of.yy * y + of.b) * y + of.c;
+constexpr std::uint64_t value_at(const Coefficients& coefficients, std::uint64_t x, std::uint64_t y) {
+  return (coefficients.xx * x + coefficients.xy * y + coefficients.a) * x + (coefficients.yy * y + coefficients.b) * y +
+         coefficients.c;
 }
 
-/// The token's bits (of 0 to 63) of xx*x*x + xy*x*y + yy*y*y + a*x + b*y + c in registers at every pixel or at every
-/// node of a tree. The coefficients represent the bits of all of them. At least the coefficient bits up to the token's
-/// last are valid, and the result depends on no others. Without an active token the bits are 0. The first three
-/// coefficients are 0 for trees of degree 1.
+/// The bits of xx*x*x + xy*x*y + yy*y*y + a*x + b*y + c that the token selects (bits 0 to 63), in registers at every
+/// pixel or at every node of a tree. The coefficients represent these bits at all pixels. At least the coefficient bits
+/// up to the token's last bit are valid, and the result depends on no others. Without an active token the bits are 0.
+/// The first three coefficients are 0 in trees of degree 1.
 struct StreamBit {
   Token token;
   std::uint64_t a = 0;

@@ -7,9 +7,9 @@
 
 namespace csgsim {
 
-/// Bad input: a model, machine file or Program that cannot be used. The text is one line of the form
-/// `file:line:column: what is wrong; what to do`, with as much of the place as is known. The constructor makes quoted
-/// input printable(). The command line exits with 1.
+/// Bad input: a model, machine file or Program that cannot be used. The text is one line of the form `file:line:column:
+/// what is wrong; what to do`; unknown parts of the position are omitted. The constructor escapes quoted input with
+/// printable(). The command line exits with 1.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(std::string_view message);

@@ -16,7 +16,7 @@ struct Clash {
 };
 
 /// Finds the first output that would overwrite an input or another output. Compares files, not names: it follows links
-/// and resolves different paths to one folder. Any number of outputs may name a character device. Standard output may
+/// and resolves different paths to one folder. A character device may be named by several outputs. Standard output may
 /// be named once, under any of its names; `-` among the inputs is standard input and never clashes. Throws InputError
 /// for a cycle of symbolic links.
 std::optional<Clash> find_clash(std::span<const std::filesystem::path> inputs,

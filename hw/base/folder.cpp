@@ -9,7 +9,9 @@ namespace csgsim {
 void make_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) throw InputError(folder.native() + ": cannot create this folder (" + error.message() + ")");
+  if (error)
+    throw InputError(folder.native() + ": this folder cannot be created: " + error.message() +
+                     "; check the path and its permissions");
 }
 
 }  // namespace csgsim

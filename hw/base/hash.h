@@ -33,7 +33,7 @@ class Hash {
 
   void add_byte(unsigned char byte) { state_ = (state_ ^ byte) * prime; }
 
-  /// Same result as four calls of add_byte(): all high bytes that are 0 take one multiplication.
+  /// Same result as four calls of add_byte(), but one multiplication handles all zero bytes at the high end.
   void add_word(std::uint32_t word) {
     constexpr std::uint64_t powers[] = {prime * prime * prime, prime * prime, prime, 1};
     unsigned bytes = 0;

@@ -24,7 +24,7 @@ namespace {
   throw InputError(fmt::format("{}: cannot be read: {}", path.native(), why));
 }
 
-/// The system calls would end the name at the zero byte.
+/// System calls would end the name at the zero byte.
 void refuse_zero_byte(const std::filesystem::path& path) {
   if (path.native().find('\0') != std::string::npos) fail(path, "its name contains a zero byte; remove it");
 }

@@ -23,11 +23,11 @@ struct InputKind {
 /// again. Throws InputError if the file cannot be read, is longer than the limit or does not fit into memory.
 std::string read_file(const std::filesystem::path& path, const InputKind& kind);
 
-/// Reads a whole regular file whose name did not come from the command line. Rejects pipes and devices at once instead
-/// of waiting for their data.
+/// Reads a whole regular file whose name did not come from the command line. Rejects pipes and devices instead of
+/// waiting for their data.
 std::string read_regular_file(const std::filesystem::path& path, const InputKind& kind);
 
-/// The two steps of read_regular_file(). The descriptor is closed if nothing has that name. Throws InputError if the
+/// The two steps of read_regular_file(). The descriptor is closed if the file does not exist. Throws InputError if the
 /// path is not a regular file or cannot be opened.
 Descriptor open_regular_file(const std::filesystem::path& path, const InputKind& kind);
 std::string read_file(const Descriptor& file, const std::filesystem::path& path, const InputKind& kind);

@@ -7,7 +7,7 @@
 
 namespace csgsim {
 
-/// Work ended early because a stop was requested. Not an error: the input may be fine.
+/// Thrown when work ends early because a stop was requested. Not an error: the input may be valid.
 class Interrupted : public std::exception {
  public:
   [[nodiscard]] const char* what() const noexcept override { return "the work was interrupted"; }

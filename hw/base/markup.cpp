@@ -6,7 +6,7 @@ namespace csgsim {
 
 namespace {
 
-/// U+FFFE and U+FFFF, which XML forbids although they are not control characters.
+/// U+FFFE and U+FFFF are forbidden in XML although they are not control characters.
 bool is_refused_by_xml(std::string_view character) {
   return character == "\xef\xbf\xbe" || character == "\xef\xbf\xbf";
 }

@@ -31,7 +31,7 @@ class CollectedLines {
   CollectedLines* before_;
 };
 
-/// Opens closed standard streams on an unusable file, so that a file opened later does not get their numbers.
+/// Opens any closed standard stream on an unusable file, so that a file opened later does not get its number.
 void keep_standard_numbers();
 
 }  // namespace csgsim

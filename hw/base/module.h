@@ -10,7 +10,7 @@ namespace csgsim {
 // Modules are csgsim's own shared libraries, of the same build as the program that opens them. They hold features that
 // are rarely used and whose libraries take longer to load than most runs take.
 
-/// The module's path in the dynamic linker's search path for this program; empty if it is not found there.
+/// The module's path in the dynamic linker's search path for this program; empty if the module is not there.
 std::filesystem::path find_module(const char* file);
 
 struct OpenedModule {
@@ -33,7 +33,7 @@ struct ModuleRole {
 std::string module_missing_text(const ModuleRole& role);
 std::string module_unusable_text(const ModuleRole& role, const std::filesystem::path& file, const std::string& error);
 
-/// The module's exported symbol. Throws InputError with one of these texts.
+/// The symbol that the module exports. Throws InputError with one of the texts above.
 const void* load_module_symbol(const ModuleRole& role);
 
 }  // namespace csgsim

@@ -13,7 +13,7 @@ namespace csgsim {
 
 namespace {
 
-/// Length limit of compared words: the time grows with the product of the lengths.
+/// Length limit of compared words, because the time grows with the product of their lengths.
 constexpr std::size_t compared_bytes = 256;
 
 char lower(char letter) { return static_cast<char>(std::tolower(static_cast<unsigned char>(letter))); }

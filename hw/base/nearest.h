@@ -13,11 +13,11 @@ namespace csgsim {
 /// Ignores case.
 std::size_t edit_distance(std::string_view from, std::string_view to);
 
-/// The candidate with the smallest edit distance to the word, the first of several; empty if there are no candidates.
-/// Only the first 256 bytes of each word are compared.
+/// The candidate with the smallest edit distance to the word; among equal ones, the first. Empty if there are no
+/// candidates. Only the first 256 bytes of each word are compared.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
 
-/// nearest(), but empty unless at least half of the word's characters, without leading dashes, remain unchanged.
+/// Like nearest(), but empty unless at least half of the word's characters (without leading dashes) remain unchanged.
 std::string_view nearest_similar(std::string_view word, std::span<const std::string_view> candidates);
 
 /// Error text for an unknown word, with a suggestion: `there is no strategy 'stak'; did you mean stack? The strategies

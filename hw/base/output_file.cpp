@@ -28,15 +28,15 @@ void check(const fs::path& path, const std::error_code& error) {
   if (error) fail_to_write(path, error);
 }
 
-/// Throws if the place has a file without write permission, even if its folder would permit a replacement, or if no
-/// file can have that name.
+/// Throws if the path is an existing file without write permission, even if its folder would permit a replacement, or
+/// if no file can have that name.
 void check_place(const fs::path& requested, const fs::path& place) {
   const bool is_there = ::faccessat(AT_FDCWD, place.c_str(), F_OK, AT_EACCESS) == 0;
   if (!is_there && errno != ENOENT) fail_to_write(requested, last_error());
   if (is_there && ::faccessat(AT_FDCWD, place.c_str(), W_OK, AT_EACCESS) != 0) fail_to_write(requested, last_error());
 }
 
-/// Throws if this process has read the file at that place.
+/// Throws if this process has read the file that would be replaced.
 void refuse_kept_input(const fs::path& requested, const fs::path& place) {
   const std::optional<fs::path> input = recorded_input(place);
   if (!input) return;
@@ -46,8 +46,8 @@ void refuse_kept_input(const fs::path& requested, const fs::path& place) {
 
 fs::path parent_folder(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
 
-/// Duplicates standard output or error if the path names the same stream, which keeps its position; else opens the
-/// path.
+/// Duplicates standard output or standard error if the path names the same stream, so that its position is kept;
+/// otherwise opens the path.
 Descriptor open_stream(const fs::path& path) {
   struct stat wanted {};
   if (::stat(path.c_str(), &wanted) != 0) return {};
@@ -64,10 +64,10 @@ Descriptor open_stream(const fs::path& path) {
                    ": a terminal cannot show binary data; name a file, or pipe the output to a program");
 }
 
-/// Makes the file's name durable: the folder's entry has to reach the disk, too.
+/// Makes the file's name durable: the entry in its folder must also reach the disk.
 std::error_code sync_folder(const fs::path& folder) {
   const Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  // The user may write to a folder without being allowed to read it.
+  // A user may have permission to write to a folder but not to read it.
   return descriptor.is_open() ? sync(descriptor) : std::error_code{};
 }
 

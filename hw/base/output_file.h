@@ -21,14 +21,14 @@ namespace csgsim {
 /// final place is then still intact.
 class OutputFile {
  public:
-  /// Also throws for a folder, for a file without write permission and for an impossible name.
+  /// Also throws if the path is a folder, a file without write permission or an invalid name.
   explicit OutputFile(std::filesystem::path path);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
   /// The path as requested, before links are followed.
-  [[nodiscard]] const std::filesystem::path& asked() const { return requested_; }
+  [[nodiscard]] const std::filesystem::path& requested() const { return requested_; }
 
   /// Appends to the content.
   void write(std::string_view content);

@@ -16,8 +16,8 @@ namespace csgsim {
 /// throws InputError with the requested path if it cannot do all of its work.
 class OutputFolder {
  public:
-  /// Throws if the place is a file, a non-empty folder without a list, or a folder with a listed file that was edited
-  /// since. Throws also for the current folder and its parents, which cannot be replaced.
+  /// Throws if the path is a file, a non-empty folder without a list, or a folder in which a listed file was edited
+  /// since it was written. Also throws for the current folder and its parents, which cannot be replaced.
   explicit OutputFolder(std::filesystem::path folder);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;

@@ -16,7 +16,7 @@ namespace csgsim {
 namespace {
 
 constexpr std::uintptr_t page = 4096;
-/// Below this number, page faults are cheaper than a system call.
+/// For fewer pages, page faults cost less than a system call.
 constexpr std::uintptr_t few_pages = 16;
 constexpr std::uintptr_t large_page = std::uintptr_t{1} << 21U;
 
@@ -28,7 +28,7 @@ void prefault_pages(void* memory, std::size_t bytes) {
   const std::uintptr_t end = (address + bytes) / page * page;
   if (end < first + few_pages * page) return;
   auto* const pages = reinterpret_cast<void*>(first);  // NOLINT(performance-no-int-to-ptr)
-  // Both calls are advice: if the system ignores them, it maps the pages later.
+  // Both calls are hints: if the system ignores them, it maps the pages later.
   if (end - first >= 2 * large_page) ::madvise(pages, end - first, MADV_HUGEPAGE);
   ::madvise(pages, end - first, MADV_POPULATE_WRITE);
 }

@@ -14,7 +14,7 @@ void prefault_pages(void* memory, std::size_t bytes);
 /// Returns freed memory to the system, even between blocks in use. Called after work that leaves few allocations.
 void release_free_memory();
 
-/// A vector of `count` copies of `value`, with its pages requested in advance.
+/// A vector of `count` copies of `value`, whose pages are requested in advance.
 template <class Element>
 std::vector<Element> filled(std::size_t count, const Element& value) {
   std::vector<Element> elements;

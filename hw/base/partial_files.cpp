@@ -13,14 +13,14 @@ namespace csgsim {
 
 namespace {
 
-/// A path in storage that a signal handler can read.
+/// A path in storage that a signal handler may read.
 struct Slot {
   std::atomic<bool> taken = false;  ///< reserved by a PartialFile
   std::atomic<bool> valid = false;  ///< the path is complete
   std::array<char, 4096> path{};
 };
 
-/// More files than any command writes at once; files without a slot are not deleted.
+/// More than any command writes at once; further files would not be deleted.
 constexpr std::size_t slot_count = 32;
 
 std::array<Slot, slot_count>& slots() {

@@ -7,7 +7,7 @@
 
 namespace csgsim {
 
-/// amount / piece, rounded up: how many pieces hold the amount. `piece` is at least 1.
+/// amount / piece, rounded up: the number of pieces that hold the amount. `piece` is at least 1.
 template <std::unsigned_integral Amount, std::unsigned_integral Piece>
 constexpr std::common_type_t<Amount, Piece> quotient_up(Amount amount, Piece piece) {
   return amount / piece + (amount % piece == 0 ? 0U : 1U);

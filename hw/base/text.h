@@ -12,11 +12,11 @@ namespace csgsim {
 /// change the writing direction, and invalid UTF-8 become `\n`, `\r`, `\t` or `\xHH`. Idempotent.
 std::string printable(std::string_view bytes);
 
-/// printable() with every backslash doubled, and `\x3d` and the like for a first character that a spreadsheet would
-/// take for a formula (= + - @). Different names stay different; tables store names in this form.
+/// printable() with every backslash doubled. If a spreadsheet would read the first character as the start of a formula
+/// (= + - @), it becomes `\x3d` and the like. Different names stay different; tables store names in this form.
 std::string escaped(std::string_view bytes);
 
-/// A word that a POSIX shell reads back as these bytes, for commands to be copied from a message.
+/// The bytes as one word of a POSIX shell, for commands that users copy from a message.
 std::string shell_word(std::string_view bytes);
 
 /// 1234567 as `1,234,567`.

@@ -10,7 +10,7 @@ namespace csgsim {
 
 namespace {
 
-/// toml++ destroys nested tables by recursion, and each part of a dotted key is a table: this bounds the stack.
+/// toml++ destroys nested tables recursively, and each part of a dotted key is a table, so this limit bounds the stack.
 constexpr std::ptrdiff_t max_dots = 50;
 
 void check_dots(std::string_view text, std::string_view file) {

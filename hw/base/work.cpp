@@ -24,7 +24,7 @@ void Work::charge(std::uint64_t steps, std::string_view doing) const {
   }
   count.done = count.limit;
   throw WorkError(
-      fmt::format("{} takes more work than the limit of {} million steps; use fewer or coarser parts in the model, or "
+      fmt::format("{} needs more work than the limit of {} million steps; use fewer or coarser parts in the model, or "
                   "raise --limit",
                   doing, static_cast<double>(count.limit) / static_cast<double>(million)));
 }

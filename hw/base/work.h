@@ -16,22 +16,23 @@ class WorkError : public InputError {
   using InputError::InputError;
 };
 
-/// Counts the steps of reading or compiling a model against a limit. Some numbers in a small file request practically
-/// endless work, which cannot be predicted from the size of the model. One step costs about as much as testing a point
-/// against a plane. Steps are counted, not timed, so that a model accepted on one computer is accepted on all. Copies
-/// share one count.
+/// Counts the steps of reading or compiling a model against a limit. A few large numbers in a small file can cause
+/// practically endless work, which cannot be predicted from the size of the model. One step costs about as much as
+/// testing a point against a plane. Steps are counted, not timed, so that a model accepted on one computer is accepted
+/// on all. Copies share one count.
 class Work {
  public:
   Work() = default;  ///< unlimited
   explicit Work(std::uint64_t limit);
 
-  /// Throws WorkError if the limit is exceeded; `doing` names the activity: "cutting a solid into convex pieces".
+  /// Throws WorkError if the limit is exceeded. `doing` names the activity for the message, as in "cutting a solid into
+  /// convex pieces".
   void charge(std::uint64_t steps, std::string_view doing) const;
 
   /// A new count of 0 with the same limit.
   [[nodiscard]] Work afresh() const;
 
-  /// Steps charged until now; 0 without a limit.
+  /// Steps charged until now; always 0 if there is no limit.
   [[nodiscard]] std::uint64_t done() const;
 
  private:

@@ -12,27 +12,29 @@ namespace csgsim::bit_serial_memory {
 /// Operations of the chips that cost energy, summed over all slots.
 struct Work {
   std::array<std::uint64_t, row_op_count> commands{};  ///< number of each op, counted once for all slots
-  std::uint64_t activations = 0;                       ///< row activations, in all chips of a slot at once
-  std::uint64_t further_rows = 0;                      ///< rows activated together with the first of an activation
-  std::uint64_t logic = 0;                             ///< commands to the gates of a slot
-  std::uint64_t leaves = 0;                            ///< commands that deliver a bit from the trees to a slot
+  /// Number of rows activated in addition to the first row of an activation.
+  std::uint64_t activations = 0;
+  std::uint64_t further_rows = 0;  ///< number of logic commands, counted per slot
+  /// Number of commands that deliver a bit from the trees, counted per slot.
+  std::uint64_t logic = 0;
+  std::uint64_t leaves = 0;  ///< commands that deliver a bit from the trees to a slot
   std::uint64_t transferred_bits = 0;
   std::uint64_t refreshes = 0;  ///< refreshes of all chips
 
   constexpr bool operator==(const Work&) const = default;
 };
 
-/// Adds a command executed by all slots.
+/// Adds a command that all slots execute.
 void add(const RowCommand& command, std::uint64_t slots, std::uint64_t pixels, Work& work);
 
-/// Clocks of the controller; every clock is counted under exactly one member.
+/// Clocks of the controller by activity; each clock counts for exactly one.
 struct ControllerAccount {
   std::uint64_t issuing = 0;     ///< row commands of an instruction
-  std::uint64_t answering = 0;   ///< row commands of a question
+  std::uint64_t answering = 0;   ///< row commands of a global-OR test
   std::uint64_t clearing = 0;    ///< row commands that clear pixel memory
   std::uint64_t refreshing = 0;  ///< closing all banks for a refresh, and refreshing
   std::uint64_t starved = 0;     ///< waiting for a complete command
-  std::uint64_t jumping = 0;     ///< waiting for the command at which the host resumes after a jump
+  std::uint64_t jumping = 0;     ///< waiting for the command at which the host resumes after a skip
 
   constexpr bool operator==(const ControllerAccount&) const = default;
 };
@@ -60,7 +62,7 @@ struct FrameEnergy {
   }
 };
 
-/// Energy of all chips. `clocks`: clocks until the frame has been shown.
+/// Energy of all chips. `clocks`: clocks until the frame is shown.
 FrameEnergy energy_of(const Work& work, std::uint64_t clocks, const machines::Machine& machine);
 
 /// Converts the counts to the account of a frame of `clocks` clocks, shown after `shown_clocks`.

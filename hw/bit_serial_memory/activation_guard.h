@@ -10,8 +10,8 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// Enforces the minimum distance of activations that the chips' power supply requires: tRRD between two, and at most
-/// four within tFAW.
+/// Enforces the minimum distances of activations that the chips' power supply requires: at least tRRD between two, and
+/// at most four within tFAW.
 class ActivationGuard final : public sc_core::sc_module {
  public:
   ActivationGuard(sc_core::sc_module_name name, const RankClocks& rank, const sc_core::sc_time& period)
@@ -19,14 +19,14 @@ class ActivationGuard final : public sc_core::sc_module {
 
   /// First edge at which the next activation is allowed.
   [[nodiscard]] sc_core::sc_time allowed() const { return std::max(apart_, four_[oldest_]); }
-  /// Records an activation at this edge.
+  /// Records an activation at the current edge.
   void activate() {
     const sc_core::sc_time now = systemc::now();
     apart_ = now + gap_;
     four_[oldest_] = now + window_;
     oldest_ = (oldest_ + 1) % four_.size();
   }
-  /// First edge at which the window allows four activations at once.
+  /// First edge at which the window allows four activations.
   [[nodiscard]] sc_core::sc_time idle() const { return std::max(apart_, *std::ranges::max_element(four_)); }
   void delay(const sc_core::sc_time& duration) {
     apart_ += duration;

@@ -11,7 +11,7 @@ Bank::Bank(sc_core::sc_module_name name, std::uint32_t number, const Slots& slot
   }
 }
 
-/// Writes the coordinates that the machine's rows hold from the start.
+/// Writes the coordinates, which the machine's rows hold from the start.
 void Bank::write_coordinates(Subarray& subarray, std::uint64_t slot, const RowMap& map,
                              std::uint32_t picture_width) const {
   const auto write = [&](unsigned bits, auto row_of, auto coordinate_of) {

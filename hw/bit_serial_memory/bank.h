@@ -15,19 +15,19 @@ namespace csgsim::bit_serial_memory {
 /// The controller's interface to a bank.
 class BankPort : virtual public sc_core::sc_interface {
  public:
-  /// Edge at which the bank is closed or its gates are free.
+  /// Edge from which the bank is closed or its gates are free.
   [[nodiscard]] virtual sc_core::sc_time free() const = 0;
-  /// Executes a command in one of the bank's slots; the bank is busy until then.
+  /// Executes a command in one of the bank's slots; the bank is busy until the edge `until`.
   virtual void carry_out(const RowCommand& command, std::uint64_t slot, const sc_core::sc_time& until) = 0;
-  /// Executes a gate command of that duration in all of the bank's slots.
+  /// Executes a gate command in all of the bank's slots; it takes `duration`.
   virtual void carry_out_in_all(const RowCommand& command, const sc_core::sc_time& duration) = 0;
-  /// Keeps the bank busy at least until that edge.
+  /// Keeps the bank busy at least until `edge`.
   virtual void hold_until(const sc_core::sc_time& edge) = 0;
   /// Delays the command in progress by `duration`.
   virtual void delay(const sc_core::sc_time& duration) = 0;
 };
 
-/// The subarrays of a bank that hold pixels, in all chips. Counts the commands that it executes.
+/// The subarrays of a bank that hold pixels, in all chips. The bank counts the commands that it executes.
 class Bank final : public sc_core::sc_module, public BankPort {
  public:
   sc_core::sc_port<ExpressionBits> expression{"expression"};

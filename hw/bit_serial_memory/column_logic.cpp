@@ -5,7 +5,7 @@
 
 namespace csgsim::bit_serial_memory {
 
-// Scratch row 0 is used here; designs may use the others within these operations.
+// Scratch row 0 is used here; designs may use the other scratch rows within these operations.
 
 void ColumnLogic::store_combined(BinaryOp op, Row target, Bit a, Bit b, Mask mask) {
   combine(op, map_.scratch(0), a, b);

@@ -10,7 +10,7 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// A bit of every column: of a row, a constant, or a bit of the expression from the trees.
+/// One bit of every column: a row, a constant, or a bit of the expression from the trees.
 struct Bit {
   enum class Kind : std::uint8_t { row, constant, leaf };
 
@@ -33,12 +33,12 @@ enum class BinaryOp : std::uint8_t { conjunction, disjunction, unequal, and_not 
 /// Columns that are written: those with E = 1, or the selected ones.
 enum class Mask : std::uint8_t { enable, select };
 
-/// A sum a + b + chain, or a difference a - b - chain, where the chain is the carry or borrow.
+/// The chained operation: a sum a + b + carry, or a difference a - b - borrow.
 enum class Chain : std::uint8_t { sum, difference };
 
-/// Translates operations on all columns to the row commands of a design. Targets are rows; an operand may be the
-/// target. E denotes the enable bit of each column. Between two calls, intermediate results stay in the design's
-/// storage; each instruction finishes with `end`.
+/// Translates operations on all columns into the row commands of a design. Targets are rows; an operand may be the
+/// target. E denotes the enable bit of each column. Intermediate results may stay in the design's storage from one call
+/// to the next; end() finishes each instruction.
 class ColumnLogic {
  public:
   ColumnLogic(const RowMap& map, bool enable_latch, RowCommands& commands)
@@ -62,12 +62,12 @@ class ColumnLogic {
   /// target := target xor E.
   virtual void toggle(Row target);
 
-  /// Announces a row that following operations read often.
+  /// Hint that the following operations read the row often.
   virtual void hold(Row /*row*/) {}
 
   /// Initializes the carry or borrow.
   virtual void begin_chain(Chain chain, bool one) = 0;
-  /// target := a + b + carry, or a - b - borrow.
+  /// target := a + b + carry, or a - b - borrow; updates the carry or borrow.
   virtual void sum(Row target, Bit a, Bit b) = 0;
   /// Like sum(), in the columns of the mask; in other columns the chain is invalid afterwards.
   virtual void store_sum(Row target, Bit a, Bit b, Mask mask) = 0;
@@ -78,23 +78,23 @@ class ColumnLogic {
 
   /// E := E and the carry or borrow, or its complement.
   virtual void narrow_by_chain(bool inverted) = 0;
-  /// Selects the columns where E and the carry or borrow, or its complement, are 1.
+  /// Selects the columns where E and the carry or borrow (or its complement) are both 1.
   virtual void select_by_chain(bool inverted) = 0;
   /// E := E op value.
   virtual void change_enable(BinaryOp op, Bit value);
-  /// E := value; invert_enable(): E := not E.
+  /// E := value. invert_enable() does E := not E.
   virtual void set_enable(Bit value);
   virtual void invert_enable();
-  /// E := E and a = b, bit by bit; both have equal lengths.
+  /// E := E and a = b; a and b are numbers of equal width.
   virtual void narrow_equal(std::span<const Bit> a, std::span<const Bit> b);
-  /// E := E and not (mask and any of the bits).
+  /// E := E and not (mask and any of `bits`).
   virtual void drop_where_any(std::span<const Bit> bits, Mask mask);
   /// target := E.
   virtual void store_enable(Row target);
 
-  /// Leaves E at the sense amplifiers.
+  /// Copies E to the sense amplifiers.
   virtual void sense_enable();
-  /// Row that holds E, written first if necessary.
+  /// Row that holds E; it is written first if necessary.
   virtual Row enable_row();
 
   void emit(const RowCommand& command) { commands_.push_back(command); }
@@ -110,7 +110,7 @@ class ColumnLogic {
   RowCommands& commands_;
 };
 
-/// Creates the logic of a design, which appends to `commands`. References must outlive the result.
+/// Creates the logic of a design, which appends to `commands`. The referenced objects must outlive the result.
 std::unique_ptr<ColumnLogic> make_column_logic(Design design, const RowMap& map, bool enable_latch,
                                                RowCommands& commands);
 

@@ -19,8 +19,8 @@ struct LinkedCommand {
 class QueueInput : virtual public sc_core::sc_interface {
  public:
   [[nodiscard]] virtual bool has_room() const = 0;
-  /// Appends a command that belongs to request number `request`, counted from 0. A command of an earlier request is
-  /// dropped.
+  /// Appends a command that the host sent for request number `request`, counted from 0. A command of an earlier request
+  /// is dropped.
   virtual void put(LinkedCommand command, std::uint64_t request) = 0;
   [[nodiscard]] virtual const sc_core::sc_event& room_made() const = 0;
 };
@@ -31,7 +31,7 @@ class QueueOutput : virtual public sc_core::sc_interface {
   /// The oldest command, or null.
   [[nodiscard]] virtual const LinkedCommand* front() const = 0;
   virtual LinkedCommand take() = 0;
-  /// Drops all commands, since the host is requested to resume elsewhere.
+  /// Drops all commands, because the host has been requested to resume at another instruction.
   virtual void flush() = 0;
   [[nodiscard]] virtual const sc_core::sc_event& command_arrived() const = 0;
 };

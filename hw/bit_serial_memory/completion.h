@@ -14,7 +14,7 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// Numbers the commands that the controller has executed, for run listeners. Takes no clock.
+/// Determines which instruction the controller has executed, and reports it to run listeners. Takes no clock.
 class Completion final : public sc_core::sc_module, public ProgressPort {
  public:
   sc_core::sc_port<systemc::RetirementPort> retirement{"retirement"};

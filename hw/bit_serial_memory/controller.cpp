@@ -183,8 +183,8 @@ sc_core::sc_time Controller::all_closed() const {
   return closed;
 }
 
-/// If the command could begin now, performs the refreshes that are due first, once all banks are closed. Everything in
-/// progress is delayed.
+/// If the command may begin with a refresh, first performs the refreshes that are due, after closing all banks.
+/// Everything in progress is delayed.
 void Controller::refresh_before(const RowCommand& command) {
   if (figures_.rank.refresh_interval == 0 || !begins_closed(command.op)) return;
   wait_until(std::max(banks[0]->free(), guard_.allowed()));

@@ -24,12 +24,12 @@ class ProgressPort : virtual public sc_core::sc_interface {
  public:
   virtual void before_instruction() = 0;
   virtual void after_clear() = 0;
-  /// `clocks`: without refreshes. `skipped`: number of following instructions that are skipped.
+  /// `clocks`: without refreshes. `skipped`: number of skipped instructions after this one.
   virtual void after_instruction(std::uint64_t clocks, std::optional<bool> answer, std::uint64_t skipped) = 0;
 };
 
 /// Takes commands from the queue, translates each to row commands and issues these to the banks, one slot after
-/// another, as soon as the bank is free and the guard allows an activation. Refreshes all banks every tREFI.
+/// another, as soon as the bank is free and the guard allows an activation. Refreshes all banks once per tREFI.
 class Controller final : public sc_core::sc_module {
  public:
   sc_core::sc_port<QueueOutput> queue{"queue"};
@@ -41,8 +41,8 @@ class Controller final : public sc_core::sc_module {
   Controller(sc_core::sc_module_name name, const Figures& figures, const Slots& slots, const RowMap& map,
              unsigned link_width, const sc_core::sc_time& period);
 
-  /// Draws the frame in the host's memory; with `shows`, scans it out afterwards. `answer` returns the result of the
-  /// host or the wired OR for the enable bits at the sense amplifiers.
+  /// Draws the frame in the host's memory, and scans it out afterwards if `shows`. `answer` returns the OR of the
+  /// enable bits at the sense amplifiers, computed by the host or the wired OR.
   void begin(bool shows, std::function<bool()> answer);
 
   // Results of the frame drawn last.
@@ -51,17 +51,17 @@ class Controller final : public sc_core::sc_module {
   [[nodiscard]] const ControllerAccount& account() const { return account_; }
   [[nodiscard]] const std::array<std::uint64_t, row_op_count>& commands() const { return commands_; }
   [[nodiscard]] std::uint64_t refreshes() const { return refreshes_; }
-  /// Registers a function to call for each row sent to the host during scan-out.
+  /// Registers a function that is called for each row sent to the host during scan-out.
   void on_sent_row(std::function<void(unsigned bit)> call) { on_sent_row_ = std::move(call); }
 
-  // Shown in waves.
+  // State for waves.
   [[nodiscard]] std::string_view state() const { return state_; }
   [[nodiscard]] std::optional<std::uint64_t> ordinal() const { return ordinal_; }
   [[nodiscard]] bool cleared() const {
     return cleared_;
   }  ///< whether pixel memory has been cleared for the current
      ///< frame
-  /// Row command of the first bank.
+  /// Row command that the first bank executes.
   [[nodiscard]] std::string row_command() const {
     const RowCommand* const current = started_.current();
     return current == nullptr ? "" : text_of(*current);

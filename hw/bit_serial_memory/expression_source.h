@@ -14,13 +14,13 @@ namespace csgsim::bit_serial_memory {
 /// Source of the bits of an expression, column by column.
 class ExpressionBits : virtual public sc_core::sc_interface {
  public:
-  /// Begins the next instruction's expression; `squares`: terms set by the preceding instruction.
+  /// Begins the next instruction's expression; `squares` are the quadratic terms from the preceding instruction.
   virtual void begin(const isa::Linear& linear, const isa::Linear& squares) = 0;
   /// Writes one bit of the expression for each column of a slot.
   virtual void bits(std::uint64_t slot, unsigned bit, std::span<std::uint64_t> words) = 0;
 };
 
-/// The host, or the multiplier trees, which compute A*x + B*y + C for each column.
+/// Computes A*x + B*y + C for each column, as the host or the multiplier trees do.
 class ExpressionSource final : public sc_core::sc_module, public ExpressionBits {
  public:
   ExpressionSource(sc_core::sc_module_name name, const Slots& slots, std::uint32_t width)

@@ -15,11 +15,11 @@ enum class Design : std::uint8_t {
 
 inline constexpr auto design_names = std::to_array<std::string_view>({"and-or-not", "majority", "latches"});
 
-/// Delivery of the value of A*x + B*y + C to the columns.
+/// Source of A*x + B*y + C at the columns.
 enum class Expressions : std::uint8_t {
   rows,    ///< summed in the columns from constants and from rows that hold each column's x and y
-  planes,  ///< computed by the host, which sends its bits, one row each
-  trees,   ///< delivered by multiplier trees above the sense amplifiers, one bit of each column at a time
+  planes,  ///< computed by the host, which sends the bits, one row each
+  trees,   ///< delivered by multiplier trees above the sense amplifiers, one bit of every column at a time
 };
 
 inline constexpr auto expression_names = std::to_array<std::string_view>({"rows", "planes", "trees"});
@@ -27,7 +27,7 @@ inline constexpr auto expression_names = std::to_array<std::string_view>({"rows"
 /// Command timing in clocks; docs/machines/bit-serial-memory.md maps the members to a memory's timing parameters.
 struct CommandClocks {
   std::uint32_t restore = 1;    ///< tRAS: from an activation until its row is restored
-  std::uint32_t precharge = 1;  ///< tRP: from there until the bank's next activation
+  std::uint32_t precharge = 1;  ///< tRP: from the restored row until the bank's next activation
   std::uint32_t second = 1;     ///< clocks from the first activation of a copy to the second
   std::uint32_t logic = 1;      ///< clocks of gates at the sense amplifiers
   std::uint32_t column = 1;     ///< tRCD: from an activation until bits of the row can be transferred
@@ -50,13 +50,14 @@ struct RankClocks {
 
 /// Energies per chip in femtojoules, and power.
 struct Energies {
-  std::uint64_t activation_fj = 0;         ///< activation of a row, including its precharge
-  std::uint32_t further_row_permille = 0;  ///< fraction of that for each further row activated with it
-  std::uint64_t logic_fj = 0;              ///< gates below one column, per logic command
-  std::uint64_t leaf_fj = 0;               ///< one column's part of the trees, per command that delivers a bit
-  std::uint64_t transfer_fj = 0;           ///< transfer of one bit between a row and the host
-  std::uint64_t refresh_fj = 0;            ///< one refresh
-  std::uint64_t background_uw = 0;         ///< background power in µW, regardless of activity
+  std::uint64_t activation_fj = 0;  ///< activation of a row, including its precharge
+  /// Energy of each further row activated at the same time, in thousandths of activation_fj.
+  std::uint32_t further_row_permille = 0;
+  std::uint64_t logic_fj = 0;       ///< gates below one column, per logic command
+  std::uint64_t leaf_fj = 0;        ///< one column's part of the trees, per delivered bit
+  std::uint64_t transfer_fj = 0;    ///< transfer of one bit between a row and the host
+  std::uint64_t refresh_fj = 0;     ///< one refresh
+  std::uint64_t background_uw = 0;  ///< background power in µW, regardless of activity
 
   constexpr bool operator==(const Energies&) const = default;
 };
@@ -65,16 +66,16 @@ struct Energies {
 struct Figures {
   Design design = Design::latches;
   Expressions expressions = Expressions::rows;
-  bool enable_latch = false;   ///< hardware write mask: a column's row is written only where a latch is 1
-  bool has_wired_or = false;   ///< wired OR of all enable bits, read by the controller; otherwise the host reads the
-                               ///< bits
-  std::uint32_t chips = 1;     ///< chips of a rank, which work in lockstep
-  std::uint32_t row_bits = 1;  ///< columns of a chip's subarray
+  bool enable_latch = false;  ///< hardware write mask: a column's row is written only where a latch is 1
+  /// Whether a wired OR of all enable bits reports to the controller; otherwise the host reads the bits.
+  bool has_wired_or = false;
+  std::uint32_t chips = 1;          ///< chips of a rank, which work in lockstep
+  std::uint32_t row_bits = 1;       ///< columns of a chip's subarray
   std::uint32_t subarray_rows = 1;  ///< rows of a subarray
   std::uint32_t banks = 1;          ///< banks of a chip
   std::uint32_t subarrays = 1;      ///< subarrays of a bank
   std::uint32_t bus_bits = 1;       ///< bits of a row transferred between chips and host per clock
-  std::uint32_t plane_bits = 1;     ///< bits that the host computes, or converts from rows to pixels, per clock
+  std::uint32_t plane_bits = 1;     ///< bits per clock that the host computes, or converts from rows to pixels
   std::uint32_t queue = 1;          ///< host commands that can wait at the controller
   CommandClocks command;
   RankClocks rank;

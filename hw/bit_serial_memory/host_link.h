@@ -12,8 +12,9 @@
 namespace csgsim::bit_serial_memory {
 
 /// The host's end of the link; its memory holds a frame's commands. A request names the instruction at which to resume.
-/// The first word is on the link Link::latency clocks after the request, and each word for Link::word_clocks clocks.
-/// The words of a command are contiguous; a command begins when the queue has room for it.
+/// The first word is on the link Link::latency clocks after the request, and each word stays there for
+/// Link::word_clocks clocks. The words of a command are sent without gaps; a command begins when the queue has room for
+/// it.
 class HostLink final : public sc_core::sc_module {
  public:
   sc_core::sc_fifo_in<std::uint64_t> requests{"requests"};
@@ -31,7 +32,7 @@ class HostLink final : public sc_core::sc_module {
  private:
   void work();
   void send_from(std::uint64_t instruction);
-  /// Waits for the clocks or for a request. Returns whether no request has arrived.
+  /// Waits for `clocks` clocks, or until a request arrives. Returns false if a request has arrived.
   bool wait_clocks(std::uint64_t clocks);
   bool await_room();
   [[nodiscard]] bool has_request() const { return requests->num_available() > 0; }
@@ -39,7 +40,8 @@ class HostLink final : public sc_core::sc_module {
   const machines::Link link_;
   const sc_core::sc_time period_;
   std::vector<std::vector<isa::LinkWord>> commands_;
-  std::vector<std::size_t> begins_;   ///< one entry per instruction, and one more: the command at which to resume
+  /// The command at which to resume, for each instruction and for the end of the frame.
+  std::vector<std::size_t> begins_;
   std::uint64_t requests_taken_ = 0;  ///< number of requests in this frame
   std::uint64_t sending_ = 0;
   std::string_view state_;

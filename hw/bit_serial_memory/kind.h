@@ -1,5 +1,5 @@
-// The bit-serial-memory kind of machine.
-// Used by the machine's modules, and by the disasm command to recognize such machines.
+// The bit-serial-memory kind of machine. Used by the machine's modules, and by `csgsim disasm` to recognize such
+// machines.
 #pragma once
 
 #include "hw/bit_serial_memory/figures.h"
@@ -7,22 +7,22 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// The bit-serial-memory kind: DRAM chips whose subarrays compute, with one pixel per column and one bit of pixel
-/// memory per row.
+/// The bit-serial-memory kind: DRAM chips whose subarrays compute; a column holds a pixel, and a row holds one bit of
+/// pixel memory.
 class Kind final : public machines::KindOf<Figures> {
  public:
   using KindOf::KindOf;
 
   void complete(Machine& machine) const override;
   void set_picture(Machine& machine, machines::Size size) const override;
-  /// The global OR uses the wired OR, or the host, which reads the row of all enable bits.
+  /// Always true: the wired OR, or the host, which reads the row of enable bits, computes the global OR.
   bool has_global_or(const Machine& /*machine*/) const override { return true; }
   std::vector<isa::Region> regions(const Machine& machine) const override;
   void check(const Program& program, const Machine& machine) const override;
-  /// One clock to take the instruction, and those of its row commands in all subarrays that hold pixels.
+  /// One clock to take the instruction, and the clocks of its row commands in all subarrays that hold pixels.
   std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine) const override;
   machines::FrameTiming time(const Program& program, const Machine& machine, const RunOutcome& outcomes) const override;
-  /// Clocks in which the row commands of an instruction execute, at all pixels.
+  /// Clocks in which the row commands of an instruction are executed at all pixels.
   std::optional<Timeline> timeline(const Program& program, const Machine& machine,
                                    const RunOutcome& outcomes) const override;
   Spans at_pixel(const Timeline& timeline, const Program& program, const Machine& machine, std::uint32_t segment,

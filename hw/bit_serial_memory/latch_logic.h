@@ -7,8 +7,8 @@
 namespace csgsim::bit_serial_memory {
 
 /// Gates and latches at each sense amplifier: the operand bits are read one after another, and the result is written. E
-/// is in a row, from which each instruction loads it to a latch and back; or always in that latch, which then gates
-/// writes. The carry alternates between two latches where that saves a command.
+/// is either in a row, and each instruction loads it into a latch and writes it back; or always in the latch, which
+/// then gates writes. The carry alternates between two latches where that saves a command.
 class LatchLogic final : public ColumnLogic {
  public:
   using ColumnLogic::ColumnLogic;
@@ -56,8 +56,8 @@ class LatchLogic final : public ColumnLogic {
   Chain chain_ = Chain::sum;
   Latch carry_ = Latch::carry;
   std::optional<Row> held_;
-  bool has_enable_ = false;      ///< the latch holds E
-  bool enable_changed_ = false;  ///< E in the latch is newer than in the row
+  bool has_enable_ = false;      ///< whether the latch holds E
+  bool enable_changed_ = false;  ///< whether E in the latch is newer than in the row
 };
 
 }  // namespace csgsim::bit_serial_memory

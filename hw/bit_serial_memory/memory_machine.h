@@ -19,7 +19,7 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// A computing memory, with its controller and the host's end of the link.
+/// A memory that computes, with its controller and the host's end of the link.
 class MemoryMachine final : public sc_core::sc_module, public systemc::ClockedMachine {
  public:
   MemoryMachine(sc_core::sc_module_name name, const machines::Machine& machine);

@@ -13,7 +13,7 @@ namespace csgsim::bit_serial_memory {
 /// The pixels of the picture, read from the rows of all banks.
 class MemoryView final : public systemc::PixelView {
  public:
-  /// The banks must outlive the view.
+  /// The banks must outlive the view. `enable_in_latch`: E is in a latch instead of a row.
   MemoryView(std::span<const Bank* const> banks, const Slots& slots, std::uint32_t picture_width, const RowMap& map,
              bool enable_in_latch);
 

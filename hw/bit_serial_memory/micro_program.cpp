@@ -83,7 +83,7 @@ std::vector<Bit> Compiler::value(bool sign_alone) {
   return f;
 }
 
-/// Repeats the bits for a second use: the trees deliver them once more.
+/// Returns the bits for a second use. Trees must deliver them again.
 std::vector<Bit> Compiler::repeat(std::vector<Bit> f) {
   if (design_.expressions == Expressions::trees) skip_fraction(linear().shift);
   return f;
@@ -93,7 +93,7 @@ void Compiler::narrow_by_sign(bool negative) {
   logic_.change_enable(negative ? BinaryOp::conjunction : BinaryOp::and_not, value(true).back());
 }
 
-/// Leaves F < s in the borrow, or F <= s with `from_one`. A negative F yields 1.
+/// Leaves F < s in the borrow, or F <= s if `from_one`. A negative F yields 1.
 void Compiler::compare_value(const std::vector<Bit>& f, bool from_one) {
   logic_.begin_chain(Chain::difference, from_one);
   for (unsigned bit = 0; bit + 1 < f.size(); ++bit)
@@ -147,7 +147,7 @@ void Compiler::add_value(Chain chain) {
   for (unsigned bit = 0; bit < width(0); ++bit) logic_.store_sum(row(0, bit), f[bit], field_bit(0, bit), Mask::enable);
 }
 
-/// Uses the wired OR, or the host, which reads the row.
+/// Queries the global OR: through the wired OR, or through the host, which reads the row.
 void Compiler::query_enable() {
   if (design_.has_wired_or) {
     logic_.sense_enable();

@@ -21,7 +21,8 @@ constexpr MicroDesign micro_design(const Figures& figures) {
   return {figures.design, figures.expressions, figures.enable_latch, figures.has_wired_or};
 }
 
-/// Row commands of an instruction for subarrays with that map; for a question, those until its answer is available.
+/// Row commands of an instruction for subarrays with the given row map; for a global-OR test, the commands until the
+/// answer is available.
 RowCommands micro_program(const isa::Instruction& instruction, const RowMap& map, const MicroDesign& design);
 
 /// Row commands that clear all pixel memory and the enable bits.

@@ -7,7 +7,7 @@ namespace csgsim::bit_serial_memory {
 
 namespace {
 
-/// Effect of one command of all slots on a state.
+/// Effect of one command, executed by all slots, on a state.
 class Step {
  public:
   Step(const Figures& figures, const Slots& slots, const RankState& from)
@@ -27,8 +27,8 @@ class Step {
 
   [[nodiscard]] std::int64_t clocks() const { return last_; }
 
-  /// State relative to the clock at which the last activation allows another. Times before that clock are clamped to
-  /// it.
+  /// The resulting state, relative to the clock at which the last activation allows another. Earlier times are clamped
+  /// to that clock.
   [[nodiscard]] RankState to() const {
     RankState state = state_;
     for (std::int64_t& bank : state.free) bank -= last_;

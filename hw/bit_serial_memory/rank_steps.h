@@ -13,8 +13,8 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// State of a rank between two commands. Clocks are relative to the first clock at which the last activation allows
-/// another.
+/// State of a rank between two commands. Clocks are relative to the first clock at which tRRD allows another
+/// activation.
 struct RankState {
   std::vector<std::int64_t> free;         ///< clock from which each bank is free
   std::array<std::int64_t, 4> allowed{};  ///< clocks from which the window allows each of the next four activations
@@ -25,24 +25,24 @@ struct RankState {
   }
 };
 
-/// Steps a rank from command to command. Few distinct states recur, so the effect of a command on a state is computed
+/// Steps a rank from command to command. Few distinct states occur, so the effect of a command on a state is computed
 /// once and cached.
 class RankSteps {
  public:
   RankSteps(const Figures& figures, const Slots& slots);
 
-  /// Starts at that clock with all banks closed and an empty activation window.
+  /// Starts at `clock` with all banks closed and an empty activation window.
   void start(std::uint64_t clock);
-  /// All slots execute a command of that kind.
+  /// Lets all slots execute a command of the given kind.
   void step(RowOp op);
-  /// Delays everything in progress.
+  /// Delays everything in progress by `clocks`.
   void delay(std::uint64_t clocks) { zero_ += static_cast<std::int64_t>(clocks); }
 
   /// Clock at which the first bank can be activated.
   [[nodiscard]] std::uint64_t next_activation() const { return clock(nodes_[current_].next_activation); }
-  /// Clock from which no bank is active and the bus is idle, unless something else begins.
+  /// Clock from which all banks are closed and the bus is idle, if no further command begins.
   [[nodiscard]] std::uint64_t closed() const { return clock(nodes_[current_].closed); }
-  /// Clock from which the state equals the initial state.
+  /// Clock from which the rank is in its initial state again.
   [[nodiscard]] std::uint64_t over() const { return clock(nodes_[current_].over); }
 
  private:

@@ -30,7 +30,7 @@ class Root {
     return bits;
   }
 
-  /// Bit of 4q + 1, where q is the part of the root above bit k.
+  /// A bit of 4q + 1, where q is the part of the root above bit k.
   [[nodiscard]] Bit subtrahend(unsigned bit, unsigned k) const {
     if (bit < 2) return Bit::constant(bit == 0);
     const unsigned place = k + bit - 1;

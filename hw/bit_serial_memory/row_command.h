@@ -61,7 +61,7 @@ inline constexpr auto gate_names =
 
 constexpr std::string_view name_of(Gate gate) { return gate_names[static_cast<std::size_t>(gate)]; }
 
-/// Commands of the controller to all subarrays that hold pixels.
+/// Commands from the controller to all subarrays that hold pixels.
 enum class RowOp : std::uint8_t {
   copy,      ///< activates `from`: one row, or the majority of three, which all three store; then `to` store that value
   activate,  ///< first half of `copy`
@@ -119,7 +119,7 @@ constexpr unsigned activations(RowOp op) {
   return 0;
 }
 
-/// Whether the command starts with free sense amplifiers, so that a refresh may precede it. A refresh destroys their
+/// Whether the command starts with free sense amplifiers, so that a refresh may precede it: a refresh destroys their
 /// content.
 constexpr bool begins_closed(RowOp op) {
   switch (op) {
@@ -138,7 +138,7 @@ constexpr bool begins_closed(RowOp op) {
   return false;
 }
 
-/// The command as a line of text without line end: `AAP 17 -> 74 !78`, `LOGIC R2 = XOR SA R1`.
+/// The command as text without a line end, as in `AAP 17 -> 74 !78` or `LOGIC R2 = XOR SA R1`.
 std::string text_of(const RowCommand& command);
 
 }  // namespace csgsim::bit_serial_memory

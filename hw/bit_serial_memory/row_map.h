@@ -7,7 +7,7 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// Number of bits of an index below `count`.
+/// Number of bits of an index less than `count`.
 constexpr unsigned count_bits(std::uint32_t count) {
   unsigned bits = 0;
   while (count > (std::uint32_t{1} << bits)) ++bits;
@@ -20,8 +20,8 @@ struct RowMap {
   static constexpr unsigned spare_rows = 40;  ///< more than a root needs
 
   std::uint32_t memory_bits = 0;
-  unsigned x_bits = 0;  ///< rows that hold the columns' x
-  unsigned y_bits = 0;  ///< rows that hold the columns' y
+  unsigned x_bits = 0;  ///< number of rows that hold the columns' x
+  unsigned y_bits = 0;  ///< number of rows that hold the columns' y
 
   RowMap() = default;
   RowMap(std::uint32_t pixel_memory_bits, std::uint32_t width, std::uint32_t height)
@@ -32,7 +32,7 @@ struct RowMap {
   [[nodiscard]] constexpr Row enable() const { return at(2); }
   [[nodiscard]] constexpr Row select() const { return at(3); }
   [[nodiscard]] constexpr Row carry() const { return at(4); }
-  /// Intermediate results that are invalid after an operation.
+  /// Rows for intermediate results within an operation.
   [[nodiscard]] constexpr Row scratch(unsigned i) const { return at(5 + i); }
   static constexpr unsigned scratch_rows = 4;
   /// T0 to T3 of Ambit, which can be activated three at a time.

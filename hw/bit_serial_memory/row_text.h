@@ -11,8 +11,8 @@ namespace csgsim::bit_serial_memory {
 
 /// Prints the row commands of a valid Program on a machine of this kind as plain text that other simulators can replay:
 /// one command per line (hw/bit_serial_memory/row_command.h), the same for all subarrays; comments begin with `#`.
-/// Preceding lines `rows NAME FIRST COUNT` describe the purpose of the rows. Questions are not evaluated: instructions
-/// that a skip would omit are included.
+/// Lines `rows NAME FIRST COUNT` at the beginning describe the purpose of the rows. Global-OR tests are not evaluated:
+/// instructions that may be skipped are included.
 void print_row_commands(std::ostream& out, const isa::Program& program, const machines::Machine& machine);
 
 }  // namespace csgsim::bit_serial_memory

@@ -8,8 +8,9 @@
 
 namespace csgsim::bit_serial_memory {
 
-/// Layout of a picture in the subarrays: pixel y * width + x is in column c of slot s, where c counts the columns of
-/// one subarray per chip; these work in lockstep. Slots are assigned to the banks round-robin.
+/// Layout of a picture in the subarrays: pixel y * width + x is in column (y * width + x) mod row_columns of slot (y *
+/// width + x) / row_columns. A slot is one subarray of each chip; these work in lockstep. Slots are assigned to the
+/// banks round-robin.
 struct Slots {
   std::uint64_t pixels = 0;
   std::uint64_t row_columns = 1;  ///< columns of a slot
@@ -34,7 +35,7 @@ inline Slots slots_of(const machines::Machine& machine) {
           std::uint64_t{figures.chips} * figures.row_bits, figures.banks};
 }
 
-/// Clocks to transfer that many bits between a slot's row and the host, or for the host to compute them.
+/// Clocks to transfer `bits` bits between a slot's row and the host, or for the host to compute them.
 constexpr std::uint64_t transfer_clocks(std::uint64_t bits, const Figures& figures) {
   const std::uint64_t bits_a_clock =
       std::min<std::uint64_t>(std::uint64_t{figures.bus_bits} * figures.chips, figures.plane_bits);

@@ -14,7 +14,8 @@ Subarray::Subarray(const RowMap& map, std::uint32_t columns) : columns_(columns)
 
 void Subarray::set_row(Row row, std::span<const std::uint64_t> words) { std::ranges::copy(words, rows_[row].begin()); }
 
-/// Senses the bit lines, or the majority of three rows, into `sense`; three rows are overwritten with the majority.
+/// Copies the value on the bit lines, a row or the majority of three rows, to `sense`; three rows are overwritten with
+/// their majority.
 void Subarray::sense(const WordLines& lines) {
   RowWords& sensed = latch_words(Latch::sense);
   for (std::size_t word = 0; word < sensed.size(); ++word) {

@@ -13,7 +13,7 @@ namespace csgsim::bit_serial_memory {
 
 using RowWords = std::vector<std::uint64_t>;
 
-/// Writes a bit of the expression for every column to the words.
+/// Writes one bit of the expression for every column to `words`.
 using LeafBits = std::function<void(unsigned bit, std::span<std::uint64_t> words)>;
 
 /// The rows of a subarray, or of several that work in lockstep, and the latches at their sense amplifiers: column c is
@@ -22,14 +22,14 @@ class Subarray {
  public:
   Subarray(const RowMap& map, std::uint32_t columns);
 
-  /// `leaves`: source of the expression's bits, for commands that use one.
+  /// Executes a command. `leaves` supplies the expression's bits, for commands that use them.
   void execute(const RowCommand& command, const LeafBits& leaves);
 
   [[nodiscard]] std::span<const std::uint64_t> row(Row row) const { return rows_[row]; }
   [[nodiscard]] std::span<const std::uint64_t> latch(Latch latch) const {
     return latches_[static_cast<std::size_t>(latch)];
   }
-  /// Data that the last command that opened a row left at the sense amplifiers.
+  /// Data at the sense amplifiers, from the last command that opened a row.
   [[nodiscard]] std::span<const std::uint64_t> sent() const { return latch(Latch::sense); }
   void set_row(Row row, std::span<const std::uint64_t> words);
 

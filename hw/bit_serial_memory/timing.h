@@ -14,8 +14,8 @@ namespace csgsim::bit_serial_memory {
 /// Analytic timing of row commands in all slots. Clocks count from 0, when the banks are closed and the activation
 /// window is empty.
 ///
-/// The controller issues each command to all slots in order, and commands in order: no activation begins before its
-/// predecessor. Gate and leaf commands are issued to all banks at once; each bank begins when it is free. The commands
+/// The controller issues commands in order, and each command to all slots in order: no activation begins before the
+/// previous one. Gate and leaf commands are issued to all banks at once; each bank begins when it is free. The commands
 /// are complete when the last bank is closed and the activation window is empty again.
 class RankTiming {
  public:
@@ -24,12 +24,12 @@ class RankTiming {
   /// Clocks of the commands if no refresh intervenes.
   std::uint64_t clocks(const RowCommands& commands);
 
-  /// Executes commands from clock `begin` on, with refreshes due every tREFI from the frame's first clock. A refresh is
-  /// performed before a command that finds the sense amplifiers free: all banks are closed, and everything in progress
-  /// is delayed by the refresh. Returns the clock of the end.
+  /// Executes commands from clock `begin` on; a refresh is due every tREFI from the frame's first clock on. It is
+  /// performed before the next command that finds the sense amplifiers free: all banks are closed, and everything in
+  /// progress is delayed by the refresh. Returns the clock at which the commands end.
   std::uint64_t carry_out(const RowCommands& commands, std::uint64_t begin);
 
-  /// First clock from `ready` on at which commands may begin, after performing refreshes that are due before.
+  /// First clock, not before `ready`, at which commands may begin; refreshes that are due before it are performed.
   std::uint64_t begin(std::uint64_t free, std::uint64_t ready);
 
   [[nodiscard]] std::uint64_t refreshing() const { return refreshing_; }  ///< total clocks of refreshes

@@ -27,8 +27,8 @@ void TripleRowLogic::assign(Row target, Bit value, bool inverted) {
   copy(dual(0), target);
 }
 
-/// If there is no write latch, the row is rewritten with its old content where the mask is 0. For a constant, this is
-/// an AND or OR.
+/// Without a write latch, the row is rewritten with its old content where the mask is 0. For a constant, this is an AND
+/// or OR.
 void TripleRowLogic::store(Row target, Bit value, Mask mask, bool inverted) {
   if (enable_latch()) return store_by_latch(target, value, mask, inverted);
   const Bit where = Bit::of_row(row_of(mask));
@@ -150,7 +150,7 @@ void AndOrNotLogic::select_by_chain(bool inverted) {
   combine(inverted ? BinaryOp::and_not : BinaryOp::conjunction, map().select(), enable(), chain_bit());
 }
 
-/// maj(either, maj(not condition, yes, either), 0), where either = condition or no. One copy of a 1 sets both
+/// Computes maj(either, maj(not condition, yes, either), 0), where either = condition or no. One copy of a 1 sets both
 /// constants.
 void MajorityLogic::choose(Row target, Row condition, Bit yes, Bit no) {
   load(Bit::of_row(condition), {negated(0), t(0)});
@@ -167,9 +167,9 @@ void MajorityLogic::begin_chain(Chain chain, bool one) {
   initial_ = one;
 }
 
-/// Uses s = maj(not maj(a, b, c), a, maj(not a, b, c)), in which the first majority is the carry and the second the
-/// borrow. A sum takes its carry from the second dual row and leaves it there; a borrow alternates between the dual
-/// rows.
+/// Uses s = maj(not maj(a, b, c), a, maj(not a, b, c)), in which the first majority is the carry and the second is the
+/// borrow. A sum reads its carry from the second dual row and leaves the new carry there; a borrow alternates between
+/// the dual rows.
 void MajorityLogic::sum(Row target, Bit a, Bit b) {
   if (initial_) {
     load(Bit::constant(*initial_), dual(1));

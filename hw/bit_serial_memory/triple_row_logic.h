@@ -7,7 +7,7 @@
 namespace csgsim::bit_serial_memory {
 
 /// Common parts of the two designs that operate on three rows at a time. E is in one row, the selected columns in
-/// another; a write latch, if present, holds either.
+/// another; the write latch, if there is one, holds a copy of either row.
 class TripleRowLogic : public ColumnLogic {
  public:
   using ColumnLogic::ColumnLogic;
@@ -30,19 +30,19 @@ class TripleRowLogic : public ColumnLogic {
 
   void copy(const WordLines& from, const WordLines& to);
   void activate(const WordLines& lines) { emit({.op = RowOp::activate, .from = lines}); }
-  /// Copies the bit to these word lines.
+  /// Copies the bit to the rows of `to`.
   void load(Bit value, const WordLines& to);
   void exclusive_or(Row target, Bit a, Bit b);
 
  private:
   void store_by_latch(Row target, Bit value, Mask mask, bool inverted);
-  /// Invalidates the write latch if one of these rows is the one that it copies.
+  /// Invalidates the write latch if one of the written rows is the row that it copies.
   void invalidate_latch(const WordLines& written);
 
   std::optional<Row> latched_;  ///< row whose content is in the write latch
 };
 
-/// Separate operations: AND and OR of two rows take four commands, NOT two, XOR seven (Seshadri et al. 2017).
+/// Separate operations: AND and OR of two rows each take four commands, NOT two, XOR seven (Seshadri et al. 2017).
 class AndOrNotLogic final : public TripleRowLogic {
  public:
   using TripleRowLogic::TripleRowLogic;
@@ -88,7 +88,7 @@ class MajorityLogic final : public TripleRowLogic {
   Chain chain_ = Chain::sum;
   std::optional<bool> initial_;  ///< value of the chain before its first bit
   unsigned place_ = 1;           ///< index of the dual row that holds the carry or borrow
-  bool in_t2_ = false;           ///< T2 also holds it
+  bool in_t2_ = false;           ///< whether T2 holds the carry or borrow as well
 };
 
 }  // namespace csgsim::bit_serial_memory

@@ -8,7 +8,7 @@ namespace csgsim::division {
 
 namespace {
 
-/// Result for a node: decided, or a term.
+/// Result of pruning a node: decided, or a term.
 struct Outcome {
   Known known = Known::depends;
   std::uint32_t term = 0;  ///< valid if `known` is depends
@@ -47,7 +47,7 @@ class Pruner {
       --at;
       path_.visit_node();
       visited_.push_back(at);
-      // The subtree ends before its first node
+      // Skips the subtree: the loop continues before its first node.
       if (disjoint(tree_.nodes[at].box, surface_.box)) at = tree_.nodes[at].first;
     }
     outcomes_.resize(tree_.nodes.size());
@@ -94,7 +94,7 @@ class Pruner {
     comparison.tested =
         path_.test(comparison.primitive, candidates_.halfspaces[comparison.primitive], comparison.pixels);
     for (const Tested& tested : comparison.tested) {
-      const Known known = known_between(tested, surface_.box.z_low, surface_.box.z_high);
+      const Known known = classify_between(tested, surface_.box.z_low, surface_.box.z_high);
       inside = inside && known == Known::in;
       outside = outside || known == Known::out;
     }
@@ -102,8 +102,8 @@ class Pruner {
     return inside ? Known::in : Known::depends;
   }
 
-  /// Adds an operator's operand; an operand with the same operator is replaced by its own operands. The shorter of both
-  /// lists is appended to the longer.
+  /// Adds an operand to those of an operator. An operand with the same operator is replaced by its own operands: the
+  /// shorter list is appended to the longer one.
   void add_operand(std::vector<std::uint32_t>& operands, std::uint32_t index, Operator op) {
     Term& term = active_.terms[index];
     if (term.is_leaf || term.op != op) {
@@ -133,7 +133,8 @@ class Pruner {
     operands = std::move(remaining);
   }
 
-  /// Evaluates the operand that needs most bits first, which minimizes pending results (Ershov, Sethi and Ullman).
+  /// Evaluates the operand that needs most bits first, which minimizes the number of intermediate results (Ershov,
+  /// Sethi and Ullman).
   Outcome combine(std::vector<std::uint32_t> operands, Operator op) {
     const auto bits = [&](std::uint32_t index) { return active_.terms[index].bits; };
     std::stable_sort(operands.begin(), operands.end(),
@@ -162,7 +163,7 @@ class Pruner {
 
 }  // namespace
 
-ActiveTree active_tree_of(Datapath& path, const Tree& tree, const Candidates& candidates, const Surface& surface) {
+ActiveTree find_active_tree(Datapath& path, const Tree& tree, const Candidates& candidates, const Surface& surface) {
   return Pruner(path, tree, candidates, surface).run();
 }
 

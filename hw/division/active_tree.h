@@ -11,8 +11,8 @@
 
 namespace csgsim::division {
 
-/// A primitive that a surface must be compared with, and its half-spaces tested at the corners of the pixels that both
-/// can occupy.
+/// A primitive that a surface must be compared with, and its half-spaces, tested at the corners of the pixels that
+/// primitive and surface can both occupy.
 struct Comparison {
   std::uint32_t primitive = 0;
   Rectangle pixels;
@@ -24,19 +24,19 @@ struct Term {
   bool is_leaf = false;
   bool complemented = false;  ///< the leaf is the space outside the intersection
   Operator op = Operator::unite;
-  std::uint32_t bits = 0;  ///< result bits needed to evaluate it into one of them; 0 for a leaf
+  std::uint32_t bits = 0;  ///< result bits needed to evaluate the term, including one for its result; 0 for a leaf
   std::vector<Comparison> comparisons;
   std::vector<std::uint32_t> operands;  ///< indices of terms
 };
 
-/// Conditions for a surface to be visible: it must be inside all operands of the intersections between it and the root
-/// that are not decided at the corners (thesis 6.2).
+/// Conditions for a surface to be visible: it must be inside every operand of the intersections on the path from it to
+/// the root that the corner tests do not decide (thesis 6.2).
 struct ActiveTree {
   bool is_empty = false;  ///< the surface is outside everywhere
   std::vector<Term> terms;
   std::vector<std::uint32_t> operands;
 };
 
-ActiveTree active_tree_of(Datapath& path, const Tree& tree, const Candidates& candidates, const Surface& surface);
+ActiveTree find_active_tree(Datapath& path, const Tree& tree, const Candidates& candidates, const Surface& surface);
 
 }  // namespace csgsim::division

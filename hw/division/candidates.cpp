@@ -22,7 +22,7 @@ bool prune_halfspaces(Datapath& path, std::uint32_t index, const Rectangle& pixe
   std::vector<Tested> undecided;
   bool is_empty = false;
   for (const Tested& tested : path.test(index, halfspaces, pixels)) {
-    const Known known = known_between(tested, 0, path.header().farthest());
+    const Known known = classify_between(tested, 0, path.header().farthest());
     is_empty = is_empty || known == Known::out;
     if (known == Known::depends) undecided.push_back(tested);
   }
@@ -35,7 +35,7 @@ bool prune_halfspaces(Datapath& path, std::uint32_t index, const Rectangle& pixe
     keep_by_leaders(path, on_side, pixels);
     return on_side;
   };
-  // Sides follow each other. Order is kept within a side; between sides, only the order of edges matters.
+  // The sides follow one another. Order is kept within a side; between sides, only the order of edges matters.
   for (const Side side : {Side::front, Side::back}) append(halfspaces, survivors_of_side(side));
   for (const Tested& one : undecided) {
     if (one.side == Side::not_negative || one.side == Side::negative) halfspaces.push_back(one.number);

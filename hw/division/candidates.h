@@ -12,23 +12,23 @@ namespace csgsim::division {
 
 /// Input of a square's division: the whole model, or the survivors of its group of squares.
 struct Candidates {
-  std::vector<std::uint32_t> primitives;               ///< listed primitives, in ascending order
-  std::vector<std::vector<std::uint32_t>> halfspaces;  ///< per primitive of the model, the numbers of its listed
-                                                       ///< half-spaces
-  std::vector<bool> listed;                            ///< whether each primitive of the model is listed
+  std::vector<std::uint32_t> primitives;  ///< listed primitives, in ascending order
+  /// Per primitive of the model: the numbers of its listed half-spaces.
+  std::vector<std::vector<std::uint32_t>> halfspaces;
+  std::vector<bool> listed;  ///< whether each primitive of the model is listed
 
   /// Entries of the divider's list: one per primitive and one per half-space.
   [[nodiscard]] std::uint64_t entries() const;
 };
 
-/// Candidates with the whole model.
+/// Candidates that list the whole model.
 Candidates all_of(const DisplayModel& model);
 
 /// First level (thesis 7.4.2): the part of the whole model that can matter in any square of a group. Compares the
-/// rectangle of every primitive with the group's, and tests the half-spaces of those that touch it at the corners of
-/// their overlap. Drops primitives that are disjoint from the group or have a half-space that contains nothing of the
-/// overlap at any depth, half-spaces that contain all of it at every depth, and half-spaces that a leader of the
-/// primitive's side is beyond.
+/// rectangle of every primitive with the group's, and tests the half-spaces of each overlapping primitive at the
+/// corners of the overlap. Drops primitives that are disjoint from the group or have a half-space that contains nothing
+/// of the overlap at any depth. Drops half-spaces that contain the whole overlap at every depth, and those that a
+/// leader of their side is beyond.
 ///
 /// Squares of the group get the same instructions as from the whole model.
 Candidates survivors(Datapath& path, const Candidates& all, const Rectangle& group);

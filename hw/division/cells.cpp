@@ -21,8 +21,8 @@ struct Cell {
 
 bool has_only_corners(const Rectangle& pixels) { return pixels.x1 - pixels.x0 <= 1 && pixels.y1 - pixels.y0 <= 1; }
 
-/// Quarters with a side of the largest power of two below the longer side, in reverse order from the last corner; fewer
-/// where the rectangle is smaller.
+/// Quarters whose side is the largest power of two below the rectangle's longer side, in reverse order; fewer than four
+/// if the rectangle is narrow.
 std::vector<Rectangle> reversed_quarters(const Rectangle& pixels) {
   const auto longer = static_cast<std::uint32_t>(std::max(pixels.x1 - pixels.x0, pixels.y1 - pixels.y0) + 1);
   const auto size = static_cast<std::int32_t>(std::bit_ceil(longer) / 2);
@@ -64,7 +64,7 @@ class Sieve {
   }
 
  private:
-  /// Rank of a half-space at the corners: the distance for fronts, its negative for backs.
+  /// Values by which half-spaces are compared at the corners: the distance for fronts, its negative for backs.
   [[nodiscard]] Values values(std::uint32_t one, const Rectangle& pixels) const {
     const Plane& plane = side_[one].plane;
     const std::int64_t sign = side_[one].side == Side::back ? -1 : 1;
@@ -72,7 +72,7 @@ class Sieve {
     return {at(pixels.x0, pixels.y0), at(pixels.x1, pixels.y0), at(pixels.x0, pixels.y1), at(pixels.x1, pixels.y1)};
   }
 
-  /// Values of the leaders, one per corner. Leaders are kept.
+  /// Values of the leaders, one per corner. Marks the leaders as kept.
   std::array<Values, corners> find_leaders(const Cell& cell) {
     std::array<std::uint32_t, corners> leaders{};
     std::array<Values, corners> found{};

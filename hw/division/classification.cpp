@@ -11,7 +11,8 @@ namespace {
 using isa::Opcode;
 using isa::Purpose;
 
-/// A result is 0 outside the mask: it is first stored from E at every pixel, and later set to 1 only where E is 1.
+/// A result bit must be 0 outside the mask: it is first stored from E at every pixel, and later set to 1 only where E
+/// is 1.
 class Classifier {
  public:
   Classifier(Writer& out, Datapath& path, const ActiveTree& active, const Surface& surface)
@@ -40,8 +41,9 @@ class Classifier {
 
   [[nodiscard]] isa::Field result(std::uint32_t bit) const {
     if (bit >= fields_.stack_bits) {
-      throw InputError(fmt::format("a square's tree has {} pending results, but pixel memory has {} bits for them",
-                                   bit + 1, fields_.stack_bits));
+      throw InputError(fmt::format(
+          "a square's tree needs {} bits for intermediate results, but pixel memory has {}; increase array.memory_bits",
+          bit + 1, fields_.stack_bits));
     }
     return {static_cast<std::uint16_t>(fields_.stack_base + bit), 1};
   }
@@ -95,7 +97,7 @@ class Classifier {
     }
   }
 
-  /// bit := bit op the result in the next bit.
+  /// bit := bit op the result stored in the next bit.
   void take_result(Operator op, isa::Field bit, isa::Field above) {
     step(Opcode::enable_load, above);
     if (op == Operator::unite) {
@@ -106,7 +108,8 @@ class Classifier {
     }
   }
 
-  /// result(0) := the operator. Operator operands after the first are evaluated into the next bit.
+  /// Evaluates the operator into result(0). Its operands that are operators, except the first, are evaluated into the
+  /// next bit.
   void evaluate(std::uint32_t root) {
     std::vector<PendingOperator> pending{{root, 0}};
     while (!pending.empty()) {

@@ -5,8 +5,8 @@
 
 namespace csgsim::division {
 
-/// Clears the mask where Z1 is outside the active tree, with pending results on the stack. E is undefined afterwards.
-/// Throws InputError if the tree has more pending results than there are bits.
+/// Clears the mask where Z1 is outside the active tree; intermediate results are kept on a stack of bits. E is
+/// undefined afterwards. Throws InputError if the tree needs more intermediate results than there are bits.
 void write_classification(Writer& out, Datapath& path, const ActiveTree& active, const Surface& surface);
 
 }  // namespace csgsim::division

@@ -17,7 +17,7 @@ Tested test_corners(const ModelHeader& header, const PlacedHalfspace& placed, co
   return tested;
 }
 
-Known known_between(const Tested& tested, std::int64_t z_low, std::int64_t z_high) {
+Known classify_between(const Tested& tested, std::int64_t z_low, std::int64_t z_high) {
   const auto decide = [](bool in, bool out) { return in ? Known::in : out ? Known::out : Known::depends; };
   switch (tested.side) {
     case Side::front: return decide(tested.high <= z_low, tested.low > z_high);

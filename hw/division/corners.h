@@ -8,7 +8,7 @@
 
 namespace csgsim::division {
 
-/// Classification of an object over pixels and depths.
+/// Position of an object relative to a range of pixels and depths.
 enum class Known : std::uint8_t { out, in, depends };
 
 constexpr Known inverted(Known known) {
@@ -35,7 +35,7 @@ struct Tested : PlacedHalfspace {
 /// One corner test: four values A*x + B*y + C, and their minimum and maximum.
 Tested test_corners(const ModelHeader& header, const PlacedHalfspace& placed, const Rectangle& pixels);
 
-/// Whether all points, or none, of the tested rectangle and the depth range are in the half-space.
-Known known_between(const Tested& tested, std::int64_t z_low, std::int64_t z_high);
+/// Whether a half-space contains all points of the tested rectangle between the two depths, none, or some.
+Known classify_between(const Tested& tested, std::int64_t z_low, std::int64_t z_high);
 
 }  // namespace csgsim::division

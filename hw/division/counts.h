@@ -1,5 +1,5 @@
-// Operation counts of the divider, and the memory that it needs at a time.
-// Used by the divider, the host's division counts, and the multi-processor's nodes.
+// Operation counts of the divider, and its peak memory. Used by the divider, the host's division counts, and the
+// multi-processor's nodes.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace csgsim::division {
 /// Operations of the divider for a surface, a square, or a group of squares.
 using Counts = isa::DivisionStep;
 
-/// Memory that the divider needs at a time: the maximum over the surfaces of a square.
+/// Peak memory of the divider: the maximum over the surfaces of a square.
 struct PeakUsage {
   std::uint64_t halfspaces = 0;  ///< half-spaces tested at corners
   std::uint64_t nodes = 0;       ///< nodes of the tree
@@ -22,7 +22,7 @@ struct PeakUsage {
   bool operator==(const PeakUsage&) const = default;
 };
 
-/// Maximum memory needed by any of the surfaces.
+/// Peak memory over the given surfaces.
 inline PeakUsage peak_usage_of(std::span<const Counts> surfaces) {
   PeakUsage peak;
   for (const Counts& one : surfaces) {

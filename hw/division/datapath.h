@@ -15,8 +15,8 @@
 namespace csgsim::division {
 
 /// Datapath of the divider: memories that hold the model, from which each record is read when needed, and units that
-/// test and write. All operations of the divider pass through here sequentially and are counted. A machine accounts for
-/// its clocks in derived classes.
+/// test and write. All operations of the divider pass through here sequentially and are counted. Derived classes
+/// account for the clocks of a machine.
 class Datapath {
  public:
   explicit Datapath(const ModelHeader& header) : header_(header) {}
@@ -30,8 +30,8 @@ class Datapath {
   /// Reads a primitive for comparing its box.
   PrimitiveHead visit_primitive(std::uint32_t primitive);
 
-  /// Reads those half-spaces of a primitive and tests them at the corners of the pixels; `numbers` are indices within
-  /// the primitive.
+  /// Reads the given half-spaces of a primitive and tests them at the corners of the pixels; `numbers` are indices
+  /// within the primitive.
   std::vector<Tested> test(std::uint32_t primitive, std::span<const std::uint32_t> numbers, const Rectangle& pixels);
 
   /// Reads `halfspaces` half-spaces of a side and compares them with the leaders of a cell.
@@ -43,7 +43,7 @@ class Datapath {
   /// Writes an instruction of the square.
   void write(const isa::Instruction& instruction);
 
-  /// Returns and resets the counts of all operations since the last call.
+  /// Returns the counts of all operations since the last call, and resets them.
   Counts take_counts() { return std::exchange(counts_, {}); }
 
  protected:

@@ -1,5 +1,5 @@
-// The display model: planes, primitives and tree of the picture, which the divider divides.
-// Used by the divider, the host that creates the model, and the multi-processor's records and lists.
+// The display model: planes, primitives and tree of the picture, the input of the divider. Used by the divider, the
+// host that creates the model, and the multi-processor's records and lists.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace csgsim::division {
 
-// The host's input to the divider, once per frame: the model as seen by the camera, in integers. Widths on a link are
+// The host sends one display model per frame: the model as seen by the camera, in integers. Widths on a link are
 // defined in hw/division/encoding.h, semantics in docs/machines/pixel-square.md.
 
 inline constexpr unsigned min_z_bits = 4;
@@ -20,8 +20,8 @@ inline constexpr unsigned max_fraction_bits = 20;
 inline constexpr std::size_t max_records = (std::size_t{1} << 31U) - 1;  ///< maximum number of planes, primitives or
                                                                          ///< nodes
 
-/// |A| * width + |B| * height + |C| of a plane is below 2^61, so that its value at a pixel, plus a depth step or the
-/// whole depth range, fits 64 bits.
+/// |A| * width + |B| * height + |C| of a plane is below 2^61. The value at a pixel plus a depth step, or plus the whole
+/// depth range, therefore fits 64 bits.
 inline constexpr unsigned reach_bits = 61;
 
 /// A*x + B*y + C, where x and y are column and row of the picture.
@@ -45,8 +45,9 @@ enum class Side : std::uint8_t {
 
 struct Halfspace {
   std::uint32_t plane = 0;
-  bool forward = true;       ///< front or not_negative; otherwise back or negative
-  std::uint32_t colour = 0;  ///< colour of the facet, as stored in the colour field; 0 if not seen()
+  bool forward = true;  ///< true for front and not_negative, false for back and negative
+  /// Colour of the facet, as stored in the colour field; 0 if it is never visible, see seen().
+  std::uint32_t colour = 0;
 
   bool operator==(const Halfspace&) const = default;
 };
@@ -81,13 +82,14 @@ struct Node {
 
 /// Positions of the fields in pixel memory.
 struct Fields {
-  isa::Field depth;             ///< Z2: depth of the nearest surface
-  isa::Field candidate;         ///< Z1: depth of the surface being classified
-  isa::Field colour;            ///< colour of Z2
-  isa::Field candidate_colour;  ///< colour of Z1; width 0 if facets are broadcast again to find their colours
+  isa::Field depth;      ///< Z2: depth of the nearest surface
+  isa::Field candidate;  ///< Z1: depth of the surface being classified
+  isa::Field colour;     ///< colour of Z2
+  /// Colour of Z1; width 0 if the facets are broadcast again to store their colours in `colour`.
+  isa::Field candidate_colour;
   isa::Field mask;
-  std::uint32_t stack_base = 0;  ///< first bit of pending results
-  std::uint32_t stack_bits = 0;  ///< number of bits for pending results
+  std::uint32_t stack_base = 0;  ///< first memory bit of the stack of intermediate results
+  std::uint32_t stack_bits = 0;  ///< number of bits of that stack
 
   bool operator==(const Fields&) const = default;
 };
@@ -103,7 +105,7 @@ struct ModelHeader {
   Fields fields;
 
   [[nodiscard]] std::int64_t farthest() const { return (std::int64_t{1} << z_bits) - 1; }
-  /// The header part of a model.
+  /// This object as a header, for derived classes.
   [[nodiscard]] const ModelHeader& header() const { return *this; }
   bool operator==(const ModelHeader&) const = default;
 };
@@ -121,12 +123,13 @@ constexpr Side side_of(const Plane& plane, bool forward) {
   return forward ? Side::front : Side::back;
 }
 
-/// Whether the facet on the half-space is part of the visible surface of such a primitive: its front, or the back of a
-/// complemented one.
+/// Whether a facet on that side is part of the visible surface of a primitive: a front, or a back if the primitive is
+/// complemented.
 constexpr bool seen(Side side, bool complemented) { return side == (complemented ? Side::back : Side::front); }
 
-/// Throws InputError unless the model is valid: everything in range and within the picture, fields disjoint and within
-/// pixel memory, planes within the reach, and the nodes a single tree with one leaf per primitive.
+/// Throws InputError unless the model is valid: every number is in range and within the picture, the fields are
+/// disjoint and within pixel memory, plane values are below 2^reach_bits, and the nodes form a single tree with one
+/// leaf per primitive.
 void validate(const DisplayModel& model);
 
 }  // namespace csgsim::division

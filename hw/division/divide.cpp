@@ -22,7 +22,7 @@ void write_setup(Writer& out, const ModelHeader& model) {
   out.set(model.fields.colour, model.background);
 }
 
-/// Writes a surface where it is nearer than Z2 and inside its active tree. The depth test comes first.
+/// Writes a surface where it is nearer than Z2 and inside its active tree. The depth test precedes the classification.
 void write_visible(Writer& out, Datapath& path, const Surface& surface, const ActiveTree& active,
                    const Rectangle& square) {
   const Rendering rendering(path, surface);
@@ -66,7 +66,7 @@ Divided Divider::divide(const isa::Region& square, const Candidates& from, Datap
     Surface surface = intersect_boxes(path, from, first, next - first, pixels);
     if (surface.box.empty()) continue;
     if (test(path, from, surface)) {
-      const ActiveTree active = active_tree_of(path, tree_, from, surface);
+      const ActiveTree active = find_active_tree(path, tree_, from, surface);
       if (!active.is_empty) write_visible(out, path, surface, active, pixels);
     }
     if (out.written().size() > setup) {

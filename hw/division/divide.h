@@ -17,16 +17,17 @@ namespace csgsim::division {
 
 /// The division of one square.
 struct Divided {
-  std::vector<isa::Instruction> instructions;  ///< none if the square shows the background and is not the whole picture
-  /// Operations for each surface whose boxes overlap the square and each other, including the boxes visited since the
-  /// previous surface; a last step holds remaining operations, if any.
+  /// Empty if the square shows only the background and is not the whole picture.
+  std::vector<isa::Instruction> instructions;
+  /// One step per surface whose boxes overlap the square and each other. A step includes the boxes visited since the
+  /// previous surface; the operations after the last surface form a separate step, if there are any.
   std::vector<Counts> steps;
 
   [[nodiscard]] Counts counts() const;
   [[nodiscard]] PeakUsage peak_usage() const { return peak_usage_of(steps); }
 };
 
-/// State of the divider apart from the records: computed once, as the model is received.
+/// State of the divider apart from planes and half-spaces: computed once, as the model is received.
 class Divider {
  public:
   /// The model must be valid (validate()). Its planes and half-spaces are not stored.
@@ -36,7 +37,7 @@ class Divider {
   Divided divide(const isa::Region& square, const Candidates& from, Datapath& path) const;
   Divided divide(const isa::Region& square, Datapath& path) const { return divide(square, all_, path); }
 
-  /// Performs the first of two levels.
+  /// Performs the first of two levels: selects the candidates for the squares of a group.
   [[nodiscard]] Candidates survivors(const isa::Region& group, Datapath& path) const {
     return division::survivors(path, all_, rectangle_of(group));
   }
@@ -54,8 +55,9 @@ class Divider {
 struct DividedGroup {
   std::vector<Divided> squares;
   Counts group;
-  std::uint64_t entries = 0;  ///< entries of the list that the squares were divided from
-  bool fits = true;           ///< the survivors fit the list; otherwise each square is divided from the whole model
+  std::uint64_t entries = 0;  ///< entries of the candidate list from which the squares were divided
+  /// Whether the survivors fit the list; if not, each square is divided from the whole model.
+  bool fits = true;
 };
 
 /// Divides a group in two levels, with a list of `list_entries` entries between them.

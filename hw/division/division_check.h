@@ -14,12 +14,12 @@ namespace csgsim::division {
 /// Decodes the display model of a Program. Throws InputError unless the bytes form one.
 DisplayModel display_model_of(std::span<const std::uint8_t> bytes);
 
-/// Throws InputError unless the segments of a Program match the division of its display model, so that reports to run
-/// listeners are valid. Squares are divided in one level.
+/// Throws InputError unless the segments of a Program match the division of its display model. The segments are then
+/// what the machine will compute, so reports on them are valid. Squares are divided in one level.
 void check_division(const isa::Program& program);
 
-/// Likewise. `groups`: all segments in groups, for two levels with a list of `list_entries` entries; none for one
-/// level.
+/// As above, with two levels and a list of `list_entries` entries. `groups` contains all segments in groups; if it is
+/// empty, squares are divided in one level.
 void check_division(const isa::Program& program, std::span<const Group> groups, std::uint64_t list_entries);
 
 }  // namespace csgsim::division

@@ -11,8 +11,8 @@
 
 namespace csgsim::division {
 
-/// Widths in bits of the numbers in an encoded display model. Members without a constant value are minimal for the
-/// model's own numbers; the header stores them.
+/// Widths in bits of the numbers in an encoded display model. Members without a constant value are the minimum for the
+/// numbers of the model; the header stores them.
 struct Widths {
   static constexpr unsigned count = 32;  ///< number of planes, primitives or nodes
   static constexpr unsigned side = 15;   ///< number of pixels, 0 to 2^14
@@ -28,14 +28,14 @@ struct Widths {
   unsigned depth = 0;       ///< width of a depth step or the end of the range: z_bits + 1
   unsigned colour = 0;
 
-  /// Counts, sides of the picture, sampling and the widths below, fields, background.
+  /// Header: counts, picture size, sampling, the widths below, fields, background.
   [[nodiscard]] unsigned header() const { return 3 * count + 2 * side + 5 * bits + 3 * width + 7 * place + 1 + colour; }
   [[nodiscard]] unsigned plane_record() const { return 1 + 2 * slope + constant; }
-  /// Excludes the colour at depth 0, which only a primitive that is not complemented has.
+  /// Excludes the colour at depth 0, which follows only for a primitive that is not complemented.
   [[nodiscard]] unsigned primitive_record() const { return 4 * side + 2 * depth + 2 + halfspaces; }
-  /// Excludes the colour, which only a visible half-space has.
+  /// Excludes the colour, which follows only for a visible half-space.
   [[nodiscard]] unsigned halfspace_record() const { return plane + 1; }
-  /// Excludes the operator and its number of operands, which only an operator has.
+  /// Excludes the operator and the number of its operands, which follow only for an operator.
   static constexpr unsigned node_record = 1;
 };
 
@@ -44,13 +44,13 @@ Widths widths_of(const DisplayModel& model);
 /// Encodes the stream that the host sends. Throws InputError if the model is invalid.
 Bits encode(const DisplayModel& model);
 
-/// Throws InputError unless the stream is exactly the output of encode() for a model.
+/// Decodes the stream. Throws InputError unless the stream is exactly the output of encode() for some model.
 DisplayModel decode(const Bits& bits);
 
 /// Splits the stream into link_words() words of a link of 1 to 256 bits. The last is padded with 0.
 std::vector<isa::LinkWord> to_link(const Bits& bits, unsigned width);
 
-/// Decodes the complete words of a model. Throws InputError unless they equal to_link() of an encoded model.
+/// Decodes the words of a whole model. Throws InputError unless they equal to_link() of an encoded model.
 DisplayModel from_link(std::span<const isa::LinkWord> words, unsigned width);
 
 }  // namespace csgsim::division

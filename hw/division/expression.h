@@ -7,9 +7,9 @@
 
 namespace csgsim::division {
 
-/// A plane as encoded in an instruction: without the low zero bits that A and B share and the same number of bits of C,
-/// rounded down, since neither the floor nor the sign of the sum depends on them; and the number of bits by which the
-/// sum is shifted.
+/// A plane as encoded in an instruction. The low zero bits that A and B share are dropped, with the same number of low
+/// bits of C, because neither the floor nor the sign of the sum depends on them. `shift` is the number of fraction bits
+/// that remain.
 struct Expression {
   Plane plane;
   unsigned shift = 0;
@@ -21,10 +21,10 @@ Expression depth_expression(const ModelHeader& header, const Plane& plane);
 /// Expression of a plane whose sign is tested.
 Expression line_expression(const Plane& plane);
 
-/// The plane minus the end of the depth range: not negative where the plane is beyond it.
+/// The plane minus the end of the depth range: not negative where the plane is beyond the range.
 Plane beyond_range(const ModelHeader& header, const Plane& plane);
 
-/// The expression relative to the square's corner, `width` bits wide.
+/// The expression with its origin at the square's corner, `width` bits wide.
 isa::Linear linear_of(const Expression& expression, const isa::Region& square, unsigned width);
 
 }  // namespace csgsim::division

@@ -14,7 +14,7 @@
 namespace csgsim::division {
 
 /// The records of a display model in a memory that is read word by word: each record begins at a new word, and all
-/// records of a kind have equal width (docs/machines/pixel-square.md).
+/// records of a kind are equally wide (docs/machines/pixel-square.md).
 class ModelMemory {
  public:
   ModelMemory() = default;
@@ -46,8 +46,8 @@ class ModelMemory {
   Records primitives_;
   Records halfspaces_;
   Records planes_;
-  std::vector<std::size_t> first_halfspaces_;  ///< index of each primitive's first half-space among all; stored in the
-                                               ///< tree's leaves
+  /// Index of each primitive's first half-space among all half-spaces; in hardware, part of the tree's leaves.
+  std::vector<std::size_t> first_halfspaces_;
 };
 
 }  // namespace csgsim::division

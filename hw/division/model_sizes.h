@@ -13,7 +13,7 @@ struct ModelSizes {
   std::uint64_t planes = 0;
   std::uint64_t primitives = 0;
   std::uint64_t nodes = 0;
-  std::uint32_t depth = 0;  ///< width of a depth, without the end of the range
+  std::uint32_t depth = 0;  ///< width of a depth step, excluding the end of the range
   std::uint32_t colour = 0;
   std::uint32_t slope = 0;
   std::uint32_t constant = 0;
@@ -22,7 +22,7 @@ struct ModelSizes {
   std::uint32_t plane = 0;       ///< width of the index of a plane
 };
 
-/// Returns zeros if there are too few bytes.
+/// Reads the sizes; returns zeros if there are too few bytes.
 ModelSizes sizes_of(std::span<const std::uint8_t> display_model);
 
 }  // namespace csgsim::division

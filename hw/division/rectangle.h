@@ -28,7 +28,7 @@ constexpr Rectangle rectangle_of(const isa::Region& region) {
   return {x, y, x + static_cast<std::int32_t>(region.width) - 1, y + static_cast<std::int32_t>(region.height) - 1};
 }
 
-/// Pixels, and depth steps [z_low, z_high] over them.
+/// A rectangle of pixels and the range of depth steps [z_low, z_high].
 struct Box {
   Rectangle pixels;
   std::int64_t z_low = 0;

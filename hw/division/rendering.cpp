@@ -75,8 +75,8 @@ void Rendering::write_extreme(Writer& out) const {
   }
 }
 
-/// Each facet replaces those that it exceeds, with the mask as E. Among equal facets the first wins: after the start, a
-/// facet replaces only strictly lesser ones, in order; before it, also equal ones, backwards.
+/// Each facet replaces those that it exceeds, with the mask as E. Among equal facets the first wins: facets after the
+/// start facet replace only strictly lesser ones, in order; facets before it also replace equal ones, in reverse order.
 void Rendering::write_extreme_with_colours(Writer& out) const {
   write_start(out);
   out.plain(Opcode::enable_store, model_.fields.mask);
@@ -112,7 +112,7 @@ void Rendering::write_candidate_colour(Writer& out, const Facet& facet) const {
   out.origin = rendering;
 }
 
-/// A subtracted solid has no back where its back is before the near plane.
+/// A subtracted solid has no visible back where its back is before the near plane.
 void Rendering::write_near_test(Writer& out) const {
   if (std::any_of(facets_.begin(), facets_.end(), [](const Facet& back) { return back.low <= 0; }))
     out.depth(Opcode::linear_lt, model_.fields.candidate, {}, surface_.box.pixels);
@@ -134,7 +134,7 @@ void Rendering::write_merge(Writer& out) const {
   }
 }
 
-/// Each facet but the last is broadcast again, and removes its pixels from the mask.
+/// Broadcasts each facet but the last again; each removes its pixels from the mask.
 void Rendering::write_colours(Writer& out) const {
   for (std::size_t i = 0; i < facets_.size(); ++i) {
     const Facet& facet = facets_[i];

@@ -5,19 +5,20 @@
 
 namespace csgsim::division {
 
-/// A surface as drawn into Z1 and merged into Z2: the convex-max of its fronts, or the concave-min of the backs of a
-/// complemented one.
+/// A surface as drawn into Z1 and merged into Z2: the convex-max of the primitives' fronts or, if they are
+/// complemented, the concave-min of their backs.
 class Rendering {
  public:
   Rendering(Datapath& path, const Surface& surface);
 
-  /// Whether no pixel can show the surface; then nothing may be written.
+  /// Whether no pixel can show the surface; in that case no instruction may be written.
   [[nodiscard]] bool is_empty() const { return is_empty_; }
 
-  /// Z1 := the surface, and its colour if there is a field for it. Leaves E = 1 where the surface is.
+  /// Sets Z1 to the surface's depth, and the candidate colour if there is a field for it. Leaves E = 1 at the surface's
+  /// pixels.
   void write_surface(Writer& out, const Rectangle& square) const;
 
-  /// Leaves E and the mask 1 where E is 1 and Z1 is nearer than Z2.
+  /// Clears E where Z1 is not nearer than Z2, and copies E to the mask.
   void write_depth_test(Writer& out) const;
 
   /// Copies Z1 and its colour to Z2 where E is 1. The mask must equal E.
@@ -51,7 +52,8 @@ class Rendering {
   bool is_empty_ = false;
   std::vector<Facet> facets_;   ///< facets of the visible side, in order; the first may be at depth 0
   std::vector<Tested> others_;  ///< facets of the other side
-  std::size_t start_ = 0;       ///< facet with which Z1 starts; the number of facets for the end of the depth range
+  /// Facet with which Z1 starts; the number of facets if it starts with the end of the depth range.
+  std::size_t start_ = 0;
 };
 
 }  // namespace csgsim::division

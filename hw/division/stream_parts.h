@@ -7,15 +7,15 @@
 
 namespace csgsim::division {
 
-/// Size of the picture, and bits of depth, fraction and colour.
+/// The size of the picture, and the numbers of bits of depth, fraction and colour.
 void put_sampling(BitWriter& out, const DisplayModel& model);
 void take_sampling(BitReader& in, DisplayModel& model);
 
 void put_fields(BitWriter& out, const Fields& fields);
 Fields take_fields(BitReader& in, unsigned z_bits, unsigned colour_bits);
 
-/// `depth_bits`: width of a depth step or the end of the range. Ends are stored plus one, so that an empty range is
-/// stored as 0 to 0.
+/// `depth_bits`: width of a depth step or of the end of the range. Limits are stored plus one, so that an empty range
+/// is stored as 0 to 0.
 void put_box(BitWriter& out, const Box& box, unsigned depth_bits);
 Box take_box(BitReader& in, unsigned depth_bits);
 

@@ -16,7 +16,7 @@ void narrow(Box& box, const std::vector<Tested>& tested) {
       case Side::front: box.z_low = std::max(box.z_low, one.low); break;
       case Side::back: box.z_high = std::min(box.z_high, one.high); break;
       case Side::not_negative:
-      case Side::negative: is_empty = is_empty || known_between(one, box.z_low, box.z_high) == Known::out; break;
+      case Side::negative: is_empty = is_empty || classify_between(one, box.z_low, box.z_high) == Known::out; break;
     }
   }
   if (is_empty) box.z_high = box.z_low - 1;
@@ -59,7 +59,7 @@ Extremes extremes_of(Datapath& path, const std::vector<Tested>& tested, Side sid
   Extremes result;
   for (const Tested& one : tested) {
     if (one.side != side) continue;
-    const Known known = known_between(one, box.z_low, box.z_high);
+    const Known known = classify_between(one, box.z_low, box.z_high);
     if (known == Known::in) continue;
     result.is_empty = result.is_empty || known == Known::out;
     result.facets.push_back(one);

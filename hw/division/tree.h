@@ -17,8 +17,9 @@ struct TreeNode {
   std::uint32_t parent = no_node;
   std::uint32_t first = 0;  ///< the nodes [first, own index] form the subtree
   std::vector<std::uint32_t> operands;
-  Box box;                    ///< encloses the boxes of all primitives of the subtree that have pixels
-  bool in_elsewhere = false;  ///< whether points outside all primitives of the subtree are inside the subtree
+  Box box;  ///< encloses the boxes of all primitives of the subtree that have pixels
+  /// Whether a point outside all primitives of the subtree is inside the solid that the subtree represents.
+  bool in_elsewhere = false;
 };
 
 struct Tree {

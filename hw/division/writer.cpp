@@ -46,7 +46,7 @@ void Writer::linear(Opcode opcode, isa::Field field, const Expression& expressio
   // F has one bit more than the field that it is compared with, for its sign.
   if (field.width > 0) width = std::max(width, expression.shift + field.width + 1U);
   if (width > isa::max_linear_width)
-    throw InputError("the display model: a plane needs more bits than a linear expression has");
+    throw InputError("the display model: a plane needs more bits than a linear expression can have");
   write({opcode, {field, {}, {}}, linear_of(expression, square_, width), 0, origin});
 }
 
@@ -79,7 +79,7 @@ void Writer::edges(const std::vector<Tested>& tested, const Rectangle& pixels) {
   for (const Tested& one : tested) {
     const bool not_negative = one.side == Side::not_negative;
     if (!not_negative && one.side != Side::negative) continue;
-    if (known_between(one, 0, 0) == Known::in) continue;
+    if (classify_between(one, 0, 0) == Known::in) continue;
     line(not_negative ? Opcode::edge_not_negative : Opcode::edge_negative, one.plane, pixels);
   }
 }

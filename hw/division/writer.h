@@ -12,8 +12,8 @@
 
 namespace csgsim::division {
 
-/// Writes the instructions of one square, omitting those without effect: loading the bit that E is known to equal, or
-/// storing E there. Refers to the model's header.
+/// Writes the instructions of one square. Omits instructions without effect: loading E from a bit that is known to
+/// equal E, and storing E in such a bit. Keeps a reference to the model's header.
 class Writer {
  public:
   Writer(const ModelHeader& header, const isa::Region& square) : header_(header), square_(square) {}
@@ -23,16 +23,17 @@ class Writer {
   void plain(isa::Opcode opcode, isa::Field field = {}, isa::Field second = {}, std::uint64_t constant = 0);
   void set(isa::Field field, std::uint64_t constant) { plain(isa::Opcode::set_constant, field, {}, constant); }
 
-  /// A depth plane compared with a field, as wide as its values over the pixels require; E must be 0 outside them.
+  /// Compares a depth plane with a field, in the width that the plane's values over the pixels require. E must be 0
+  /// outside the pixels.
   void depth(isa::Opcode opcode, isa::Field field, const Plane& plane, const Rectangle& pixels);
 
-  /// A line whose sign is tested; E must be 0 outside the pixels.
+  /// Tests the sign of a line. E must be 0 outside the pixels.
   void line(isa::Opcode opcode, const Plane& line, const Rectangle& pixels);
 
-  /// Keeps E only inside `inner`; E must be 0 outside `outer`.
+  /// Clears E outside `inner`. E must be 0 outside `outer`.
   void clip(const Rectangle& inner, const Rectangle& outer);
 
-  /// Writes the edge tests among `tested` that do not contain all of the pixels.
+  /// Writes the edge tests in `tested` that some of the pixels may fail.
   void edges(const std::vector<Tested>& tested, const Rectangle& pixels);
 
   [[nodiscard]] const std::vector<isa::Instruction>& written() const { return written_; }

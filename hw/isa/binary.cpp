@@ -22,9 +22,9 @@ namespace {
 
 constexpr std::array<std::uint8_t, 4> magic{'C', 'S', 'G', 'T'};
 constexpr std::uint8_t version = 4;
-constexpr std::uint8_t first_version = 2;  ///< oldest readable version; it does not name its machine
+constexpr std::uint8_t first_version = 2;  ///< oldest version that can be read; it does not record its machine
 constexpr std::size_t checksum_size = 4;
-constexpr std::size_t usual_bytes = 32;  ///< upper bound for an instruction, except the widest
+constexpr std::size_t usual_bytes = 32;  ///< upper bound for all instructions except the widest
 constexpr std::uint8_t same_origin = 0x80;
 constexpr std::uint8_t has_effect = 0x80;  ///< flag in the purpose byte: an effect index follows
 static_assert(purpose_table.size() <= has_effect);
@@ -78,7 +78,7 @@ void pass(ByteReader& in, Number& number) {
   }
 }
 
-/// Writes or reads an operand; the only place that lists its numbers in order.
+/// Writes or reads an operand. No other code lists the numbers of an operand in order.
 template <class Bytes, Any<Instruction> T>
 void pass_operand(Bytes& bytes, T& instruction, std::size_t operand) {
   const auto pass_all = [&](auto&... numbers) { (pass(bytes, numbers), ...); };
@@ -152,7 +152,7 @@ Program decode_body(std::span<const std::byte> body, bool names_machine) {
     instructions.reserve(static_cast<std::size_t>(counts[s]));
     for (std::uint64_t i = 0; i < counts[s]; ++i) instructions.push_back(read_instruction(in, before));
   }
-  if (in.left() != 0) throw MalformedBytes(fmt::format("has {} bytes left over", in.left()));
+  if (in.left() != 0) throw MalformedBytes(fmt::format("has {} bytes after its end", in.left()));
   if (!names_machine && is_in_lines(program)) program.extents = extents_of(program.segments);
   return std::move(program);
 }

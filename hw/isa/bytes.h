@@ -16,7 +16,7 @@ class MalformedBytes : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Zigzag: 0, -1, 1, -2, ... become 0, 1, 2, 3, ..., so that small magnitudes take few bytes.
+/// Zigzag code: 0, -1, 1, -2, ... become 0, 1, 2, 3, ..., so that numbers of small magnitude need few bytes.
 constexpr std::uint64_t zigzag(std::int64_t value) {
   return (static_cast<std::uint64_t>(value) << 1U) ^ static_cast<std::uint64_t>(value >> 63);
 }
@@ -78,7 +78,7 @@ class ByteReader {
     throw MalformedBytes("holds a number of more than 64 bits");
   }
 
-  /// A varint of at most `most`.
+  /// A varint that is at most `most`.
   template <class Unsigned>
   Unsigned varint_to(std::uint64_t most) {
     const std::uint64_t value = varint();

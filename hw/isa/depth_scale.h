@@ -1,5 +1,5 @@
-// Converts between depth integers and distances.
-// Used by host/view, host/emit, sim/judges and other rooms that interpret depths.
+// Converts between depth integers and distances. Used by host/view, host/emit, sim/judges and other rooms that
+// interpret depth integers.
 #pragma once
 
 #include <cmath>

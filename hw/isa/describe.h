@@ -1,5 +1,5 @@
-// Lists the members of each record of a Program.
-// Used by the binary and text forms, validation and the manual in hw/isa.
+// Lists the members of each record of a Program. Used in hw/isa by the binary and text forms, validation and the
+// manual.
 #pragma once
 
 #include <concepts>
@@ -117,7 +117,7 @@ void describe(T& preparation, Visit&& visit) {
   visit("nodes", preparation.nodes);
 }
 
-/// The group's counts, without the steps.
+/// The counts of a group, without the steps.
 template <Any<DivisionCounts> T, class Visit>
 void describe(T& division, Visit&& visit) {
   visit("group_boxes", division.group_boxes);

@@ -24,7 +24,7 @@ struct ModelFacts {
   bool operator==(const ModelFacts&) const = default;
 };
 
-/// The options and results of compiling, for the statistics.
+/// The options and results of compilation, for the statistics.
 struct CompileFacts {
   std::string strategy;
   std::string colouring;
@@ -45,8 +45,8 @@ struct CompileFacts {
 struct Facts {
   std::vector<NamedField> fields;
   std::vector<std::string> primitives;  ///< one name per primitive
-  /// The primitive of each piece, in order (hw/isa/pieces.h); origins name pieces. Empty if each primitive is one
-  /// piece.
+  /// The primitive of each piece, in order of pieces (hw/isa/pieces.h); origins name pieces. Empty if each primitive is
+  /// one piece.
   std::vector<std::uint32_t> primitive_of_piece{};
   DepthScale depth_scale;
   ModelFacts model;
@@ -55,7 +55,7 @@ struct Facts {
   bool operator==(const Facts&) const = default;
 };
 
-/// The first named field with that role; its width is 0 if there is none.
+/// The first named field with the given role; width 0 if there is none.
 Field field_of(const Program& program, FieldRole role);
 
 }  // namespace csgsim::isa

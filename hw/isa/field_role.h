@@ -12,7 +12,7 @@
 
 namespace csgsim::isa {
 
-/// The content of a field of pixel memory, for pictures, statistics and waves. The first list holds the roles in use
+/// The content of a field of pixel memory, for pictures, statistics and waves. The first list contains the roles in use
 /// while surfaces are drawn, the second all roles.
 #define CSGSIM_SURFACE_ROLES(R) \
   R(scratch) R(candidate_depth) R(depth) R(colour) R(candidate_colour) R(mask) R(stack) R(product) R(label) R(stored)

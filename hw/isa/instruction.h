@@ -14,7 +14,7 @@ inline constexpr unsigned max_field_width = 32;        ///< bits
 inline constexpr unsigned max_wide_field_width = 62;   ///< bits, for opcodes with takes_wide_field()
 inline constexpr unsigned max_linear_width = 62;       ///< bits streamed by the linear expression evaluator
 inline constexpr unsigned max_memory_bits = 4096;      ///< bits per pixel
-inline constexpr unsigned max_count = 0xffffffffU;     ///< instructions skipped by one instruction
+inline constexpr unsigned max_count = 0xffffffffU;     ///< instructions skipped by one skip_if_none
 inline constexpr unsigned max_array_side = 1U << 14U;  ///< pixels
 
 /// `width` consecutive bits of pixel memory with the least significant bit at `base`.
@@ -76,16 +76,17 @@ inline constexpr std::uint8_t no_effect = 0xffU;
 struct Origin {
   Purpose purpose = Purpose::setup;
   std::uint32_t primitive = no_primitive;  ///< number of the piece (hw/isa/pieces.h) whose surface is drawn
-  std::uint32_t node = no_node;     ///< piece that is compared while classifying; for merging and shading a solid
-                                    ///< drawn in several pieces, its first piece; otherwise no_node
+  /// Piece compared with the surface during classification; for merging and shading a solid drawn in several pieces,
+  /// its first piece; otherwise no_node.
+  std::uint32_t node = no_node;
   std::uint8_t effect = no_effect;  ///< index into CompileFacts::effects of the effect it is charged to, or no_effect
 
   constexpr bool operator==(const Origin&) const = default;
 };
 
 /// One broadcast instruction. Operand i of the opcode's row is fields[i] if it is a target or source, `linear` if it is
-/// a linear expression or squares, `constant` if it is a constant or a count; members that the row does not use are
-/// zero. Squares have the coefficients of x*x, x*y and y*y in a, b and c, and shift 0.
+/// a linear expression or squares, and `constant` if it is a constant or a count. Members that the row does not use are
+/// zero. Squares store the coefficients of x*x, x*y and y*y in a, b and c, and have shift 0.
 struct Instruction {
   Opcode opcode{};  ///< enable_all
   std::array<Field, max_operands> fields{};

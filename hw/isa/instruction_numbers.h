@@ -10,7 +10,7 @@
 
 namespace csgsim::isa {
 
-/// The number of the first instruction of each segment, and as last entry the total. Users see `i123`: instructions are
+/// The number of the first instruction of each segment; the last entry is the total. Users see `i123`: instructions are
 /// numbered from 0 through all segments in order, whether or not they are executed.
 inline std::vector<std::uint64_t> first_numbers(const Program& program) {
   std::vector<std::uint64_t> numbers{0};

@@ -24,7 +24,7 @@ struct LinkWord {
     return count == 64 ? value : value & ((std::uint64_t{1} << count) - 1);
   }
 
-  /// Stores a number of `count` bits (0 to 64) at bits that are all zero.
+  /// Stores a number of `count` bits (0 to 64); the bits at its place must be zero.
   constexpr void put(unsigned first, unsigned count, std::uint64_t value) {
     if (count == 0) return;
     const unsigned place = first % 64;
@@ -43,7 +43,7 @@ struct LinkWord {
     return out;
   }
 
-  /// Stores the first `count` bits of a word at bits that are all zero; bits beyond most_bits are lost.
+  /// Stores the first `count` bits of a word; the bits at their place must be zero. Bits beyond most_bits are lost.
   constexpr void put(unsigned first, unsigned count, const LinkWord& word) {
     const unsigned room = std::min(count, most_bits - first);
     for (unsigned at = 0; at < room; at += 64) {

@@ -298,7 +298,7 @@ void put_text_form(std::string& page) {
       "  as in `pieces=3` on its line, `pN.K` is one of them, from 0. Without `;` the purpose is `{}`.\n"
       "- In strings `\\\"` and `\\\\` stand for `\"` and `\\`, and `\\xNN` for the byte with that hexadecimal code.\n\n"
       "`.array` comes first. `.field NAME PLACE ROLE`, `.primitive \"NAME\"` and `.extent` appear once per item, "
-      "before the first\n`.segment`. The other directives take `key=value` pairs; missing values are zero (`far`: "
+      "before the first\n`.segment`. The other directives contain `key=value` pairs; missing values are zero (`far`: "
       "1).\n\n"
       "A machine acts only on `.array`, `.frame`, `.extent`, `.display_model`, `.prepare`, the region and division "
       "counts "

@@ -40,7 +40,7 @@ json number_row(const Record& record) {
   return row;
 }
 
-/// A row that includes the counts of the group's division and the number of steps if there is a display model.
+/// A row with, if there is a display model, the counts of the group's division and the number of steps.
 json segment_row(const Segment& segment, bool divided) {
   json row = number_row(segment);
   if (divided) {
@@ -198,7 +198,7 @@ void share_out(const std::vector<Preparation>& rows, Program& program) {
   for (std::size_t i = 0; i < program.segments.size(); ++i) *program.segments[i].preparation = rows[i + 1];
 }
 
-/// Rejects deeper nesting than encode_metadata() writes, which bounds the recursion of the CBOR reader.
+/// Rejects nesting deeper than encode_metadata() writes, which bounds the recursion of the CBOR reader.
 class DepthGuard : public nlohmann::json_sax<json> {
  public:
   bool null() override { return true; }
@@ -257,7 +257,7 @@ json parse_cbor(std::span<const std::byte> cbor) {
   return parsed;
 }
 
-/// Converts metadata of the first readable version to the current one. The old version names no machine, keeps the
+/// Converts metadata of the oldest readable version to the current one. The old version records no machine, stores the
 /// background in the compile record, and displays the field with the role colour.
 json upgraded(json root) {
   json shown{{"colour_base", 0},
@@ -318,7 +318,7 @@ Metadata decode_metadata(std::span<const std::byte> cbor, bool names_machine) {
     std::string digits;
     read(*model, "display_model", digits);
     const auto bytes = bytes_of(digits);
-    if (!bytes || bytes->empty()) malformed("display_model", "hexadecimal digits, two a byte");
+    if (!bytes || bytes->empty()) malformed("display_model", "hexadecimal digits, two per byte");
     program.display_model = *bytes;
   }
   const json& segments = require_member(root, "segments");

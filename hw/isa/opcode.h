@@ -9,8 +9,8 @@
 
 namespace csgsim::isa {
 
-/// The number of an instruction. Names and properties are in the table, hw/isa/opcodes.h; only code that names
-/// instructions or reads whole rows has to include it.
+/// The number of an instruction. Names and properties are in the table, hw/isa/opcodes.h, which only files that name
+/// instructions or read whole rows need to include.
 enum class Opcode : std::uint8_t;
 
 inline constexpr unsigned opcode_bits = 6;
@@ -48,7 +48,7 @@ bool takes_wide_field(Opcode opcode);
 /// Whether the validity of the instruction depends on the instructions after it.
 bool looks_ahead(Opcode opcode);
 
-/// Whether A*x + B*y + C may exceed the width by design, which then is no overflow.
+/// Whether A*x + B*y + C may exceed the width by design; this is not counted as an overflow.
 bool cuts_sum(Opcode opcode);
 
 }  // namespace csgsim::isa

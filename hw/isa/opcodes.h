@@ -30,7 +30,7 @@ enum class ClockClass : std::uint8_t {
   field,         ///< one bit step per group of field bits that the ALU processes in a clock
   two_fields,    ///< as `field`, with two memory reads of the source fields
   answer,        ///< one bit step, then the controller waits for the global OR
-  root,          ///< one bit of the root after another, each against all root bits before it
+  root,          ///< one bit of the root after another, each using all earlier root bits
 };
 
 /// Effect of an instruction on E.

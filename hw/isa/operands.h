@@ -24,14 +24,14 @@ inline bool may_write(const Instruction& instruction, Field field) {
   return false;
 }
 
-/// The number of instructions that this instruction skips if `enabled_pixels` pixels are enabled.
+/// The number of instructions that `instruction` skips if `enabled_pixels` pixels are enabled.
 inline std::uint64_t skipped_after(const Instruction& instruction, std::uint64_t enabled_pixels) {
   return enabled_pixels == 0 && has_operand(operands_of(instruction.opcode), OperandKind::count) ? instruction.constant
                                                                                                  : 0;
 }
 
-/// The squares right before instruction `index` of the segment, if any. A run that begins with that instruction has to
-/// execute them first.
+/// The `squares` instruction directly before instruction `index` of the segment, if any. A run that begins at `index`
+/// has to execute the squares first.
 inline const Instruction* pending_squares(const Segment& segment, std::size_t index) {
   if (index == 0) return nullptr;
   const Instruction& before = segment.instructions[index - 1];

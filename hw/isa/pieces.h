@@ -11,7 +11,7 @@
 
 namespace csgsim::isa {
 
-// A primitive (a node of the model's file) is drawn as one or several convex pieces. Origins name pieces, which are
+// A primitive (a node of the model's file) is drawn as one or more convex pieces. Origins name pieces, which are
 // numbered consecutively through all primitives; messages for users name primitives.
 
 inline constexpr std::uint32_t max_pieces = 16'000'000;
@@ -34,7 +34,7 @@ PieceRange pieces_of(const Facts& facts, std::uint32_t primitive);
 /// `p4`, or `p4.2` for the third of several pieces.
 std::string piece_label(const Facts& facts, std::uint32_t piece);
 
-/// `p4 cylinder@9:9` or `p4.2 text@9:9`; only the label if there is no such piece.
+/// `p4 cylinder@9:9` or `p4.2 text@9:9`; the label alone if there is no such piece.
 std::string piece_name(const Facts& facts, std::uint32_t piece);
 
 /// Number of pieces of each primitive; empty if each has one.

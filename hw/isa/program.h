@@ -45,7 +45,7 @@ struct Region {
 };
 
 /// The instructions broadcast to one region. Linear expressions count x and y from the region's top left pixel. A
-/// region without instructions shows the background, and no pixel processor works on it.
+/// region without instructions shows the background, and its pixel processors do nothing.
 struct Segment {
   Region region;
   std::vector<Instruction> instructions;
@@ -82,7 +82,7 @@ struct MachineRecord {
   bool operator==(const MachineRecord&) const = default;
 };
 
-/// Everything that crosses from host to machine, with the counts and facts that the host adds.
+/// A frame as sent from host to machine, with the counts and facts that the host adds.
 struct Program {
   MachineRecord machine{};
   ArrayShape shape;              ///< the whole picture
@@ -90,10 +90,11 @@ struct Program {
   std::uint32_t background = 0;  ///< colour where nothing is seen, in the format of the colour field
   std::vector<Segment> segments;
   /// One extent per piece, in any order, for a host that keeps an active list of pieces per line and sorts them into
-  /// buckets; empty for other machines.
+  /// buckets. Empty for other machines.
   std::vector<RowExtent> extents{};
-  /// Bit stream that replaces the segments on the link of a machine that divides the model itself; the first bit is the
-  /// lowest of the first byte. Empty for other machines. The segments then are the expected result of the division.
+  /// Display model as a bit stream, which replaces the segments on the link of a machine that divides the model itself;
+  /// the first bit is the lowest of the first byte. Empty for other machines. The segments are then the expected result
+  /// of the division.
   std::vector<std::uint8_t> display_model{};
   Indirect<Preparation> preparation{};  ///< work of the host for the frame, before the first segment
   Indirect<Facts> facts{};
@@ -115,10 +116,10 @@ FrameHeader frame_header(const Program& program);
 /// The number of instructions in all segments.
 std::size_t total_instructions(const Program& program);
 
-/// Throws InputError unless the instruction can run on an array with that memory: the opcode is in the table; fields
-/// lie inside the memory, have widths that the opcode permits, and are disjoint (single bits may coincide); linear
-/// width and shift are in range and wide enough for the compared field; a constant is no wider than its target; a count
-/// is not 0; unused operands are zero.
+/// Throws InputError unless the instruction can run on an array with `memory_bits` bits per pixel: the opcode is in the
+/// table; fields lie inside the memory, have widths that the opcode permits, and are disjoint (single bits may
+/// coincide); linear width and shift are in range and wide enough for the compared field; a constant is no wider than
+/// its target; a count is not 0; unused operands are zero.
 void validate(const Instruction& instruction, std::uint32_t memory_bits);
 
 /// Throws InputError with the number of the segment and instruction unless every part of the Program is valid.

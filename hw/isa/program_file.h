@@ -13,7 +13,7 @@ namespace csgsim::isa {
 
 enum class ProgramForm : std::uint8_t { binary, text };
 
-/// Whether a file with these first bytes is a Program. Text form is recognized by its first directive, after blank
+/// Whether a file with these first bytes is a Program. The text form is recognized by its first directive, after blank
 /// lines and comments.
 bool begins_as_program(std::span<const std::byte> bytes);
 

@@ -7,8 +7,8 @@
 #include "hw/isa/grammar_parts.h"
 #include "hw/isa/text_reading.h"
 
-/// The grammar of the text form (hw/isa/text.h). Tables determine at parse time which operands an instruction takes and
-/// what a directive holds.
+/// The grammar of the text form (hw/isa/text.h). Tables determine at parse time which operands an instruction has and
+/// what a directive contains.
 namespace csgsim::isa::grammar {
 
 struct comment : seq<one<'#'>, until<at<eolf>>> {};

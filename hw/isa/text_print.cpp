@@ -54,7 +54,7 @@ void put_record(Buffer& out, std::string_view name, const Record& record, std::s
   put(out, "{}\n", comment);
 }
 
-/// Names of fields; for a field with several names, the first.
+/// Names of fields; if a field has several names, the first one.
 class FieldNames {
  public:
   explicit FieldNames(std::span<const NamedField> fields) {
@@ -133,7 +133,7 @@ void put_operation(Buffer& out, const Instruction& instruction, const FieldNames
   for (std::size_t i = 0; i < max_operands; ++i) put_operand(out, instruction, i, names);
 }
 
-/// Pads the line that begins at `begin` with blanks up to a column, at least two.
+/// Pads the line that begins at `begin` with blanks up to `column`, but with at least two.
 void put_blanks(Buffer& out, std::size_t begin, std::size_t column) {
   const std::size_t length = out.size() - begin;
   put(out, "{:{}}", "", length + 2 < column ? column - length : 2);

@@ -66,7 +66,7 @@ std::vector<std::string_view> directive_names(Program& program) {
 
 const std::string& bare(const Value& value, std::string_view key, std::string_view expected) {
   const Bare* found = std::get_if<Bare>(&value);
-  if (found == nullptr) refuse("{} takes {}; write it without quotes or brackets", key, expected);
+  if (found == nullptr) refuse("{} must be {}, without quotes or brackets", key, expected);
   return found->text;
 }
 
@@ -76,27 +76,27 @@ void assign(const Value& value, std::string_view key, Number& member) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), member);
   if (error == std::errc{} && end == text.data() + text.size()) return;
   if constexpr (std::is_floating_point_v<Number>) {
-    refuse("{} takes a number that a double holds, not '{}'", key, text);
+    refuse("{} must be a number in the range of doubles, not '{}'", key, text);
   } else {
-    refuse("{} takes a whole number of 0 to {}, not '{}'", key, std::numeric_limits<Number>::max(), text);
+    refuse("{} must be a whole number from 0 to {}, not '{}'", key, std::numeric_limits<Number>::max(), text);
   }
 }
 
 void assign(const Value& value, std::string_view key, bool& member) {
   const std::string& text = bare(value, key, "true or false");
-  if (text != "true" && text != "false") refuse("{} takes true or false, not '{}'", key, text);
+  if (text != "true" && text != "false") refuse("{} must be true or false, not '{}'", key, text);
   member = text == "true";
 }
 
 void assign(const Value& value, std::string_view key, std::string& member) {
   const auto* found = std::get_if<std::string>(&value);
-  if (found == nullptr) refuse("{} takes a string; write it in double quotes", key);
+  if (found == nullptr) refuse("{} must be a string in double quotes", key);
   member = *found;
 }
 
 void assign(const Value& value, std::string_view key, std::vector<std::string>& member) {
   const auto* found = std::get_if<std::vector<std::string>>(&value);
-  if (found == nullptr) refuse("{} takes a list of strings; write it in brackets", key);
+  if (found == nullptr) refuse("{} must be a list of strings in brackets", key);
   member = *found;
 }
 
@@ -163,8 +163,7 @@ void Reading::begin_directive(const std::string& name) {
 }
 
 void Reading::begin_step() {
-  if (program_.display_model.empty())
-    refuse(".step is for Programs with a .display_model; put that before the segments");
+  if (program_.display_model.empty()) refuse(".step requires a .display_model; put one before the segments");
   if (program_.segments.empty()) refuse(".step is in no segment; put a .segment before it");
   Segment& segment = program_.segments.back();
   if (!segment.instructions.empty()) refuse(".step comes after an instruction; put it after its .segment line");
@@ -201,7 +200,7 @@ std::uint32_t Reading::piece(std::string_view label) const {
   const bool is_one = point == std::string_view::npos;
   const std::uint32_t number = is_one ? 0 : index(label.substr(point + 1));
   if (primitive >= facts.primitives.size() || number >= range.count)
-    refuse("the origin's p{} is not one of the pieces that the Program lists", label);
+    refuse("the origin's p{} is not a piece that the Program lists; name one that is", label);
   if (is_one && range.count > 1)
     refuse("p{0} has {1} pieces; name one of p{0}.0 to p{0}.{2}", primitive, range.count, range.count - 1);
   return range.first + number;
@@ -214,7 +213,7 @@ void Reading::set_value() {
     piece_counts_.resize(program_.facts->primitives.size() + 1, 1);
     std::uint32_t& count = piece_counts_.back();
     assign(value, key, count);
-    if (count == 0) refuse("a primitive has at least one piece");
+    if (count == 0) refuse("a primitive has at least one piece; set pieces to 1 or more");
     return;
   }
   if (directive == Directive::extent) return assign_member(program_.extents.back(), key, value);
@@ -291,7 +290,7 @@ void Reading::end_term() { add_term("xy1", "A*x + B*y + C"); }
 
 void Reading::end_square_term() { add_term("xby", "A*x*x + B*x*y + C*y*y"); }
 
-/// Adds a term to the sum with these variables, in the order of a, b and c.
+/// Adds the current term to the sum whose variables are given in the order of a, b and c.
 void Reading::add_term(std::string_view variables, std::string_view sum) {
   const Term term = std::exchange(term_, Term{});
   if (terms_seen_.find(term.variable) != std::string::npos)

@@ -34,7 +34,7 @@ using Value = std::variant<Bare, std::string, std::vector<std::string>>;
 /// position.
 class Reading {
  public:
-  // The last values read by the rules of the grammar.
+  // The values most recently read by the rules of the grammar.
   std::string text;  ///< a word, or a string without its quotes and escapes
   std::string key;
   Value value;
@@ -56,7 +56,7 @@ class Reading {
   /// Records the position of the instruction that has just ended.
   void place_instruction(std::size_t line, std::size_t column);
 
-  /// Terms of the linear expression or squares: sign, magnitude and variables, then the end of the term.
+  /// Parts of the current term of a linear expression or of squares; end_term() or end_square_term() adds the term.
   void set_negative() { term_.negative = true; }
   void set_magnitude(std::uint64_t magnitude) { term_.magnitude = magnitude; }
   void set_variable(char variable) { term_.variable = variable; }
@@ -64,7 +64,7 @@ class Reading {
   void set_square(char first, char second) { term_.variable = first == second ? first : 'b'; }
   void end_square_term();
 
-  /// A decimal or hexadecimal number that Unsigned holds.
+  /// A decimal or hexadecimal number. Throws InputError if it does not fit Unsigned.
   template <class Unsigned>
   static Unsigned number(std::string_view digits, int base = 10) {
     Unsigned value{};
@@ -73,7 +73,7 @@ class Reading {
     return value;
   }
 
-  /// The complete Program. Errors that only the whole text reveals are reported with the file's name and the position.
+  /// The complete Program. Errors that only the whole text reveals are reported with `name` and the position.
   Program finish(std::string_view name);
 
   /// The number of a piece from its label: 4.2 for the third piece of primitive 4, or 4 if that has one piece.
@@ -94,10 +94,10 @@ class Reading {
   struct Term {
     bool negative = false;
     std::uint64_t magnitude = 1;
-    char variable = '1';  ///< x, y, '1' for the constant term; of squares x, y, or `b` for the product x*y
+    char variable = '1';  ///< x, y, or '1' for the constant term; in squares x, y, or `b` for the product x*y
   };
 
-  /// Position of an instruction that looks ahead.
+  /// Position of an instruction whose validity depends on later instructions.
   struct Placed {
     std::size_t segment = 0;
     std::size_t index = 0;  ///< within the segment

@@ -18,7 +18,7 @@
 #include "hw/isa/operands.h"
 #include "hw/isa/pieces.h"
 
-/// Formats as `[20+:22]`. fmt formats only the messages that are thrown.
+/// Formats a field as `[20+:22]`. fmt formats only messages that are thrown.
 template <>
 struct fmt::formatter<csgsim::isa::Field> : fmt::formatter<std::string_view> {
   auto format(csgsim::isa::Field field, fmt::format_context& context) const {
@@ -47,7 +47,7 @@ void check_field(Field field, std::uint32_t memory_bits, unsigned most = max_fie
 void check_operand(Field field, const OpcodeInfo& row, std::uint32_t memory_bits) {
   check_field(field, memory_bits, takes_wide_field(row.opcode) ? max_wide_field_width : max_field_width);
   require(row.widths != FieldWidths::odd || (field.width % 2 == 1 && field.width >= 3),
-          "{}: field {} is {} bits wide; give it an odd number of bits, at least 3: twice the root's width plus 1",
+          "{}: field {} is {} bits wide; use an odd number of bits, at least 3: twice the root's width plus 1",
           row.name, field, field.width);
 }
 
@@ -56,11 +56,11 @@ void check_fields(const Instruction& instruction, const OpcodeInfo& row, std::ui
   for (std::size_t i = 0; i < max_operands; ++i) {
     const Field field = instruction.fields[i];
     if (!is_field(row.operands[i])) {
-      require(field == Field{}, "{}: operand {} is not a field; leave fields[{}] zero", row.name, i + 1, i);
+      require(field == Field{}, "{}: operand {} is not a field; set fields[{}] to zero", row.name, i + 1, i);
       continue;
     }
     check_operand(field, row, memory_bits);
-    require(widths != FieldWidths::one || field.width == 1, "{}: field {} is {} bits wide; give a single bit", row.name,
+    require(widths != FieldWidths::one || field.width == 1, "{}: field {} is {} bits wide; use a single bit", row.name,
             field, field.width);
     for (std::size_t j = 0; j < i; ++j) {
       if (!is_field(row.operands[j])) continue;
@@ -81,7 +81,7 @@ void check_fields(const Instruction& instruction, const OpcodeInfo& row, std::ui
   }
 }
 
-/// The width of the field that F or the constant is combined with, which is the first field, if any.
+/// The width of the first field, with which F or the constant is combined; empty if there is no field.
 std::optional<unsigned> combined_width(const Instruction& instruction, const OpcodeInfo& row) {
   if (!is_field(row.operands[0])) return std::nullopt;
   return instruction.fields[0].width;
@@ -91,20 +91,20 @@ void check_linear(const Instruction& instruction, const OpcodeInfo& row) {
   const Linear& linear = instruction.linear;
   const bool has_squares = has_operand(row.operands, OperandKind::squares);
   if (!has_operand(row.operands, OperandKind::linear) && !has_squares) {
-    require(linear == Linear{}, "{} has no linear expression; leave it zero", row.name);
+    require(linear == Linear{}, "{} has no linear expression; set it to zero", row.name);
     return;
   }
-  require(linear.width >= 1 && linear.width <= max_linear_width, "{}: the {} {} bits wide; give {} 1 to {} bits",
-          row.name, has_squares ? "squares are" : "linear expression is", linear.width, has_squares ? "them" : "it",
-          max_linear_width);
-  require(!has_squares || linear.shift == 0, "{}: squares have no shift; leave it zero", row.name);
+  require(linear.width >= 1 && linear.width <= max_linear_width, "{}: the {} {} bits wide; use 1 to {} bits", row.name,
+          has_squares ? "squares are" : "linear expression is", linear.width, max_linear_width);
+  require(!has_squares || linear.shift == 0, "{}: squares have no shift; set it to zero", row.name);
   require(linear.shift < linear.width, "{}: shift {} drops all of the {} bits; use a smaller shift", row.name,
           linear.shift, linear.width);
   const unsigned kept = static_cast<unsigned>(linear.width) - linear.shift;
   const std::optional<unsigned> met = combined_width(instruction, row);
   require(!met || kept > *met,
-          "{}: F has {} bits and meets a field of {}; it needs one more than the field for its sign", row.name, kept,
-          met.value_or(0));
+          "{}: F has {} bits and is combined with a field of {}; F needs at least one bit more than the field, for its "
+          "sign",
+          row.name, kept, met.value_or(0));
 }
 
 void check_constant(const Instruction& instruction, const OpcodeInfo& row) {
@@ -115,7 +115,7 @@ void check_constant(const Instruction& instruction, const OpcodeInfo& row) {
     return;
   }
   if (!has_operand(row.operands, OperandKind::constant)) {
-    require(instruction.constant == 0, "{} has no constant; leave it zero", row.name);
+    require(instruction.constant == 0, "{} has no constant; set it to zero", row.name);
     return;
   }
   const unsigned width = combined_width(instruction, row).value_or(0);
@@ -157,14 +157,14 @@ void check_squares(const Instruction& squares, std::span<const Instruction> foll
           "squares come before {}, which has no linear expression; put an instruction that has one right after them",
           name_of(next.opcode));
   require(next.linear.width == squares.linear.width,
-          "squares of {} bits come before a linear expression of {}; give them the same width", squares.linear.width,
+          "squares of {} bits come before a linear expression of {}; make them equally wide", squares.linear.width,
           next.linear.width);
   check_sum(squares.linear, next.linear, region);
 }
 
 void check_index(std::uint32_t index, std::uint32_t none, const Program& program, std::string_view what) {
   require(index == none || index < piece_count(*program.facts),
-          "the origin's {} is p{}, of {} primitives; name one that the Program lists", what, index,
+          "the origin's {} is p{}, but the Program has {} primitives; name one that it lists", what, index,
           piece_count(*program.facts));
 }
 
@@ -198,8 +198,8 @@ void validate_placed(const Instruction& instruction, const Region& region, const
   check_index(instruction.origin.node, no_node, program, "node");
   const std::size_t effects = program.facts->compile.effects.size();
   require(instruction.origin.effect == no_effect || instruction.origin.effect < effects,
-          "the origin's effect is e{}, of {} effects; name one that .compile lists", instruction.origin.effect,
-          effects);
+          "the origin's effect is e{}, but the Program has {} effects; name one that .compile lists",
+          instruction.origin.effect, effects);
 }
 
 void validate_ahead(const Segment& segment, std::size_t index) {
@@ -209,7 +209,7 @@ void validate_ahead(const Segment& segment, std::size_t index) {
   if (has_operand(row.operands, OperandKind::squares)) check_squares(instruction, following, segment.region);
   if (!has_operand(row.operands, OperandKind::count)) return;
   require(instruction.constant <= following.size(),
-          "{} {} leaves the segment, which has {} more instructions; skip no more than these", row.name,
+          "{} {} skips past the end of the segment, which has {} more instructions; skip at most these", row.name,
           instruction.constant, following.size());
   require(!has_operand(operands_of(following[static_cast<std::size_t>(instruction.constant) - 1].opcode),
                        OperandKind::squares),
@@ -221,50 +221,51 @@ void validate_field(const NamedField& named, const Program& program) {
   require(static_cast<std::size_t>(named.role) < field_role_names.size(), "field role {} is undefined; there are {}",
           static_cast<unsigned>(named.role), field_role_names.size());
   check_field(named.field, program.shape.memory_bits);
-  require(
-      named.role != FieldRole::colour || named.field == program.colour,
-      "field {} has the role colour, but the frame shows {}; show it by .frame colour_base={} colour_bits={}, which "
-      "comes before it",
-      named.field, program.colour.width == 0 ? "nothing" : fmt::format("{}", program.colour), named.field.base,
-      named.field.width);
+  require(named.role != FieldRole::colour || named.field == program.colour,
+          "field {} has the role colour, but the frame displays {}; write .frame colour_base={} colour_bits={} before "
+          "this field",
+          named.field, program.colour.width == 0 ? "nothing" : fmt::format("{}", program.colour), named.field.base,
+          named.field.width);
 }
 
 void validate_extent(const RowExtent& extent, const ArrayShape& shape) {
-  require(extent.first <= extent.last && extent.last < shape.height,
-          "the extent from row {} to row {} is not possible in a picture of {} rows; give rows of the picture in order",
-          extent.first, extent.last, shape.height);
+  require(
+      extent.first <= extent.last && extent.last < shape.height,
+      "the extent from row {} to row {} is reversed or outside a picture of {} rows; use rows of the picture, in order",
+      extent.first, extent.last, shape.height);
 }
 
 void validate_region(const Region& region, const ArrayShape& shape) {
-  require(region.width > 0 && region.height > 0, "the region of {}x{} pixels is empty; leave the segment out",
+  require(region.width > 0 && region.height > 0, "the region of {}x{} pixels is empty; remove the segment",
           region.width, region.height);
   require(region.x < shape.width && region.width <= shape.width - region.x &&  //
               region.y < shape.height && region.height <= shape.height - region.y,
-          "the region of {}x{} pixels at ({}, {}) leaves the picture of {}x{}; clip it", region.width, region.height,
-          region.x, region.y, shape.width, shape.height);
+          "the region of {}x{} pixels at ({}, {}) extends beyond the picture of {}x{}; clip it", region.width,
+          region.height, region.x, region.y, shape.width, shape.height);
 }
 
 void validate_header(const Program& program) {
   const ArrayShape& shape = program.shape;
   require(shape.width >= 1 && shape.width <= max_array_side && shape.height >= 1 && shape.height <= max_array_side,
-          "the array has {}x{} pixels; each side takes 1 to {}", shape.width, shape.height, max_array_side);
+          "the array has {}x{} pixels; each side must be 1 to {}", shape.width, shape.height, max_array_side);
   require(shape.memory_bits >= 1 && shape.memory_bits <= max_memory_bits,
-          "a pixel has {} memory bits; it takes 1 to {}", shape.memory_bits, max_memory_bits);
+          "a pixel has {} memory bits; it must have 1 to {}", shape.memory_bits, max_memory_bits);
   const DepthScale& depth = program.facts->depth_scale;
   require(std::isfinite(depth.near) && std::isfinite(depth.far) && depth.near < depth.far,
-          "depth runs from {} to {}; give finite distances, near below far", depth.near, depth.far);
+          "depth runs from {} to {}; use finite distances, with near below far", depth.near, depth.far);
   require(!depth.perspective || (depth.near > 0 && std::isfinite(1.0 / depth.near)),
-          "near is {} in perspective; put it before the eye, far enough above 0 for a reciprocal", depth.near);
-  if (program.colour != Field{}) at([&] { check_field(program.colour, shape.memory_bits); }, "the colour shown");
+          "near is {} in perspective; use a distance above 0 whose reciprocal is finite", depth.near);
+  if (program.colour != Field{}) at([&] { check_field(program.colour, shape.memory_bits); }, "the displayed field");
   require(program.background < 1U << max_colour_bits, "background is {}; a colour has at most {} bits",
           program.background, max_colour_bits);
   require(std::isfinite(program.facts->compile.edge_on_fraction),
-          "edge_on_fraction is {}; give a finite fraction of a pixel", program.facts->compile.edge_on_fraction);
+          "edge_on_fraction is {}; use a finite fraction of a pixel", program.facts->compile.edge_on_fraction);
 }
 
 void validate_preparation(const Preparation& preparation) {
   describe(preparation, [](std::string_view key, std::uint64_t count) {
-    require(count <= max_prepared, "{}={} exceeds the limit for a frame, {}", key, count, max_prepared);
+    require(count <= max_prepared, "{}={} exceeds the limit of a frame, {}; use a smaller model", key, count,
+            max_prepared);
   });
 }
 

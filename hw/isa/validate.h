@@ -15,8 +15,8 @@ namespace csgsim::isa {
 /// Checks shape, displayed field, background, depth scale and facts.
 void validate_header(const Program& program);
 
-/// Checks one named field, except that its name is unique: it lies in memory, and a field with the role colour is the
-/// displayed field.
+/// Checks one named field: it lies in memory, and a field with the role colour is the displayed field. Does not check
+/// that the name is unique.
 void validate_field(const NamedField& named, const Program& program);
 
 /// Checks that both rows are in the picture and in order.
@@ -28,8 +28,8 @@ void validate_region(const Region& region, const ArrayShape& shape);
 /// Checks an instruction in its segment, including the primitives of its origin and the range of its linear expression.
 void validate_placed(const Instruction& instruction, const Region& region, const Program& program);
 
-/// Checks instruction `index` of the segment against those after it: a skip ends within the segment and not behind
-/// squares; squares are followed by a linear expression of the same width with the sum in range.
+/// Checks instruction `index` of the segment together with the instructions after it: a skip ends within the segment
+/// and not directly after squares; squares are followed by a linear expression of the same width whose sum is in range.
 void validate_ahead(const Segment& segment, std::size_t index);
 
 /// Checks that no count exceeds max_prepared.
@@ -38,7 +38,7 @@ void validate_preparation(const Preparation& preparation);
 /// Checks all preparations of the Program and their sum.
 void validate_preparations(const Program& program);
 
-/// Checks that the steps of a segment write all its instructions, in a Program with a display model.
+/// Checks that the steps of a segment account for all its instructions, in a Program with a display model.
 void validate_steps(const Segment& segment, const Program& program);
 
 }  // namespace csgsim::isa

@@ -35,7 +35,7 @@ constexpr std::uint8_t number_of(const Control& /*control*/) {
   return Control::number;
 }
 
-// pass(stream, operands) calls stream(bits, member) for each number of a command after its opcode, in link order.
+// pass(stream, command) calls stream(bits, member) for each number of a command after its opcode, in link order.
 // Encoder, decoder and length computation share these lists.
 
 template <class Stream, Any<Field> T>
@@ -141,7 +141,7 @@ class Packer {
   unsigned packed_ = 0;
 };
 
-/// Reads numbers up to the first that has not arrived completely.
+/// Reads numbers up to the first number that has not arrived completely.
 class Unpacker {
  public:
   Unpacker(const LinkWord& word, unsigned gathered) : word_(word), gathered_(gathered) {}
@@ -243,7 +243,7 @@ LinkWord packed(const Command& command) {
 
 void check_link_width(unsigned link_width) {
   if (link_width < 1 || link_width > LinkWord::most_bits)
-    throw InputError(fmt::format("a link is {} bits wide; give it 1 to {} bits", link_width, LinkWord::most_bits));
+    throw InputError(fmt::format("a link is {} bits wide; it must have 1 to {} bits", link_width, LinkWord::most_bits));
 }
 
 WireDecoder::WireDecoder(unsigned link_width) : link_width_(link_width) { check_link_width(link_width); }

@@ -24,14 +24,15 @@ namespace csgsim::isa {
 inline constexpr unsigned wire_base_bits = 12;         ///< base of a field
 inline constexpr unsigned wire_field_width_bits = 6;   ///< width of a field
 inline constexpr unsigned wire_linear_width_bits = 6;  ///< width of a linear expression or of squares
-// Squares have no shift. A, B and C follow the shift or the width of squares, with `width` bits each.
+// Squares have no shift. A, B and C come last, with `width` bits each.
 inline constexpr unsigned wire_shift_bits = 6;    ///< shift of a linear expression
 inline constexpr unsigned wire_count_bits = 32;   ///< a count; a constant is as wide as its target
 inline constexpr unsigned wire_region_bits = 16;  ///< each of x, y, width and height of a segment
 
 // Commands other than instructions. Their numbers are not opcodes.
 
-/// The following instructions are for these pixels; memory and enable bits of the pixels are cleared.
+/// Starts a segment: the following instructions are for the pixels of the region, whose memory and enable bits are
+/// cleared.
 struct SegmentStart {
   static constexpr std::uint8_t number = 61;
   Region region;
@@ -56,19 +57,20 @@ struct FrameEnd {
 
 using Command = std::variant<SegmentStart, Instruction, SegmentEnd, FrameEnd>;
 
-/// The same F at every pixel with coefficients of `width` bits: each is reduced modulo 2^width to a two's complement
-/// number. If a coefficient did not fit, A*x + B*y + C may fit the width only before or only after the reduction, so
-/// overflow counts may differ.
+/// The same expression with each coefficient reduced modulo 2^width to a two's complement number; F is the same at
+/// every pixel. If a coefficient did not fit, A*x + B*y + C may fit the width only before or only after the reduction,
+/// so overflow counts may differ.
 Linear reduced(const Linear& linear);
 
-/// A valid instruction as received: without origin, and with its linear expression or squares reduced.
+/// A valid instruction as the machine receives it: without origin, and with reduced linear expression or squares.
 Instruction as_received(const Instruction& instruction);
 
 /// Length of a command in bits, and in words of a link of that width.
 unsigned wire_bits(const Command& command);
 unsigned wire_words(const Command& command, unsigned link_width);
 
-/// Widths of the numbers of an instruction in link format, in order, its opcode first; numbers of no bits are omitted.
+/// Widths of the numbers that encode an instruction, in order of transmission, starting with the opcode. Numbers of
+/// width 0 are omitted.
 class WireFields {
  public:
   static constexpr std::size_t most = 13;
@@ -97,17 +99,17 @@ void encode(const Command& command, unsigned link_width, Sink&& sink) {
   for (unsigned first = 0; first < count; first += link_width) sink(bits.slice(first, link_width));
 }
 
-/// The receiving end: a shift register collects words until its command is complete. The bits received determine how
-/// many follow: the number determines the operands, the width of a linear expression the length of A, B and C, the
-/// width of a target the length of its constant.
+/// The receiving end: a shift register collects words until a command is complete. The bits received determine how many
+/// follow: the command number determines the operands, the width of a linear expression determines the length of A, B
+/// and C, and the width of a target determines the length of its constant.
 class WireDecoder {
  public:
   /// Throws InputError for an invalid width, see check_link_width().
   explicit WireDecoder(unsigned link_width);
 
-  /// Takes the next word; bits beyond the link's width are ignored. Returns the command that ends with this word, if
-  /// any; an instruction is valid for the largest memory. Throws InputError for an unknown command number, an invalid
-  /// command, or unused bits that are not 0; the next word then begins a command.
+  /// Processes the next word; bits beyond the link's width are ignored. Returns the command that ends with this word,
+  /// if any; an instruction is valid for the largest memory. Throws InputError for an unknown command number, an
+  /// invalid command, or unused bits that are not 0; the decoder then expects the first word of a command.
   std::optional<Command> take(const LinkWord& word);
 
   /// Whether the next word is the first of a command.

@@ -61,7 +61,7 @@ machines::Machine load_file(const std::string& file, std::span<const std::string
 
 }  // namespace
 
-// Runs at every start; it searches the texts, because parsing nine descriptions would quadruple the start-up time.
+// Runs at every start. It searches the texts, because parsing nine descriptions would quadruple the start-up time.
 std::vector<std::string_view> studied_names() {
   const auto is_costly = [](std::string_view name) {
     const BuiltIn& machine = *built_in_named(name);

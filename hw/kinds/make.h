@@ -11,18 +11,18 @@
 
 namespace csgsim::kinds {
 
-/// The SystemC model of a machine of any kind. Throws std::logic_error for a kind that is not in the table, and
-/// InputError if its trees cannot have that form.
+/// The SystemC model of a machine of any kind. Throws std::logic_error if the kind is not in the table, and InputError
+/// if the machine's trees do not support the form.
 std::unique_ptr<systemc::ClockedMachine> make_clocked_machine(
     const machines::Machine& machine, systemc::EvaluatorForm form = systemc::EvaluatorForm::worked_out);
 
-/// Whether the machine's trees can be stepped.
+/// Whether the machine's multiplier trees can be simulated adder by adder.
 bool can_be_stepped(const machines::Machine& machine);
 
-/// Whether some pixels of the machine can be built without the others.
+/// Whether the SystemC model can consist of some of the machine's pixels only.
 bool can_be_probed(const machines::Machine& machine);
 
-/// The SystemC model with only the foretold pixels; requires can_be_probed().
+/// The SystemC model with only the pixels of `foretold`; requires can_be_probed().
 std::unique_ptr<systemc::ClockedMachine> make_probed_machine(const machines::Machine& machine,
                                                              const systemc::EarlierRun& foretold,
                                                              systemc::EvaluatorForm form);

@@ -21,16 +21,17 @@ namespace csgsim::link {
 /// A frame in the host's memory: for each segment a SegmentStart and its instructions, then FrameEnd.
 struct FrameWords {
   std::vector<isa::LinkWord> words;
-  /// The word at which the host continues after all previous instructions, for each instruction of the frame and one
-  /// past the last: the instruction's first word, or that of a SegmentStart or FrameEnd before it.
+  /// For each instruction of the frame, and for the end of the frame: the index of the word at which the host continues
+  /// after all previous instructions. This is the instruction's first word, or that of a SegmentStart or FrameEnd
+  /// before it.
   std::vector<std::size_t> begins;
 };
 
-/// The words of a valid Program for a link of that width.
+/// The words of a valid Program for a link of `link_width` bits.
 FrameWords frame_words(const isa::Program& program, unsigned link_width);
 
-/// The words of the instructions `first` to before `end` and of the other commands; the words of other instructions
-/// are 0.
+/// As above, but with words only for the instructions in [first, end) and for the other commands; the words of other
+/// instructions are 0.
 FrameWords frame_words(const isa::Program& program, unsigned link_width, std::uint64_t first, std::uint64_t end);
 
 }  // namespace csgsim::link

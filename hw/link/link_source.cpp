@@ -56,7 +56,7 @@ machines::LinkAccount LinkSource::account() const {
   return account;
 }
 
-/// Sleeps while only clocks have to be counted.
+/// Sleeps while clocks only have to be counted.
 void LinkSource::on_clock() {
   if (!clock.posedge()) return;
   const std::uint64_t now = edges();

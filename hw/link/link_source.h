@@ -19,8 +19,8 @@ namespace csgsim::link {
 /// The host's end of a link. Its memory holds the frame's words and the first word of each instruction. A request names
 /// the instruction to continue with; the first word is on the link Link::latency clocks after the edge at which the
 /// request arrived. A word is on the link for Link::word_clocks clocks and enters the FIFO at the end of the last of
-/// these, or at the first later edge with room; then the next word follows. A request that arrives during transmission
-/// aborts it: the word on the link is lost.
+/// these, or at the first later edge at which the FIFO has room; then the next word follows. A request that arrives
+/// during transmission aborts it: the word on the link is lost.
 class LinkSource final : public systemc::ClockedModule {
  public:
   sc_core::sc_fifo_in<std::uint64_t> requests{"requests"};  ///< capacity 1
@@ -29,15 +29,15 @@ class LinkSource final : public systemc::ClockedModule {
   /// `period`: clock period.
   LinkSource(sc_core::sc_module_name name, const sc_core::sc_time& period, const machines::Link& link);
 
-  /// Loads a frame into the host's memory. Nothing is sent before a request. The account begins with the clock in which
-  /// the request for the beginning of the frame is on its way.
+  /// Loads a frame into the host's memory. No word is sent before a request. The account begins with the clock in which
+  /// the request for the beginning of the frame is transmitted.
   void load(FrameWords frame);
 
-  /// Loads a frame in the middle of its transmission: `word` is on the link for `clocks_left` more clocks; 0 if it
-  /// waits for room.
+  /// Loads a frame in the middle of its transmission: word number `word` is on the link for another `clocks_left`
+  /// clocks; 0 if it waits for room.
   void resume(FrameWords frame, std::size_t word, std::uint32_t clocks_left);
 
-  // Signals for waves.
+  // State for waves.
   [[nodiscard]] std::string_view state() const;
   [[nodiscard]] std::optional<std::size_t> word() const;  ///< index in the frame of the word on the link
 
@@ -47,7 +47,7 @@ class LinkSource final : public systemc::ClockedModule {
  private:
   enum class State : std::uint8_t { waiting, latent, sending, blocked, done };
 
-  /// The counter for clocks in that state.
+  /// The member of the account that counts clocks in the given state.
   static std::uint64_t& clocks_of(State state, machines::LinkAccount& account);
   void end_of_elaboration() override;
   void on_clock() override;
@@ -65,7 +65,7 @@ class LinkSource final : public systemc::ClockedModule {
   std::size_t next_ = 0;    ///< current or next word on the link
   std::uint32_t left_ = 0;  ///< remaining clocks of the latency or of the word on the link
   machines::LinkAccount account_;
-  std::uint64_t counted_at_ = 0;  ///< edge up to which account_ is complete
+  std::uint64_t counted_at_ = 0;  ///< edge up to which account_ counts
   sc_core::sc_event_or_list room_or_request_;
 };
 

@@ -10,9 +10,10 @@
 
 namespace csgsim::link {
 
-/// The machine's end of a link: a shift register that collects words until its command is complete, and holds the
-/// command until it is taken. The owner of the port must call clock() after examining the command: a command whose last
-/// word arrived at an edge can then be taken at the next, and the edge at which it is taken makes room for a word.
+/// The machine's end of a link: a shift register that collects words until a command is complete, and holds the command
+/// until it is taken. The owner of the port must call clock() at each edge, after examining the command: a command
+/// whose last word arrives at an edge can be taken at the next edge, and the edge at which it is taken makes room for a
+/// word.
 class Receiver {
  public:
   explicit Receiver(unsigned link_width) : decoder_(link_width), link_width_(link_width) {}
@@ -29,8 +30,9 @@ class Receiver {
   /// A clock edge: reads a word, if available, unless a complete command is held.
   void clock(sc_core::sc_fifo_in<isa::LinkWord>& link);
 
-  /// Empties the FIFO and the register. After a request for other words it must be called, in place of clock(), at the
-  /// edge of the request and at the next, which removes all words sent before the host received the request.
+  /// Empties the FIFO and the register. After a request to continue at another instruction, it must be called in place
+  /// of clock() at the edge of the request and at the next edge, so that all words sent before the host received the
+  /// request are removed.
   void drop(sc_core::sc_fifo_in<isa::LinkWord>& link);
 
  private:

@@ -46,7 +46,7 @@ struct Share {
   }
 };
 
-/// Statistics of a frame on a machine in addition to its clocks, defined by the machine's kind.
+/// Statistics of a frame in addition to its clocks, defined by the kind of the machine.
 struct Account {
   std::vector<Count> counts;
   std::vector<Share> shares;

@@ -11,7 +11,7 @@ namespace csgsim::machines {
 
 namespace {
 
-constexpr double register_transistors = 16;  ///< number counted by Yosys
+constexpr double register_transistors = 16;  ///< as counted by Yosys
 
 }  // namespace
 

@@ -7,21 +7,22 @@
 
 #include "hw/machines/machine.h"
 
-// Silicon area of a machine's pixels. A model (docs/area.md): logic as synthesised by Yosys from the Verilog of hw/rtl,
-// in transistors of static CMOS, and memory as an assumed number of transistors per bit.
+// Silicon area of a machine's pixels. This is a model (docs/area.md): logic as synthesised by Yosys from the Verilog of
+// hw/rtl, in transistors of static CMOS, and memory as an assumed number of transistors per bit.
 namespace csgsim::machines {
 
-/// Transistors of a memory bit in a dynamic cell that can be read and written in the same clock: one for the write
-/// port, two for each read port. Assumed.
+/// Transistors of a memory bit in a dynamic cell that can be read and written in the same clock: one for the write port
+/// and two for each read port. An assumption.
 constexpr std::uint32_t cell_transistors(std::uint32_t memory_reads) { return 1 + 2 * memory_reads; }
 
-/// The fraction of the nodes of a column's tree that are followed by registers; 1 with registers at every level.
+/// The fraction of the nodes of a column's tree that are followed by registers; 1 if there are registers at every
+/// level.
 double registered_nodes(const Machine& machine);
 
-/// Transistors of one pixel of the machine with that number of memory bits: processor, memory and its node of the
+/// Transistors of one pixel of the machine with `memory_bits` bits of memory: processor, memory and its node of the
 /// multiplier trees. In degree 2 this includes the flag for roots and the adders for squares; all adders have
-/// evaluator.bits bits. Stream registers are counted in proportion to registered_nodes(). Empty if that pixel has not
-/// been synthesised: the processors are of another type, or the ALU or the node has another width.
+/// evaluator.bits bits. Stream registers are counted in proportion to registered_nodes(). Empty if no such pixel has
+/// been synthesised: the processors are of another type, or the table has no ALU or node of that width.
 std::optional<std::uint64_t> pixel_transistors(const Machine& machine, std::uint32_t memory_bits);
 
 }  // namespace csgsim::machines

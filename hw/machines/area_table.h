@@ -70,7 +70,8 @@ inline constexpr auto node_logic_table = std::to_array<NodeLogic>({
 });
 // clang-format on
 
-/// The controller with its receiver, and the link's FIFO with fifo_bits bits, for the parameters of pixel-planes-4.
+/// The controller with its receiver, and the link's FIFO with fifo_bits bits, both for the parameters of
+/// pixel-planes-4.
 inline constexpr std::uint32_t controller_transistors = 37802;
 inline constexpr std::uint32_t fifo_transistors = 19644;
 inline constexpr std::uint32_t fifo_bits = 512;

@@ -1,12 +1,10 @@
-// A built-in description.
-// Used by hw/kinds, hw/processors and hw/process.
+// A built-in description: a name and its file. Used by hw/kinds, hw/processors and hw/process.
 #pragma once
 
 #include <string_view>
 
 namespace csgsim::machines {
 
-/// A built-in description.
 struct BuiltIn {
   std::string_view name;
   std::string_view text;  ///< content of NAME.toml

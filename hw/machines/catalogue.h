@@ -19,8 +19,8 @@
 
 namespace csgsim::machines {
 
-/// Descriptions in parameter files, with a `name` and `figures`: the built-in ones, and any file. Include it in source
-/// files only, because of {fmt}.
+/// Descriptions in parameter files, with a `name` and `figures`: the built-in ones, and any file. Include this header
+/// in source files only, because it includes {fmt}.
 template <class Described>
 struct Catalogue {
   std::string_view what;  ///< singular noun for messages

@@ -20,8 +20,8 @@ std::uint64_t linear_clocks(const isa::Instruction& instruction, const Machine& 
   return quotient_up(std::uint64_t{instruction.linear.width}, std::uint64_t{machine.evaluator_bits});
 }
 
-/// Bit k of the root takes 3 clocks plus one for each of the k bits before it, or two if the root and the remainder
-/// share one read port.
+/// Bit k of the root takes 3 clocks, plus one clock for each of the k bits before it (two if root and remainder share
+/// one read port).
 std::uint64_t root_clocks(std::uint64_t bits, const Machine& machine) {
   return machine.memory_reads >= 2 ? (bits * bits + 5 * bits) / 2 : bits * bits + 2 * bits;
 }

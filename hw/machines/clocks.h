@@ -14,9 +14,9 @@ namespace csgsim::machines {
 std::uint32_t tree_levels(std::uint32_t leaves);
 
 /// Clocks from a coefficient's first bit at the roots of the multiplier trees to the first bit of F at the pixels: one
-/// for every register_levels levels of a tree, rounded up, where the trees have ceil(log2 width) and ceil(log2 height)
-/// levels. A program takes this latency once at its end, until the last instruction has reached the pixels, and once
-/// for each answer to the host.
+/// clock per register_levels levels of a tree, rounded up, where the trees have ceil(log2 width) and ceil(log2 height)
+/// levels. This latency is added once at the end of a program, until the last instruction has reached the pixels, and
+/// once per answer to the host.
 std::uint32_t evaluator_latency(const Machine& machine);
 
 /// Width of the widest memory operand.
@@ -29,10 +29,10 @@ std::uint64_t bit_serial_clocks(const isa::Instruction& instruction, const Machi
 /// its packet enter.
 std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine);
 
-/// Sum of the clocks of these instructions if none is skipped.
+/// Total clocks of the instructions if none is skipped.
 std::uint64_t clocks(std::span<const isa::Instruction> instructions, const Machine& machine);
 
-/// Clocks of a whole run without skipped instructions, including latency. For a kind whose clocks depend on the pixels
+/// Clocks of a whole run without skipped instructions, including latency. If the clocks depend on the pixels
 /// (Kind::depends_on_pixels) this is an upper bound; the exact clocks are in the run's result (engine::RunResult).
 std::uint64_t clocks(const isa::Program& program, const Machine& machine);
 

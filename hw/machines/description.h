@@ -11,9 +11,10 @@
 
 namespace csgsim::machines {
 
-/// Reads a description (TOML) of a machine of one of the kinds; `file` is its name in messages. Throws InputError with
-/// file:line:column. Each of `changes`, KEY=VALUE, then replaces a parameter's value, which is assumed from then on.
-/// The machine's name lists the changes, `NAME+KEY=VALUE`, each parameter once with its last value. Throws ChangeError.
+/// Reads a description (TOML) of a machine of one of `kinds`; `file` is its name in messages. Throws InputError with
+/// file:line:column. Each of `changes`, KEY=VALUE, then replaces a parameter's value, whose provenance becomes
+/// `assumed`. The machine's name lists the changes, `NAME+KEY=VALUE`, each parameter once with its last value. Throws
+/// ChangeError for a wrong change.
 Machine read_description(std::string_view text, std::string_view file, std::span<const Kind* const> kinds,
                          std::span<const std::string> changes = {});
 

@@ -20,7 +20,7 @@ struct ChangesMade {
   std::string spec;  ///< the file and the changes, for messages
 };
 
-/// Applies changes of the form KEY=VALUE; the values are assumed from then on. Throws ChangeError.
+/// Applies changes of the form KEY=VALUE; the provenance of the changed values becomes `assumed`. Throws ChangeError.
 ChangesMade make_changes(toml::table& root, std::span<const std::string> changes, std::string_view file);
 
 /// Suffix of a changed description's name: `+KEY=VALUE` for each changed parameter, once, with its final value.

@@ -9,7 +9,7 @@
 
 namespace csgsim::machines {
 
-/// A parameter that is not consistent with others of its machine.
+/// Thrown if a parameter is not consistent with other parameters of its machine.
 class FigureError : public InputError {
  public:
   FigureError(std::string_view key, std::string_view message) : InputError(message), key_(key) {}

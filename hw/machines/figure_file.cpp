@@ -117,7 +117,7 @@ class FigureReader {
     const auto found = std::ranges::find(form.names, name);
     if (found == form.names.end()) {
       fail(table.get("value")->source().begin,
-           fmt::format("{} is '{}'; it takes {}", form.key, name, fmt::join(form.names, ", ")));
+           fmt::format("{} is '{}'; it must be one of {}", form.key, name, fmt::join(form.names, ", ")));
     }
     return found - form.names.begin();
   }
@@ -133,7 +133,7 @@ class FigureReader {
       fail(node->source().begin,
            form.least == form.most
                ? fmt::format("{} is {}; the simulator supports only {}", form.key, value->get(), form.least)
-               : fmt::format("{} is {}; it takes {} to {}{}{}", form.key, value->get(), form.least, form.most,
+               : fmt::format("{} is {}; it must be {} to {}{}{}", form.key, value->get(), form.least, form.most,
                              form.unit.empty() ? "" : " ", form.unit));
     return value->get();
   }

@@ -38,14 +38,14 @@ struct ReadFigure {
 /// Include it in source files only, like toml_text.h.
 class FigureFile {
  public:
-  /// If `changed` is not empty, the file itself is valid, and errors come from the changes: they are ChangeErrors whose
-  /// text begins with `changed`.
+  /// `changed`: if not empty, the file itself is valid and errors come from the changes; they are then ChangeErrors
+  /// whose text begins with `changed`.
   FigureFile(const toml::table& root, std::string_view file, std::string changed = {});
 
   /// The non-empty string at that key, made printable().
   [[nodiscard]] std::string text(std::string_view key) const;
 
-  /// All parameters in the order of the file. Each form must occur once, and other keys must be in `words`.
+  /// All parameters in the order of the file. Throws unless each form occurs once and all other keys are in `words`.
   [[nodiscard]] std::vector<ReadFigure> figures(std::span<const FigureForm> forms,
                                                 std::span<const std::string_view> words) const;
 

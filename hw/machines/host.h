@@ -8,7 +8,8 @@
 
 namespace csgsim::machines {
 
-/// Names of the values of Host::processor: the processor without delay, then the built-in processors (hw/processors).
+/// Names of the values of Host::processor: first the processor without delay, then the built-in processors
+/// (hw/processors).
 inline constexpr auto host_processor_names = std::to_array<std::string_view>({"ideal", "i486dx2", "i860", "mc68000"});
 
 /// Value of Host::processor for a host that compiles in no time.

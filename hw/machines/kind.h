@@ -29,7 +29,7 @@ struct Resources {
 enum class Parts : std::uint8_t { segments, subsegments };
 
 /// A kind of machine: everything about its machines that does not need their simulation model. Each kind has a room,
-/// hw/KIND, and a row in hw/kinds. A kind overrides the functions for the features it has.
+/// hw/KIND, and a row in hw/kinds. A kind overrides the functions of the features that it has.
 class Kind {
  public:
   using Machine = machines::Machine;
@@ -53,8 +53,8 @@ class Kind {
   /// Throws InputError if the machine cannot draw a picture of that size.
   virtual void set_picture(Machine& /*machine*/, Size /*size*/) const {}
 
-  /// The field of pixel memory that displays `colour_bits` bits of colour, if it differs from the field in which they
-  /// are drawn; otherwise its width is 0.
+  /// The field of pixel memory from which `colour_bits` bits of colour are displayed, if the machine draws them in
+  /// another field; otherwise its width is 0.
   [[nodiscard]] virtual isa::Field second_buffer(std::uint32_t /*colour_bits*/, const Machine& /*machine*/) const {
     return {};
   }
@@ -68,8 +68,8 @@ class Kind {
   [[nodiscard]] virtual std::uint32_t hosts(const Machine& machine) const { return machine.host.count; }
   /// How the machine divides the model itself; empty if it does not.
   [[nodiscard]] virtual std::optional<Division> division(const Machine& /*machine*/) const { return std::nullopt; }
-  /// The machine drawing, part by part, a picture halved `levels` times into segments, or the subsegments of these;
-  /// empty for a kind that does not draw in squares.
+  /// A copy of the machine that draws a picture part by part. The picture is halved `levels` times into segments; the
+  /// parts are these segments or their subsegments. Empty for a kind that does not draw in squares.
   [[nodiscard]] virtual std::optional<Machine> subdivided(const Machine& /*machine*/, std::uint32_t /*levels*/,
                                                           Parts /*parts*/) const {
     return std::nullopt;
@@ -82,8 +82,8 @@ class Kind {
   [[nodiscard]] virtual bool depends_on_pixels(const Machine& /*machine*/) const { return false; }
   /// Clocks that a pixel's processor, or the entry of a chain, spends on an instruction if it executes all of it.
   [[nodiscard]] virtual std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine) const = 0;
-  /// Clocks at the pixels for instruction `index` of a segment. `met` belongs to that segment; null without a run, in
-  /// which case all pixels count as enabled.
+  /// Clocks at the pixels for instruction `index` of a segment. `met` is the activity in that segment; null without a
+  /// run, in which case all pixels count as enabled.
   [[nodiscard]] virtual PixelClocks clocks_at_pixels(const isa::Segment& segment, std::size_t index,
                                                      const Machine& machine, const PixelActivity* /*met*/) const {
     const std::uint64_t pixels = std::uint64_t{segment.region.width} * segment.region.height;
@@ -93,8 +93,8 @@ class Kind {
   /// Timing of a frame, computed without stepping.
   [[nodiscard]] virtual FrameTiming time(const Program& program, const Machine& machine,
                                          const RunOutcome& outcome) const = 0;
-  /// Clocks in which the instructions are executed, from the same computation; empty for a kind that does not support
-  /// this.
+  /// Clocks in which each instruction is executed, from the same computation as time(); empty for a kind that does not
+  /// support this.
   [[nodiscard]] virtual std::optional<Timeline> timeline(const Program& /*program*/, const Machine& /*machine*/,
                                                          const RunOutcome& /*outcome*/) const {
     return std::nullopt;
@@ -106,10 +106,11 @@ class Kind {
     return {};
   }
   [[nodiscard]] virtual Resources resources(const Machine& machine, const isa::FrameHeader& header) const = 0;
-  /// Parts that may limit the frame rate, with the clocks per frame interval in which each works; empty for a kind that
-  /// does not support this. Of several equal parts, the busiest is listed.
+  /// Parts that may limit the frame rate, with the clocks per frame interval in which each of them works; empty for a
+  /// kind that does not support this. Only the busiest of several equal parts is listed.
   [[nodiscard]] virtual std::vector<Load> loads(const FrameTiming& /*timing*/) const { return {}; }
-  /// Whether studies of several machines include it only by name: a frame takes millions of commands.
+  /// Whether studies of several machines include machines of this kind only if named, because a frame takes millions of
+  /// commands.
   [[nodiscard]] virtual bool is_costly() const { return false; }
   /// Whether the processors are the pixels of hw/rtl, whose area is known (hw/machines/area.h).
   [[nodiscard]] virtual bool bit_serial_pixels() const { return false; }

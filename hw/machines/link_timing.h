@@ -16,43 +16,44 @@ struct LinkAccount {
   std::uint64_t words = 0;    ///< words written to the FIFO, including words discarded by a jump
   std::uint64_t sending = 0;  ///< clocks in which a word was on the link
   std::uint64_t blocked = 0;  ///< clocks in which a transmitted word waited for room in the FIFO
-  std::uint64_t waiting = 0;  ///< clocks before a request, and from a request to the first word
+  std::uint64_t waiting = 0;  ///< clocks before the first request, and from each request to its first word
   std::uint64_t done = 0;     ///< clocks after the last word
 
   constexpr bool operator==(const LinkAccount&) const = default;
 };
 
-/// The account in general form.
+/// The account as activities of a part with that name.
 PartAccount part_of(const LinkAccount& account, std::string name);
 
 /// Computes when words pass a link, without stepping. Words are counted from the last request. Edges are numbered from
-/// the frame's first, 0; clock c lasts from edge c to edge c + 1.
+/// the frame's first, number 0; clock c lasts from edge c to edge c + 1.
 class LinkTiming {
  public:
   explicit LinkTiming(const Link& link);
 
-  /// A request reaches the host at that edge. The FIFO is then empty.
+  /// Records a request that reaches the host at `edge`. The FIFO is then empty.
   void request(std::uint64_t edge);
 
-  /// Returns the edge at which the next word enters the FIFO; it can be read from the next edge on. The word
-  /// `fifo_depth` before it must have been read.
+  /// Sends the next word and returns the edge at which it enters the FIFO; it can be read from the next edge on. The
+  /// word `fifo_depth` words before it must have been read.
   std::uint64_t send();
 
-  /// Sends the next word if it enters the FIFO before that edge. Unread words leave no room.
+  /// Sends the next word if it enters the FIFO before `edge`, and sets `stored` to the edge at which it enters. Unread
+  /// words occupy room in the FIFO.
   bool send_before(std::uint64_t edge, std::uint64_t& stored);
 
-  /// Reads the oldest word in the FIFO at that edge.
+  /// Reads the oldest word in the FIFO at `edge`.
   void read(std::uint64_t edge);
 
-  /// Accounts for the host's clocks from the last word until that edge: sending if words are left, otherwise done.
+  /// Accounts for the host's clocks from the last word until `edge`: as sending if words are left, otherwise as done.
   void stop(std::uint64_t edge, bool words_left);
 
   [[nodiscard]] const LinkAccount& account() const { return account_; }
 
-  // Counts since the last request.
+  // Numbers of words since the last request.
   [[nodiscard]] std::uint64_t sent() const { return sent_; }  ///< words that entered the FIFO
   [[nodiscard]] std::uint64_t words_read() const { return read_; }
-  /// Remaining clocks, before that edge, of the word on the link; 0 if it waits for room.
+  /// Remaining clocks at `edge` of the word on the link; 0 if the word waits for room.
   [[nodiscard]] std::uint32_t clocks_left(std::uint64_t edge) const {
     const std::uint64_t over = since_ + link_.word_clocks + 1;
     return over > edge ? static_cast<std::uint32_t>(over - edge) : 0;

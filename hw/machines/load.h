@@ -1,5 +1,4 @@
-// Work of a machine's parts, to find the limit of the frame rate.
-// Used by Kind and its implementations.
+// Work of a machine's parts, which shows what limits the frame rate. Used by Kind and its implementations.
 #pragma once
 
 #include <cstdint>

@@ -33,7 +33,7 @@ struct Size {
   constexpr bool operator==(const Size&) const = default;
 };
 
-/// The path of instructions to a machine: words on a link into a FIFO at its end (hw/isa/wire.h has the format).
+/// The path of instructions to a machine: words on a link that end in a FIFO (format: hw/isa/wire.h).
 struct Link {
   std::uint32_t width = isa::LinkWord::most_bits;  ///< bits of a word
   std::uint32_t word_clocks = 1;                   ///< clocks from one word to the next
@@ -51,8 +51,8 @@ struct Machine {
   isa::ArrayShape array;               ///< pixel processors (of one chain or renderer) and memory bits of each
   Size picture;                        ///< size of the picture that the machine draws
   std::uint64_t clock_hz = 0;          ///< clock frequency: bit steps or packets per second
-  std::uint32_t memory_reads = 1;      ///< read ports of pixel memory: 1 or 2
-  std::uint32_t evaluator_degree = 1;  ///< degree of the expressions at the pixels: 1 or 2
+  std::uint32_t memory_reads = 1;      ///< read ports of pixel memory, 1 or 2
+  std::uint32_t evaluator_degree = 1;  ///< degree of the linear or quadratic expressions at the pixels, 1 or 2
   std::uint32_t register_levels = 1;   ///< tree levels from one register to the next
   std::uint32_t evaluator_bits = 1;    ///< bits of an expression that reach the pixels per clock: at most alu_bits
   std::uint32_t alu_bits = 1;          ///< adjacent field bits that the ALU processes, and a port delivers, per clock
@@ -63,7 +63,7 @@ struct Machine {
   std::vector<Figure> figures;  ///< every parameter of the file, in the order of the file
 };
 
-/// The parameters that only the machine's kind has, of the type that the kind defines. Throws std::bad_any_cast for a
+/// The parameters that only the machine's kind has, in the type that the kind defines. Throws std::bad_any_cast for a
 /// machine of another kind.
 template <class Figures>
 const Figures& own(const Machine& machine) {
@@ -75,36 +75,36 @@ Figures& own(Machine& machine) {
   return std::any_cast<Figures&>(machine.own);
 }
 
-/// A machine of that kind without pixels, to be filled in by a description or a test.
+/// A machine of the given kind without pixels, to be filled in by a description or a test.
 Machine blank(const Kind& kind);
 
-/// Sets the size of the picture; an array that holds the whole picture gets the same size. Throws InputError if its
-/// lines are longer than a chain of cells.
+/// Sets the size of the picture. An array that holds the whole picture gets the same size. Throws InputError if lines
+/// of the picture are longer than a chain of cells.
 void set_picture_size(Machine& machine, Size size);
 
 /// Computes values that follow from the parameters. Throws InputError if the parameters are inconsistent.
 void complete(Machine& machine);
 
-/// Gives the machine the Program's picture size and memory. Throws like set_picture_size().
+/// Sets the machine's picture size and memory to the Program's. Throws like set_picture_size().
 void adopt(Machine& machine, const isa::Program& program);
 
-/// Keys of the parameters that could be ideal and are not, in the order of the schema.
+/// Keys of the parameters that could be ideal but are not, in the order of the schema.
 std::vector<std::string> ideal_candidates(const Machine& machine);
 
-/// Makes the parameter ideal. Throws std::out_of_range for one that cannot be.
+/// Makes the parameter ideal. Throws std::out_of_range if the schema does not allow this.
 void make_ideal(Machine& machine, std::string_view key);
 
 /// Keys of the machine's ideal parameters.
 std::vector<std::string> idealisations(const Machine& machine);
 
-/// The machine's record in a Program compiled for it.
+/// The record of the machine for Programs that are compiled for it.
 isa::MachineRecord record_of(const Machine& machine);
 
-/// The parameters, without the picture's, that differ between two machines of one kind: `alu.bits 4 instead of 1`, with
-/// the value of the first machine first.
+/// The parameters that differ between two machines of one kind, except the picture's, as texts such as `alu.bits 4
+/// instead of 1`; the first machine's value comes first.
 std::vector<std::string> other_figures(const Machine& one, const Machine& other);
 
-/// Whether two machines are the same hardware: of one kind, with equal parameters except the picture's. Names and
+/// Whether two machines are the same hardware: of one kind, with equal parameters except the picture size. Names and
 /// sources are ignored.
 bool same_hardware(const Machine& one, const Machine& other);
 

@@ -23,7 +23,7 @@ std::string_view base_of(std::string_view spec);
 /// The changes in the name, KEY=VALUE each.
 std::vector<std::string> changes_of(std::string_view spec);
 
-/// `+KEY=VALUE` for each parameter that differs from the original's.
+/// `+KEY=VALUE` for each parameter of `figures` whose value in `original` differs.
 std::string name_of_edits(std::span<const Figure> figures, std::span<const Figure> original);
 
 }  // namespace csgsim::machines

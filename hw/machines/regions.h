@@ -1,5 +1,5 @@
-// Regions of the picture and properties of a machine that the host needs.
-// Used by host/emit, hw/host, and several machines and studies.
+// Regions of the picture and properties of a machine that the compiler needs. Used by host/emit, hw/host, and several
+// machines and studies.
 #pragma once
 
 #include <cstdint>
@@ -14,23 +14,24 @@ namespace csgsim::machines {
 /// The regions of the machine's picture, in the order in which it draws them.
 std::vector<isa::Region> regions(const Machine& machine);
 
-/// How a machine divides the model itself, by the rules of docs/machines/pixel-square.md: the host sends it the model
-/// as seen by the camera, and the machine makes the instructions of each region.
+/// How a machine divides the model itself, by the rules of docs/machines/pixel-square.md: the host sends the model as
+/// seen by the camera, and the machine computes the instructions of each region.
 struct Division {
   /// Side of a group in regions, for the first of two levels; 0 for a single level.
   std::uint32_t group_side = 0;
-  std::uint64_t list_entries = 0;  ///< maximum number of entries that remain after the first level
+  /// Maximum number of primitives and half-spaces that may remain after the first level.
+  std::uint64_t list_entries = 0;
   /// Explicit groups, in the order in which the machine draws them, if they are not squares of regions.
   std::vector<isa::Region> groups{};
 
   bool operator==(const Division&) const = default;
 };
 
-/// Empty if the host divides the model.
+/// The division that the machine performs; empty if the host divides the model.
 std::optional<Division> division(const Machine& machine);
 
-/// The field of pixel memory into which a finished picture with that many colour bits is copied, to be displayed while
-/// the next is drawn; its width is 0 if the picture is displayed from the field in which it was drawn.
+/// The field of pixel memory to which a finished picture with `colour_bits` bits of colour is copied, to be displayed
+/// while the next picture is drawn. Its width is 0 if the picture is displayed from the field in which it was drawn.
 isa::Field second_buffer(std::uint32_t colour_bits, const Machine& machine);
 
 /// Whether the host keeps an active list per line; Programs then contain the row extent of each piece.

@@ -24,13 +24,14 @@ struct PixelActivity {
   /// Plane numbers for one instruction.
   struct Planes {
     std::uint32_t enabled = 0;  ///< pixels with E = 1 when the instruction began
-    std::uint32_t chosen = 0;   ///< for keep_max and keep_min, the enabled pixels that kept F; otherwise = enabled
+    /// For keep_max and keep_min, the enabled pixels that stored F; for other instructions equal to `enabled`.
+    std::uint32_t chosen = 0;
 
     constexpr bool operator==(const Planes&) const = default;
   };
 
   std::size_t row_words = 0;
-  std::vector<std::vector<std::uint64_t>> planes{{}};  ///< the first has no words and stands for 0 at every pixel
+  std::vector<std::vector<std::uint64_t>> planes{{}};  ///< the first plane has no words and represents 0 at every pixel
   std::vector<Planes> instructions;                    ///< one per instruction
 
   bool operator==(const PixelActivity&) const = default;
@@ -39,7 +40,7 @@ struct PixelActivity {
 /// Clocks that the processors spend on an instruction at the pixels of a segment.
 struct PixelClocks {
   std::uint64_t all = 0;
-  std::uint64_t enabled = 0;  ///< part spent at pixels with E = 1 at the beginning
+  std::uint64_t enabled = 0;  ///< part of `all` at pixels that were enabled when the instruction began
 
   constexpr bool operator==(const PixelClocks&) const = default;
 };

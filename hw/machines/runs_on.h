@@ -8,8 +8,8 @@
 namespace csgsim::machines {
 
 /// Throws InputError, with place and advice, if the machine cannot run the Program: the Program tests whether any pixel
-/// is enabled, and the machine has no global OR; it has squares, and the machine's expressions are of degree 1; or a
-/// check of the machine's kind fails.
+/// is enabled but the machine has no global OR; the Program contains squares but the machine's expressions are of
+/// degree 1; or a check of the machine's kind fails.
 void check_runs_on(const isa::Program& program, const Machine& machine);
 
 /// Used by kinds that draw parts of the picture. Throws InputError unless the Program's segments are the machine's

@@ -25,10 +25,10 @@ struct FigureSchema {
   std::optional<std::int64_t> ideal{};                  ///< meaning of `value = "ideal"`, if that is allowed
 };
 
-/// Value of a parameter without hardware limit and cost.
+/// Value of a parameter for hardware without limit or delay.
 inline constexpr std::string_view ideal_value = "ideal";
 
-/// The same parameter, which may be ideal.
+/// The same parameter, with "ideal" as an additional value.
 constexpr FigureSchema or_ideal(FigureSchema figure, std::int64_t ideal) {
   figure.ideal = ideal;
   return figure;
@@ -42,7 +42,7 @@ constexpr FigureSchema named(FigureSchema figure, std::span<const std::string_vi
 
 inline constexpr std::int64_t max_parameter_clocks = 1'000'000;  ///< maximum of parameters in clocks
 
-/// A parameter stored in a member of the machine, or in a member of one of its parts.
+/// A parameter stored in a member of the machine, or of one of its parts.
 template <auto... members>
 constexpr FigureSchema figure(std::string_view key, std::string_view unit, std::int64_t least, std::int64_t most,
                               std::string_view meaning) {
@@ -58,7 +58,7 @@ constexpr FigureSchema figure(std::string_view key, std::string_view unit, std::
           [](const Machine& machine) { return static_cast<std::int64_t>((machine.*....*members)); }};
 }
 
-/// A parameter that only one kind has, stored in a member of its Figures or of one of their parts.
+/// A parameter that only one kind has, stored in a member of its Figures, or of one of their parts.
 template <class Figures, auto... members>
 constexpr FigureSchema own_figure(std::string_view key, std::string_view unit, std::int64_t least, std::int64_t most,
                                   std::string_view meaning, std::span<const std::string_view> names = {}) {

@@ -32,7 +32,7 @@ Timeline blank_timeline(const isa::Program& program) {
   return blank;
 }
 
-std::vector<ClockSpan> later(std::vector<ClockSpan> spans, std::uint64_t clocks) {
+std::vector<ClockSpan> shifted(std::vector<ClockSpan> spans, std::uint64_t clocks) {
   for (ClockSpan& span : spans) {
     if (span.end > 0) span = {span.begin + clocks, span.end + clocks};
   }

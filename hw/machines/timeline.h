@@ -23,23 +23,24 @@ struct ClockSpan {
 
 /// Clocks in which the instructions of a frame are executed.
 struct Timeline {
-  /// Clocks, for each instruction of each segment, in which its steps leave the unit that issues them, a controller
-  /// or the entry of a chain; for a question, including the clocks until its answer. The span of a skipped instruction
-  /// is empty, at 0.
+  /// For each instruction of each segment: the clocks in which its steps leave the unit that issues them, a controller
+  /// or the entry of a chain. For a test of the global OR this includes the clocks until the answer. The span of a
+  /// skipped instruction is empty, at 0.
   std::vector<std::vector<ClockSpan>> issued;
 
-  /// Clocks, for each segment, in which memory and enable of its pixels are cleared.
+  /// For each segment: the clocks in which memory and enable of its pixels are cleared.
   std::vector<ClockSpan> cleared;
 
-  /// Pixel activity from which it was computed, for kinds that need it.
+  /// Pixel activity from which the timeline was computed, for kinds that need it.
   std::vector<PixelActivity> met{};
 };
 
-/// Computed without stepping. `outcome`: as for time_frame(). Throws InputError for a kind that does not support it.
+/// The timeline of a frame, computed without stepping. `outcome`: as for time_frame(). Throws InputError for a kind
+/// that does not support timelines.
 Timeline timeline(const isa::Program& program, const Machine& machine, const RunOutcome& outcome = {});
 
-/// Clocks, for each instruction of a segment, in which pixel (x, y) of the picture, which lies in the segment's
-/// region, executes it: its effects are visible from the span's `end` on. `timeline` belongs to that Program and
+/// For each instruction of a segment: the clocks in which pixel (x, y) of the picture, which must lie in the segment's
+/// region, executes it. Its effects are visible from the span's `end` on. `timeline` must belong to the Program and the
 /// machine. The span of a skipped instruction is empty, at 0.
 std::vector<ClockSpan> at_pixel(const Timeline& timeline, const isa::Program& program, const Machine& machine,
                                 std::uint32_t segment, std::uint32_t x, std::uint32_t y);
@@ -48,6 +49,6 @@ std::vector<ClockSpan> at_pixel(const Timeline& timeline, const isa::Program& pr
 Timeline blank_timeline(const isa::Program& program);
 
 /// The spans shifted by `clocks`, except the empty spans of skipped instructions.
-std::vector<ClockSpan> later(std::vector<ClockSpan> spans, std::uint64_t clocks);
+std::vector<ClockSpan> shifted(std::vector<ClockSpan> spans, std::uint64_t clocks);
 
 }  // namespace csgsim::machines

@@ -10,16 +10,18 @@
 
 namespace csgsim::pixel_planes {
 
-/// Clocks of the controller by activity; each clock counts for exactly one, except refresh_waits.
+/// Clocks of the controller by activity; each clock counts for exactly one, and also for refresh_waits where that
+/// applies.
 struct ControllerAccount {
-  std::uint64_t issuing = 0;        ///< a bit step of an instruction was on the wires
-  std::uint64_t clearing = 0;       ///< the pixels were being cleared for a segment
-  std::uint64_t starved = 0;        ///< no complete command had arrived
-  std::uint64_t answering = 0;      ///< waited for the global OR
-  std::uint64_t jumping = 0;        ///< waited for the command after a jump
-  std::uint64_t draining = 0;       ///< the last step was on its way to the pixels
-  std::uint64_t refreshing = 0;     ///< a refresh word was on the wires, whatever else the controller waited for
-  std::uint64_t holding = 0;        ///< waited until the previous picture was latched, before copying over it
+  std::uint64_t issuing = 0;     ///< a step of an instruction was on the wires
+  std::uint64_t clearing = 0;    ///< the pixels were being cleared for a segment
+  std::uint64_t starved = 0;     ///< no complete command had arrived
+  std::uint64_t answering = 0;   ///< waited for the global OR
+  std::uint64_t jumping = 0;     ///< waited for the first command after a skip
+  std::uint64_t draining = 0;    ///< the last step was on its way to the pixels
+  std::uint64_t refreshing = 0;  ///< a refresh word was on the wires while the controller waited
+  /// Waited until the scan-out had latched the previous picture, before copying over it.
+  std::uint64_t holding = 0;
   std::uint64_t copying = 0;        ///< copied the picture into the displayed buffer
   std::uint64_t refresh_waits = 0;  ///< not an activity: clocks in which the scan-out waited for a refresh word
 

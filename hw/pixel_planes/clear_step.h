@@ -1,5 +1,4 @@
-// Schedule of clearing pixel memory.
-// Used by the controllers of hw/pixel_planes and hw/pixel_square.
+// Distributes the clearing of pixel memory over clocks. Used by the controllers of hw/pixel_planes and hw/pixel_square.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +10,7 @@
 namespace csgsim::pixel_planes {
 
 /// The memory bits cleared in clock number `clock` (from 0) of the `clocks` clocks that clear a region. The bits are
-/// spread evenly over the clocks; bits from `end` on are kept.
+/// spread evenly over the clocks; bits from `end` on are not cleared.
 inline ClearStep clear_step(const isa::Region& region, std::uint32_t memory_bits, std::uint32_t clock,
                             std::uint32_t clocks, std::uint32_t end) {
   const auto up_to = [&](std::uint64_t elapsed) {

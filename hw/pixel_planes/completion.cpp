@@ -24,7 +24,8 @@ void Completion::resume(std::uint32_t segment, std::uint32_t index) {
   index_ = index;
 }
 
-/// The account of a question arrives after its step reaches the pixels; that of any other command before its last word.
+/// The account of a question arrives after its step has reached the pixels; that of any other command arrives before
+/// its last word.
 void Completion::complete() {
   Account account;
   if (reported_ == retired.read() || !accounts.nb_read(account)) return;

@@ -15,9 +15,9 @@
 
 namespace csgsim::pixel_planes {
 
-/// Reports each executed instruction, with the controller's counts, to the listener of the run. Not hardware: it takes
-/// no clock and acts between the edge that executes an instruction and the next. It reads the Program to determine the
-/// segment of an instruction.
+/// Reports each executed instruction, with the controller's counts, to the listener of the run. It is not hardware: it
+/// takes no clock and acts between the edge that executes an instruction and the next edge. It reads the Program to
+/// determine the segment of an instruction.
 class Completion final : public sc_core::sc_module {
  public:
   sc_core::sc_in<std::uint64_t> retired{"retired"};
@@ -30,13 +30,13 @@ class Completion final : public sc_core::sc_module {
   /// Begins a frame. The segments must outlive it.
   void begin(std::span<const isa::Segment> segments);
 
-  /// Sets the next executed instruction; called after begin().
+  /// Sets the instruction that is executed next; called after begin().
   void resume(std::uint32_t segment, std::uint32_t index);
 
   /// Answers of the global OR to the host, in order, since begin().
   [[nodiscard]] const std::vector<bool>& answers() const { return answers_; }
 
-  /// Number of skipped instructions since begin(), and the questions before them.
+  /// Number of skipped instructions since begin(). skips() lists the global-OR tests that caused them.
   [[nodiscard]] std::uint64_t skipped() const { return skipped_; }
   [[nodiscard]] const std::vector<machines::Skip>& skips() const { return skips_; }
 
@@ -46,7 +46,7 @@ class Completion final : public sc_core::sc_module {
   void finish_segment();
 
   std::span<const isa::Segment> segments_;
-  std::uint64_t reported_ = 0;  ///< commands since construction
+  std::uint64_t reported_ = 0;  ///< number of completed commands since construction
   std::uint32_t segments_begun_ = 0;
   std::uint32_t index_ = 0;
   std::uint64_t enabled_ = 0;

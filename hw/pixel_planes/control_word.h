@@ -17,7 +17,7 @@
 namespace csgsim::pixel_planes {
 
 /// Clears `bits` memory bits of every pixel from `address` on, and all registers. Pixels right of `width` or below
-/// `height` take no part until the next word that clears.
+/// `height` take no part until the next ClearStep.
 struct ClearStep {
   std::uint16_t address = 0;
   std::uint16_t bits = 0;
@@ -27,7 +27,7 @@ struct ClearStep {
   constexpr bool operator==(const ClearStep&) const = default;
 };
 
-/// Addresses one memory bit of one row of pixels.
+/// Address of one memory bit of one row of pixels.
 struct RefreshStep {
   std::uint16_t address = 0;
   std::uint16_t row = 0;
@@ -35,13 +35,13 @@ struct RefreshStep {
   constexpr bool operator==(const RefreshStep&) const = default;
 };
 
-/// Word from the controller, through a delay line, to the pixels.
+/// Word that the controller sends through a delay line to the pixels.
 struct ControlWord {
   array::ArrayStep step{};
   bool steps = false;   ///< whether `step` belongs to an instruction of the host
   bool clears = false;  ///< whether the pixels execute `clear` instead of `step`
   ClearStep clear{};
-  bool refreshes = false;  ///< whether the scan-out latches the bit addressed by `refresh`; the pixels are idle
+  bool refreshes = false;  ///< whether the scan-out latches the bit that `refresh` addresses, while the pixels are idle
   RefreshStep refresh{};
   bool last = false;          ///< whether this is the last word of its command
   std::uint64_t ordinal = 0;  ///< number of the instruction within the frame, including skipped ones
@@ -49,7 +49,7 @@ struct ControlWord {
   constexpr bool operator==(const ControlWord&) const = default;
 };
 
-/// Message from the controller to the scan-out: these bits of every pixel hold a finished picture.
+/// Message from the controller to the scan-out: the field `colour` holds a finished picture.
 struct FinishedPicture {
   isa::Field colour;
 };
@@ -62,11 +62,12 @@ struct Answer {
   constexpr bool operator==(const Answer&) const = default;
 };
 
-/// Counts of the controller for one instruction, or a note that the pixels of a segment were cleared.
+/// Counts of the controller for one instruction. If `cleared`, it reports instead that the pixels of a segment were
+/// cleared.
 struct Account {
   bool cleared = false;
   std::uint64_t clocks = 0;
-  bool answered = false;  ///< whether the instruction sends the answer to the host
+  bool answered = false;  ///< whether the answer is sent to the host
   bool answer = false;
   std::uint64_t skipped = 0;  ///< number of instructions skipped after it
 };

@@ -53,7 +53,7 @@ void Controller::end_of_elaboration() {
   begins_or_refreshes_ |= refreshes.data_written_event();
 }
 
-/// Sleeps while idle without requests, and while steps already put on the wires pass.
+/// Sleeps while idle without requests, and while steps that are already on the wires pass.
 void Controller::on_clock() {
   if (!clock.posedge()) return;
   act();
@@ -208,7 +208,7 @@ void Controller::put_step(std::uint64_t edge, const array::BitStep& step) {
 }
 
 /// If the next command has been received and no refresh word can be requested, nothing affects the controller until the
-/// last step of the current instruction: it puts the steps before that on the wires and sleeps.
+/// last step of the current instruction. It then puts all steps before the last on the wires and sleeps.
 void Controller::issue_ahead() {
   if (!receiver_.holds() || edges_to_drop_ > 0 || unlatched_) return;
   if (refreshes.num_available() > 0) return;

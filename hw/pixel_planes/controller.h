@@ -24,7 +24,7 @@ struct ControllerStatus {
   std::uint64_t ordinal = 0;  ///< number of the instruction within the frame, including skipped ones
   isa::Instruction instruction;
   std::uint32_t bit = 0;     ///< first stream or field bit of the step on the wires
-  std::uint32_t pass = 0;    ///< repetition of a stream that is sent twice, or of a memory read
+  std::uint32_t pass = 0;    ///< number of completed passes over a stream or a memory operand
   std::uint64_t clocks = 0;  ///< clocks since the beginning of the frame
 };
 
@@ -33,23 +33,29 @@ struct ControllerFigures {
   std::uint32_t link_width = 1;    ///< bits
   std::uint32_t latency = 0;       ///< clocks from the roots of the multiplier trees to the pixels
   std::uint32_t memory_bits = 1;   ///< memory bits per pixel
-  std::uint32_t clear_clocks = 0;  ///< clocks to clear these; at least one is taken
-  bool two_buffers = false;        ///< a finished picture is copied into the topmost bits and displayed from there
+  std::uint32_t clear_clocks = 0;  ///< clocks to clear this memory; 0 counts as 1
+  /// Whether a finished picture is copied into the topmost bits and displayed from there.
+  bool two_buffers = false;
 };
 
-/// Reads commands from the link and puts a control word on the wires at each rising edge. A frame begins with the clock
-/// in which the controller requests it from the host: when the host has a frame and, with one buffer, the last row of
-/// the previous picture has been latched. The clocks of an instruction are those with one of its steps on the wires,
-/// and, for a question, those until the answer arrives. If the answer causes a skip, the controller drops the words on
-/// the link and requests the host to continue at another instruction. After the frame's last command it waits `latency`
-/// clocks until the last step has reached the pixels, and sends the scan-out the displayed field. With two buffers it
-/// first copies the picture, as soon as the last row of the previous one has been latched. Refresh words requested by
-/// the scan-out have priority over the next command, and are sent whenever the controller waits.
+/// Reads commands from the link and puts a control word on the wires at each rising edge.
+///
+/// A frame begins with the clock in which the controller requests it from the host. This happens when the host has a
+/// frame and, with one buffer, the last row of the previous picture has been latched. The clocks of an instruction are
+/// those in which one of its steps is on the wires and, for a global-OR test, those until the answer arrives. If the
+/// answer causes a skip, the controller drops the words on the link and requests the host to continue at another
+/// instruction.
+///
+/// After the frame's last command the controller waits `latency` clocks until the last step has reached the pixels, and
+/// sends the displayed field to the scan-out. With two buffers it first copies the picture, as soon as the last row of
+/// the previous picture has been latched. Refresh words requested by the scan-out have priority over the next command,
+/// and are sent whenever the controller waits.
 class Controller final : public systemc::ClockedModule {
  public:
   sc_core::sc_fifo_in<isa::LinkWord> link{"link"};
-  sc_core::sc_fifo_out<std::uint64_t> requests{"requests"};    ///< instruction at which the host has to continue
-  sc_core::sc_fifo_in<bool> frames{"frames"};                  ///< one token per frame in the host's memory
+  sc_core::sc_fifo_out<std::uint64_t> requests{"requests"};  ///< instruction at which the host has to continue
+  /// One token for each frame in the host's memory that has not begun.
+  sc_core::sc_fifo_in<bool> frames{"frames"};
   sc_core::sc_fifo_in<RefreshStep> refreshes{"refreshes"};     ///< requests of the scan-out
   sc_core::sc_fifo_in<bool> latched{"latched"};                ///< one token when a picture's last row is latched
   sc_core::sc_fifo_out<FinishedPicture> pictures{"pictures"};  ///< one finished picture at a time, for the scan-out
@@ -62,7 +68,7 @@ class Controller final : public systemc::ClockedModule {
   Controller(sc_core::sc_module_name name, const sc_core::sc_time& period, const array::Sequencer& sequencer,
              const ControllerFigures& figures);
 
-  /// Resumes in the middle of a frame: the instruction is in the receiver and begins with clock `first_clock`.
+  /// Resumes in the middle of a frame: `instruction` is in the receiver and begins in clock `first_clock`.
   void resume(const isa::Instruction& instruction, std::uint64_t ordinal, std::uint64_t first_clock);
 
   /// Clocks of the current or last frame, including the final latency.
@@ -123,21 +129,21 @@ class Controller final : public systemc::ClockedModule {
   State state_ = State::idle;
   ControllerStatus status_;
   std::uint64_t acted_at_ = 0;       ///< edge of the last action
-  std::vector<Place> ahead_;         ///< places of steps already put on the wires, for the edges from acted_at_ on
-  std::optional<Issued> last_step_;  ///< last step of the instruction, if it is still to be put on the wires
-  bool resting_ = false;             ///< the wires carry nothing
+  std::vector<Place> ahead_;         ///< places of steps that are already on the wires, for the edges from acted_at_ on
+  std::optional<Issued> last_step_;  ///< last step of the instruction, if it has not been put on the wires yet
+  bool resting_ = false;             ///< whether the wires carry an idle word
   sc_core::sc_event_or_list begins_or_refreshes_;  ///< events that wake an idle controller
   ControllerAccount account_;
   std::uint64_t next_ordinal_ = 0;  ///< ordinal of the next instruction
   std::uint64_t instructions_ = 0;
   std::uint64_t instruction_clocks_ = 0;
-  bool jumped_ = false;         ///< no command has arrived since the last jump
-  unsigned edges_to_drop_ = 0;  ///< edges at which the words on the link still have to be dropped
+  bool jumped_ = false;         ///< whether no command has arrived since the last jump
+  unsigned edges_to_drop_ = 0;  ///< number of further edges at which the words on the link must be dropped
   isa::Region region_;          ///< region being cleared
-  std::uint32_t cleared_ = 0;   ///< clocks spent on clearing it
+  std::uint32_t cleared_ = 0;   ///< number of clocks spent on clearing it
   isa::Field colour_;           ///< colour field of the frame's last command
   isa::Field shown_;            ///< field last sent to the scan-out
-  bool unlatched_ = false;      ///< rows of it are still to be latched
+  bool unlatched_ = false;      ///< whether some of its rows have not been latched
   bool refreshed_ = false;      ///< a refresh word is on the wires
   std::uint32_t drained_ = 0;
   std::uint64_t programs_done_ = 0;

@@ -28,7 +28,7 @@ void Datapath::clock() {
 }
 
 void Datapath::carry_out(const ControlWord& word) {
-  carried_out_ = word;
+  last_executed_ = word;
   if (word.clears) {
     pixels_.select(word.clear.width, word.clear.height);
     pixels_.clear_memory(word.clear.address, word.clear.bits);

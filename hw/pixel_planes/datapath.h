@@ -1,5 +1,4 @@
-// Multiplier trees, delay line and pixel processors.
-// Used by PixelPipeline.
+// whether a refresh word is on the wires
 #pragma once
 
 #include <cstddef>
@@ -15,45 +14,45 @@
 
 namespace csgsim::pixel_planes {
 
-/// The path from the controller's wires to the pixels' memories, clock by clock: the two multiplier trees (thesis
-/// fig. 7.1), with coefficient bits in at the roots and bits of F out at every pixel; a delay line as long as the
-/// trees, so that a control word arrives with the bits that entered in its clock; and the pixel processors, which
-/// execute one control word per clock.
+/// The path from the controller's wires to the pixels' memories, clock by clock. It consists of the two multiplier
+/// trees (thesis fig. 7.1), which turn coefficient bits at the roots into bits of F at every pixel; a delay line as
+/// long as the trees, so that a control word arrives with the bits that entered in its clock; and the pixel processors,
+/// which execute one control word per clock.
 class Datapath {
  public:
-  /// `shape` is that of the whole array. With `adders` the trees are simulated adder by adder; otherwise their outputs
-  /// are computed from the coefficients, in the same clocks.
+  /// `shape` is that of the whole array. If `adders` is present, the trees are simulated adder by adder; otherwise
+  /// their outputs are computed from the coefficients, in the same clocks.
   Datapath(array::PlaneShape shape, unsigned register_levels, std::optional<array::SteppedEvaluator> adders,
            array::PixelArray pixels);
 
-  /// Sets the wires from now on. Without tree levels they end at the pixels.
+  /// Sets the wires for this and the following clocks. Without tree levels they end at the pixels.
   void put(const ControlWord& word, const array::RootBits& bits);
 
   /// Advances by one clock edge.
   void clock();
 
-  /// Whether a word or a bit is on the wires or in a register. If not, an edge changes only carried_out().
+  /// Whether a word or a bit is on the wires or in a register. If not, an edge changes only last_executed().
   [[nodiscard]] bool is_active() const {
     return carries_ || idle_ < length_ || roots_.token.active() || trees_active();
   }
-  /// Advances by idle edges; requires !is_active().
-  void rest() { carried_out_ = {}; }
+  /// Advances by any number of idle edges; requires !is_active().
+  void rest() { last_executed_ = {}; }
 
   [[nodiscard]] const ControlWord& control() const { return control_; }  ///< word on the controller's wires
-  [[nodiscard]] const array::RootBits& roots() const { return roots_; }  ///< tree bits sent with it
+  [[nodiscard]] const array::RootBits& roots() const { return roots_; }  ///< tree bits sent with that word
   /// The word at the pixels, which execute it at the next edge.
   [[nodiscard]] const ControlWord& at_pixels() const { return length_ == 0 ? control_ : delay_[oldest_]; }
-  [[nodiscard]] const ControlWord& carried_out() const { return carried_out_; }  ///< executed at the last edge
+  [[nodiscard]] const ControlWord& last_executed() const { return last_executed_; }  ///< executed at the last edge
   /// Number of commands whose last word has been executed.
   [[nodiscard]] std::uint64_t retired() const { return retired_; }
 
   [[nodiscard]] const array::PixelArray& pixels() const { return pixels_; }
   [[nodiscard]] array::PixelProbe probe(std::uint32_t x, std::uint32_t y) const;
 
-  /// Sets the pixels and the tree bits at the pixels.
+  /// Sets the pixels, and the tree bits in the registers at the pixels.
   void resume(const array::PixelArray& pixels, const array::StreamBit& tree);
 
-  // The same signals as in array::LinearEvaluator.
+  // Signals as in array::LinearEvaluator.
   [[nodiscard]] unsigned x_levels() const { return trees_.x_levels(); }
   [[nodiscard]] unsigned y_levels() const { return trees_.y_levels(); }
   [[nodiscard]] array::LevelProbe x_level(unsigned level, array::Place pixel) const {
@@ -72,17 +71,18 @@ class Datapath {
   array::LinearEvaluator trees_;
   std::optional<array::SteppedEvaluator> adders_;  ///< replaces trees_ if present
   array::StreamBit leaves_;                        ///< registers at the pixels
-  array::Words leaf_bits_;                         ///< tree bits of all pixels, if adders_ has produced them; then
-  bool has_leaf_bits_ = false;                     ///< only the token of `leaves_` is valid
-  const unsigned length_;                          ///< length of the delay line
-  std::vector<ControlWord> delay_;                 ///< ring
+  array::Words leaf_bits_;                         ///< tree bits of all pixels; valid if has_leaf_bits_
+  /// Whether adders_ has produced leaf_bits_; if so, only the token of leaves_ is valid.
+  bool has_leaf_bits_ = false;
+  const unsigned length_;           ///< length of the delay line
+  std::vector<ControlWord> delay_;  ///< ring
   std::size_t oldest_ = 0;
-  unsigned idle_ = 0;  ///< number of idle words that have entered the delay since the last active one
+  unsigned idle_ = 0;  ///< number of idle words since the last active word entered the delay line
   ControlWord control_;
   bool carries_ = false;  ///< whether control_ is not an idle word
   array::RootBits roots_;
   array::PixelArray pixels_;
-  ControlWord carried_out_;
+  ControlWord last_executed_;
   std::uint64_t retired_ = 0;
 };
 

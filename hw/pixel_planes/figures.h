@@ -8,7 +8,7 @@
 
 namespace csgsim::pixel_planes {
 
-/// Port that reads a row's colour bits.
+/// Port through which the scan-out reads the colour bits of a row.
 enum class ScanOutPort : std::uint8_t {
   own,     ///< a separate read port of pixel memory
   shared,  ///< the read port of the pixels' ALU, in clocks in which the controller sends a refresh word

@@ -1,5 +1,4 @@
-// A known picture served through the refresh port.
-// Used by PixelPipeline.
+// A known picture, delivered through the refresh port. Used by PixelPipeline.
 #pragma once
 
 #include <cstdint>

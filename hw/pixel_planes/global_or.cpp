@@ -35,14 +35,14 @@ bool GlobalOr::any_enabled() {
   return found;
 }
 
-/// Sensitive to the question only: no enable bit changes while a question is at the pixels.
+/// Called only for a question: no enable bit changes while a question is at the pixels.
 void GlobalOr::reduce() {
   const bool pending = question.read();
   answer.write({.valid = pending, .any_enabled = pending && any_enabled()});
 }
 
-/// Goes from the last level to the first, so that each reads the old value of the level before it. Registers without a
-/// question keep their bits. Sleeps while no question is pending.
+/// Goes from the last level to the first, so that each level reads the old value of the level before it. Registers
+/// without a question keep their bits. Sleeps while no question is pending.
 void GlobalOr::shift() {
   if (!clock.posedge()) return;
   for (std::size_t i = levels_.size() - 1; i > 0; --i) {

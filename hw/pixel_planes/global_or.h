@@ -1,5 +1,4 @@
-// The global OR of the enable bits.
-// Used by hw/pixel_planes and hw/pixel_square.
+// The global OR of the enable bits. Used by hw/pixel_planes and hw/pixel_square.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +13,8 @@
 namespace csgsim::pixel_planes {
 
 /// The OR of all enable bits: a tree of gates, each followed by a register. The answer arrives at the controller one
-/// clock per level after the question is at the pixels. Without levels the OR is a wire, and the answer arrives within
-/// the clock.
+/// clock per level after the question (the word of a global-OR test) is at the pixels. Without levels the OR is a wire,
+/// and the answer arrives in the same clock.
 class GlobalOr final : public sc_core::sc_module {
  public:
   sc_core::sc_in<bool> clock{"clock"};
@@ -30,9 +29,9 @@ class GlobalOr final : public sc_core::sc_module {
   void set_answers(std::vector<bool> answers);
 
  private:
-  /// The registers behind the gates of a level.
+  /// The registers after the gates of a level.
   struct Level {
-    bool pending = false;  ///< whether they hold data of a question
+    bool pending = false;  ///< whether the registers hold data of a question
     std::vector<bool> bits;
   };
 

@@ -30,7 +30,7 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
                                                            "wired OR of all enable bits, fed back to the controller"),
     machines::or_ideal(machines::own_figure<Figures, &Figures::or_fan_in>(
                            "global_or.fan_in", "lines", 2, 65536,
-                           "inputs of each gate of that OR, followed by a register; ideal: it settles in a clock"),
+                           "inputs of each gate of that OR, followed by a register; ideal: it settles within a clock"),
                        0),
     machines::own_figure<Figures, &Figures::scan_out_pixels>("scan_out.pixels", "pixels", 1, isa::max_array_side,
                                                              "pixels shifted out of the video port per clock"),

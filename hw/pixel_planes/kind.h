@@ -18,12 +18,12 @@ class Kind final : public machines::KindOf<Figures> {
   bool has_global_or(const Machine& machine) const override;
   std::vector<isa::Region> regions(const Machine& machine) const override;
   void check(const Program& program, const Machine& machine) const override;
-  /// Same as bit_serial_clocks(), plus the levels of the global OR for a question.
+  /// Same as bit_serial_clocks(), plus the levels of the global OR for a global-OR test.
   std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine) const override;
   /// Counts from the clock in which the controller requests the frame, like the modules.
   machines::FrameTiming time(const Program& program, const Machine& machine, const RunOutcome& outcome) const override;
   /// Clocks in which the controller has the steps of an instruction on its wires or waits for an answer, and clocks in
-  /// which the steps are at the pixels, at all of them at once.
+  /// which the steps are at the pixels, which all execute them at the same time.
   std::optional<Timeline> timeline(const Program& program, const Machine& machine,
                                    const RunOutcome& outcome) const override;
   Spans at_pixel(const Timeline& timeline, const Program& program, const Machine& machine, std::uint32_t segment,

@@ -8,7 +8,8 @@ std::vector<machines::Load> Kind::loads(const machines::FrameTiming& timing) con
   const auto controller = [&](const char* activity) {
     return machines::clocks_of(timing.account, "controller", activity);
   };
-  // Rows that are latched after the picture was drawn; with two buffers the copying of the picture counts, too.
+  // Clocks in which rows are latched after the picture was drawn; with two buffers the copying of the picture also
+  // counts.
   const std::uint64_t latched = timing.interval_clocks - std::min(timing.clocks, timing.interval_clocks);
   return {{"array", "carries out instructions", controller("issuing") + controller("draining")},
           {"clearing of the array", "runs", controller("clearing")},

@@ -102,7 +102,7 @@ std::span<const std::uint64_t> PixelPipeline::memory_row(std::uint32_t address, 
 }
 
 std::optional<RefreshStep> PixelPipeline::refreshed() const {
-  const ControlWord& word = now().carried_out();
+  const ControlWord& word = now().last_executed();
   return word.refreshes ? std::optional(word.refresh) : std::nullopt;
 }
 

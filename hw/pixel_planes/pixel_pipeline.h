@@ -23,15 +23,16 @@
 namespace csgsim::pixel_planes {
 
 /// The clocked datapath from a controller to the pixel memories. Its only input is the controller's wires, so its
-/// clocks are deferred: reads force pending edges to complete. It wakes only at edges with an output: the last word of
-/// a command has been executed, or a question is at the pixels.
+/// clocks are deferred: reads force pending edges to complete. The module wakes only at edges with an output: when the
+/// last word of a command has been executed, or when a question is at the pixels.
 class PixelPipeline final : public sc_core::sc_module, public PixelWires, public RefreshPort, public EnableLines {
  public:
   sc_core::sc_out<std::uint64_t> retired{"retired"};  ///< number of commands whose last word has been executed
-  sc_core::sc_out<bool> question{"question"};         ///< whether the word at the pixels requests the global OR
+  /// Whether the word at the pixels is a question: it requests the global OR.
+  sc_core::sc_out<bool> question{"question"};
 
-  /// If `foretold` is not null, only its pixels are built, side by side: pixel i is at (i, 0). The refresh port then
-  /// delivers the foretold picture.
+  /// If `foretold` is not null, only the pixels of that run are built, side by side: pixel i is at (i, 0). The refresh
+  /// port then delivers the picture of that run.
   PixelPipeline(sc_core::sc_module_name name, const machines::Machine& machine, systemc::EvaluatorForm form,
                 const systemc::EarlierRun* foretold = nullptr);
 
@@ -50,11 +51,11 @@ class PixelPipeline final : public sc_core::sc_module, public PixelWires, public
 
   /// Sets the pixels and the registers before them to their state at the beginning of an instruction.
   void resume(const array::PixelArray& pixels, const array::StreamBit& tree);
-  /// Sets the field from which the foretold picture, if present, is displayed.
+  /// Sets the field from which the picture of the earlier run, if there is one, is displayed.
   void show(isa::Field field);
 
  private:
-  /// Values on the wires from an edge on.
+  /// Values on the wires from `edge` on.
   struct Put {
     std::uint64_t edge = 0;
     ControlWord word;
@@ -68,7 +69,7 @@ class PixelPipeline final : public sc_core::sc_module, public PixelWires, public
 
   const sc_core::sc_time period_;
   const unsigned latency_;
-  bool requests_or_ = false;  ///< whether the last word put requests the global OR
+  bool requests_or_ = false;  ///< whether the last control word requests the global OR
   std::optional<EarlierPicture> foretold_;
   std::vector<std::uint64_t> due_;  ///< edges at which to wake, the latest first
   sc_core::sc_event woken_{"woken"};
@@ -76,7 +77,7 @@ class PixelPipeline final : public sc_core::sc_module, public PixelWires, public
   // Deferred state, brought up to date by reads.
   mutable Datapath datapath_;
   mutable std::uint64_t edge_ = 0;    ///< last executed edge
-  mutable std::vector<Put> puts_;     ///< pending values, preceded by some that have been applied
+  mutable std::vector<Put> puts_;     ///< pending values, preceded by values already applied
   mutable std::size_t next_put_ = 0;  ///< index of the first pending value
   mutable array::Words row_;          ///< row last read through the refresh port
 };

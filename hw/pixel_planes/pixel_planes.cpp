@@ -118,7 +118,7 @@ PixelPlanes::PixelPlanes(sc_core::sc_module_name name, const machines::Machine& 
   sensitive << programs_ << frames_;
 }
 
-/// Returns control to the caller of the simulation after all processes of this edge have run.
+/// Returns control to the caller of the simulation after all processes at this edge have run.
 void PixelPlanes::on_done() { sc_core::sc_pause(); }
 
 /// Clock edges since construction.
@@ -208,8 +208,8 @@ void PixelPlanes::start(const isa::Program& program) {
   waiting_frames_.nb_write(true);
 }
 
-/// Starts at an instruction with idle wires between controller and pixels: words that the whole machine would have on
-/// them have passed before the window begins.
+/// Starts at an instruction with idle wires between controller and pixels. The words that the whole machine would have
+/// there have passed before the window begins.
 void PixelPlanes::resume(const isa::Program& program, const Start& start) {
   const array::PixelReplay fresh(foretold_->pixels, machine_.array.memory_bits, sequencer(machine_), machine_.alu_bits);
   const array::PixelReplay replay = replay_until(program, foretold_->answers, start, fresh);
@@ -244,7 +244,7 @@ std::vector<wave::Tap> PixelPlanes::taps(const isa::Program& program, const wave
   add(scan_out_taps());
   for (std::size_t i = 0; i < request.pixels.size(); ++i) {
     const array::Place place = place_of(request.pixels[i], program);
-    const array::Place built = foretold_ ? array::Place{built_place(*foretold_, place), 0} : place;
+    const array::Place built = foretold_ ? array::Place{built_index(*foretold_, place), 0} : place;
     add(pixel_taps(request.pixels[i], {pipeline_, place, built, nullptr, trees}, program, request.tree_levels,
                    machine_.alu_bits));
   }

@@ -30,26 +30,26 @@ namespace csgsim::pixel_planes {
 /// The whole Pixel-planes machine.
 class PixelPlanes final : public sc_core::sc_module, public systemc::ClockedMachine {
  public:
-  /// If `foretold` is not null, only its pixels are built, for Programs of one segment; the picture that a run reports
-  /// is then meaningless.
+  /// If `foretold` is not null, only the pixels of that run are built. This supports Programs of one segment; the
+  /// picture that a run reports is then meaningless.
   PixelPlanes(sc_core::sc_module_name name, const machines::Machine& machine,
               systemc::EvaluatorForm form = systemc::EvaluatorForm::worked_out,
               const systemc::EarlierRun* foretold = nullptr);
 
   /// A frame begins with the clock in which the controller requests it and ends when its last step has been executed;
-  /// then a Program with colours is scanned out.
+  /// then the picture of a Program with a displayed field is scanned out.
   systemc::RunReport run(const isa::Program& program, systemc::RunListener& listener) override;
 
   /// Runs frames in sequence. With one buffer a frame begins when the last row of the previous picture has been
-  /// latched; with two, when the previous picture has been copied, and it is drawn while that is displayed. The
-  /// interval of the last frame is computed, since no frame follows. With two buffers, also throws InputError if the
-  /// frames' colours differ in width.
+  /// latched. With two, it begins when the previous picture has been copied, and is drawn while that picture is
+  /// displayed. The interval of the last frame is computed, since no frame follows. With two buffers, also throws
+  /// InputError if the frames' colour fields differ in width.
   std::vector<systemc::RunReport> run_sequence(std::span<const isa::Program> programs,
                                                std::span<systemc::RunListener* const> listeners) override;
 
   [[nodiscard]] std::vector<wave::Tap> taps(const isa::Program& program, const wave::Request& request) const override;
 
-  /// A machine of some pixels begins at an instruction shortly before the window.
+  /// Supported only if some of the pixels are built: the run begins at an instruction shortly before the window.
   std::uint64_t skip_to(const isa::Program& program, wave::Window window) override;
 
   [[nodiscard]] const PixelPipeline& processors() const { return pipeline_; }
@@ -61,7 +61,7 @@ class PixelPlanes final : public sc_core::sc_module, public systemc::ClockedMach
   /// A frame whose picture the scan-out has not completely shown.
   struct Showing {
     std::uint64_t begun;  ///< edge at which the frame began
-    bool fills_array;     ///< the array holds the whole picture
+    bool fills_array;     ///< whether the array holds the whole picture
     systemc::RunReport* report;
   };
 
@@ -102,7 +102,7 @@ class PixelPlanes final : public sc_core::sc_module, public systemc::ClockedMach
   Completion completion_{"completion"};
   systemc::Retirement retirement_{"retirement"};
   ScanOut scan_out_;
-  std::optional<Start> start_;   ///< start in the middle of the next frame, if any
+  std::optional<Start> start_;   ///< start of the next frame, if it is not at the beginning
   std::deque<Showing> showing_;  ///< oldest first
   std::uint64_t begun_ = 0;      ///< edge at which the last drawn frame began
   std::uint64_t drawn_ = 0;      ///< value of programs_ last seen

@@ -12,11 +12,11 @@
 
 namespace csgsim::pixel_planes {
 
-/// Wires from a controller to the roots of the multiplier trees and to the delay before the pixels.
+/// Wires from a controller to the roots of the multiplier trees and to the delay line before the pixels.
 class PixelWires : virtual public sc_core::sc_interface {
  public:
-  /// Sets the wires from `edge` on, until the edge of the next call. `edge` is the current edge or a later one, and not
-  /// before that of the previous call.
+  /// Sets the wires from `edge` on, until the edge of the next call. `edge` must not precede the current edge or the
+  /// edge of the previous call.
   virtual void put(std::uint64_t edge, const ControlWord& word, const array::RootBits& bits) = 0;
 };
 

@@ -17,7 +17,7 @@ namespace {
 
 /// Calls visit(segment, index, number of questions before) for each executed instruction, until it returns false.
 template <class Visit>
-void for_each_carried_out(const isa::Program& program, const std::vector<bool>& answers, Visit visit) {
+void for_each_executed(const isa::Program& program, const std::vector<bool>& answers, Visit visit) {
   std::size_t questions = 0;
   for (std::uint32_t s = 0; s < program.segments.size(); ++s) {
     const std::vector<isa::Instruction>& all = program.segments[s].instructions;
@@ -33,22 +33,21 @@ void for_each_carried_out(const isa::Program& program, const std::vector<bool>& 
 
 std::optional<Start> start_before(const isa::Program& program, const machines::Machine& machine,
                                   const systemc::EarlierRun& foretold, wave::Window window) {
-  // One clock more than the pipeline for the word that the pixels have executed last, which is also traced.
+  // One clock more than the pipeline, because the word that the pixels executed last is also traced.
   const std::uint64_t lead = machines::evaluator_latency(machine) + 2;
   std::optional<Start> start;
   std::uint64_t first = 0;  // ordinal of the segment's first instruction
   std::uint32_t segment_before = 0;
-  for_each_carried_out(program, foretold.answers,
-                       [&](std::uint32_t segment, std::uint32_t index, std::size_t questions) {
-                         if (segment != segment_before) first += program.segments[segment_before].instructions.size();
-                         segment_before = segment;
-                         const std::uint64_t begin = foretold.timeline->issued[segment][index].begin;
-                         const bool follows_squares = isa::pending_squares(program.segments[segment], index) != nullptr;
-                         if (begin + lead <= window.begin && !follows_squares)
-                           start = Start{segment, index, first + index, {}, questions, 0};
-                         if (start) start->end = first + index + 2 + machine.link.fifo_depth;
-                         return begin < window.end;
-                       });
+  for_each_executed(program, foretold.answers, [&](std::uint32_t segment, std::uint32_t index, std::size_t questions) {
+    if (segment != segment_before) first += program.segments[segment_before].instructions.size();
+    segment_before = segment;
+    const std::uint64_t begin = foretold.timeline->issued[segment][index].begin;
+    const bool follows_squares = isa::pending_squares(program.segments[segment], index) != nullptr;
+    if (begin + lead <= window.begin && !follows_squares)
+      start = Start{segment, index, first + index, {}, questions, 0};
+    if (start) start->end = first + index + 2 + machine.link.fifo_depth;
+    return begin < window.end;
+  });
   if (start) start->moment = instruction_moment(program, machine, foretold.skips, start->segment, start->index);
   return start;
 }
@@ -61,7 +60,7 @@ array::PixelReplay replay_until(const isa::Program& program, const std::vector<b
     array::PixelReplay replay = fresh;
     std::uint64_t first = 0;  // ordinal of the segment's first instruction
     std::optional<std::uint32_t> begun;
-    for_each_carried_out(program, answers, [&](std::uint32_t s, std::uint32_t i, std::size_t /*questions*/) {
+    for_each_executed(program, answers, [&](std::uint32_t s, std::uint32_t i, std::size_t /*questions*/) {
       if (begun != s) {
         if (begun) first += program.segments[*begun].instructions.size();
         replay.begin(program.segments[s].region);
@@ -87,7 +86,7 @@ array::Place place_of(wave::Pixel pixel, const isa::Program& program) {
   return {pixel.x - region.x, pixel.y - region.y};
 }
 
-std::uint32_t built_place(const systemc::EarlierRun& foretold, array::Place place) {
+std::uint32_t built_index(const systemc::EarlierRun& foretold, array::Place place) {
   const auto found = std::find(foretold.pixels.begin(), foretold.pixels.end(), place);
   if (found == foretold.pixels.end()) throw std::out_of_range("a probed pixel that is not built");
   return static_cast<std::uint32_t>(std::distance(foretold.pixels.begin(), found));

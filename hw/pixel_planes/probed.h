@@ -13,33 +13,34 @@
 #include "hw/systemc/foretold.h"
 #include "hw/wave/request.h"
 
-// Starting a machine with only some pixels in the middle of a frame.
+// Starts a machine of which only some pixels are built in the middle of a frame.
 namespace csgsim::pixel_planes {
 
-/// The beginning of an instruction.
+/// The point at which an instruction begins.
 struct Start {
   std::uint32_t segment = 0;
   std::uint32_t index = 0;
   std::uint64_t ordinal = 0;  ///< number of the instruction in the frame
   Moment moment;
-  std::size_t questions = 0;  ///< number of questions before it
-  std::uint64_t end = 0;      ///< ordinal of the first instruction whose words are all sent after the window
+  std::size_t questions = 0;  ///< number of global-OR tests before it
+  std::uint64_t end = 0;      ///< ordinal of the first instruction whose words are all sent after the end of the window
 };
 
-/// The last instruction that begins at least a pipeline length before the window and does not depend on squares before
-/// it; empty if there is none.
+/// The last instruction that begins at least a pipeline length before the window and has no squares directly before it;
+/// empty if there is none.
 std::optional<Start> start_before(const isa::Program& program, const machines::Machine& machine,
                                   const systemc::EarlierRun& foretold, wave::Window window);
 
-/// The pixels after all executed instructions before `start`. `answers`: as in EarlierRun.
+/// The pixels after all instructions before `start` have been executed, starting from `fresh`. `answers`: as in
+/// EarlierRun.
 array::PixelReplay replay_until(const isa::Program& program, const std::vector<bool>& answers, const Start& start,
                                 const array::PixelReplay& fresh);
 
 /// Position in the array of a pixel of the picture. Throws InputError if no segment contains it.
 array::Place place_of(wave::Pixel pixel, const isa::Program& program);
 
-/// Index of a place among the foretold pixels. Throws std::out_of_range if it is not among them.
-std::uint32_t built_place(const systemc::EarlierRun& foretold, array::Place place);
+/// Index of a place among the pixels of the earlier run. Throws std::out_of_range if it is not among them.
+std::uint32_t built_index(const systemc::EarlierRun& foretold, array::Place place);
 
 /// The field of pixel memory that the scan-out displays.
 isa::Field shown_field(const isa::Program& program, const machines::Machine& machine);

@@ -38,7 +38,7 @@ void ScanOut::on_clock() {
   sleep();
 }
 
-/// Shifts for the clocks slept through, then acts for the current clock.
+/// Performs the shifts of the clocks slept through, then acts for the current clock.
 void ScanOut::act() {
   const std::uint64_t now = systemc::edges(period_);
   shift(now - std::exchange(acted_at_, now) - 1);
@@ -47,7 +47,7 @@ void ScanOut::act() {
   latch();
 }
 
-/// Sleeps while a latched row waits for the previous row, until the last clock of shifting that out.
+/// Sleeps while a latched row waits for the previous row, until the last clock in which the latter is shifted out.
 void ScanOut::sleep() {
   const std::uint32_t clocks = quotient_up(shape_.width - shifted_, pixels_);
   if (latches() || clocks < 2) return next_trigger(clock.posedge_event());

@@ -14,10 +14,10 @@
 
 namespace csgsim::pixel_planes {
 
-/// Shows each finished picture once. It latches the colour bits of a row, one bit of all its pixels at a time, then
-/// shifts the row out, `pixels` per clock, while it latches the next. With its own port it latches a bit in each clock.
-/// With a shared port it requests each bit from the controller, one per clock, and latches the bit in the clock in
-/// which the refresh word is at the pixels.
+/// Shows each finished picture once. It latches the colour bits of a row, one bit of all its pixels at a time, and then
+/// shifts the row out, `pixels` pixels per clock, while it latches the next row. With its own port it latches a bit in
+/// each clock. With a shared port it requests each bit from the controller, one per clock, and latches the bit in the
+/// clock in which the refresh word is at the pixels.
 class ScanOut final : public sc_core::sc_module {
  public:
   sc_core::sc_in<bool> clock{"clock"};
@@ -31,7 +31,7 @@ class ScanOut final : public sc_core::sc_module {
   ScanOut(sc_core::sc_module_name name, const sc_core::sc_time& period, array::PlaneShape shape, std::uint32_t pixels,
           ScanOutPort port);
 
-  // Signals for waves.
+  // State for waves.
   [[nodiscard]] bool is_showing() const { return state_ == State::showing; }
   [[nodiscard]] std::uint32_t row_latched() const { return row_; }  ///< row being latched
   [[nodiscard]] std::uint32_t video() const;                        ///< colour of the last pixel shown
@@ -60,13 +60,13 @@ class ScanOut final : public sc_core::sc_module {
   const ScanOutPort port_;
   isa::Field colour_;
   std::uint32_t row_ = 0;                 ///< row being latched
-  std::uint32_t requested_ = 0;           ///< bits of it requested from the controller
-  std::uint32_t latched_ = 0;             ///< bits of it latched
+  std::uint32_t requested_ = 0;           ///< number of bits of the row requested from the controller
+  std::uint32_t latched_ = 0;             ///< number of bits of the row latched
   std::vector<std::uint32_t> latch_row_;  ///< one colour per pixel
   std::vector<std::uint32_t> shift_row_;  ///< one colour per pixel
   std::uint32_t shifted_;                 ///< pixels of shift_row_ shown
   std::uint64_t frames_done_ = 0;
-  State state_ = State::asleep;  ///< asleep until a picture arrives; awake: takes a picture at the next edge
+  State state_ = State::asleep;  ///< `asleep` until a picture arrives; `awake`: takes a picture at the next edge
   std::vector<std::uint32_t> picture_;
   std::uint32_t video_ = 0;     ///< colour of the last pixel shown at acted_at_
   std::uint64_t acted_at_ = 0;  ///< edge of the last action

@@ -29,7 +29,7 @@ void ScanOutTiming::send_all(std::uint64_t edge) {
   while (request() != never) send(std::max(request(), edge));
 }
 
-/// Ends the latching of a row at `edge`; the row is shown from then on, or after the previous row.
+/// Ends the latching of a row at `edge`. The row is shown from then on, or after the previous row.
 void ScanOutTiming::finish_row(std::uint64_t edge) {
   latched_ = edge;
   row_begun_ = row_ == 0 ? edge : std::max(edge, row_begun_ + shift_clocks_);

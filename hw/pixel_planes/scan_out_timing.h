@@ -20,14 +20,14 @@ class ScanOutTiming {
   /// The edge at which the next request for a refresh word reaches the controller; never, if there is none.
   [[nodiscard]] std::uint64_t request() const { return row_ < rows_ && shared_ ? request_ : never; }
 
-  /// The controller sends the requested refresh word at that edge.
+  /// Records that the controller sends the requested refresh word at `edge`.
   void send(std::uint64_t edge);
 
-  /// The controller sends all remaining words at the earliest edges, from that edge on.
+  /// Records that the controller sends all remaining words at the earliest edges, not before `edge`.
   void send_all(std::uint64_t edge);
 
-  /// Results after all words have been sent: the edge at which the controller learns that the last row has been
-  /// latched, and the first edge at which another picture can be taken, one after the last pixel has been shown.
+  /// Results after all words have been sent: the edge at which the controller is notified that the last row has been
+  /// latched, and the first edge at which another picture can be taken, one edge after the last pixel has been shown.
   [[nodiscard]] std::uint64_t latched() const { return latched_; }
   [[nodiscard]] std::uint64_t over() const { return row_begun_ + shift_clocks_; }
 
@@ -37,11 +37,11 @@ class ScanOutTiming {
   std::uint32_t bits_;
   std::uint64_t rows_;
   std::uint64_t shift_clocks_;  ///< clocks to shift out a row
-  std::uint64_t way_;           ///< clocks from a refresh word's edge to the first after its bit has been latched
+  std::uint64_t way_;           ///< clocks from a refresh word's edge to the first edge after its bit has been latched
   bool shared_;
   std::uint64_t row_ = 0;      ///< row being latched
   std::uint64_t row_begun_;    ///< edge from which it is latched, and the previous row is shown
-  std::uint32_t sent_ = 0;     ///< refresh words sent for it
+  std::uint32_t sent_ = 0;     ///< number of refresh words sent for the row
   std::uint64_t request_ = 0;  ///< edge of the next request
   std::uint64_t latched_ = 0;
 };

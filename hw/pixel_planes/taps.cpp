@@ -16,7 +16,7 @@ namespace {
 using wave::Number;
 using wave::Tap;
 
-constexpr unsigned address_bits = 12;  // of isa::max_memory_bits
+constexpr unsigned address_bits = 12;  // enough for isa::max_memory_bits
 
 std::string function_of(const ControlWord& word) {
   if (word.clears) return "clear";
@@ -42,7 +42,7 @@ class Probe {
                                                   : point_.pipeline.now().y_level(level.level, point_.place);
   }
 
-  /// A field of memory, cut off at the end of memory: a wide ALU may reach beyond it behind a narrow operand.
+  /// A field of memory, truncated at the end of memory: a wide ALU may read beyond it for a narrow operand.
   [[nodiscard]] std::uint64_t memory(isa::Field field) const {
     const std::uint32_t left = point_.pipeline.pixels().memory_bits() - field.base;
     field.width = static_cast<std::uint16_t>(std::min<std::uint32_t>(field.width, left));
@@ -55,14 +55,14 @@ class Probe {
     const bool is_read = array::info(step.function).reads_x && step.source == array::OperandSource::memory;
     return is_read ? Number(memory({step.x, step.bits})) : std::nullopt;
   }
-  /// Data of the second read port, or of the only one if operand x does not come from memory.
+  /// Data of the second read port; if operand x does not come from memory, of the only port in use.
   [[nodiscard]] Number read_y() const {
     const array::ArrayStep& step = point_.pipeline.now().at_pixels().step;
     return array::info(step.function).reads_y ? Number(memory({step.y, step.bits})) : std::nullopt;
   }
-  /// Memory after the previous step, at the address that it may have written.
+  /// Content of memory after the previous step, at the address that the step may have written.
   [[nodiscard]] Number written() const {
-    const array::ArrayStep& step = point_.pipeline.now().carried_out().step;
+    const array::ArrayStep& step = point_.pipeline.now().last_executed().step;
     return array::info(step.function).writes ? Number(memory({step.write, step.bits})) : std::nullopt;
   }
 

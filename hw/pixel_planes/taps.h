@@ -17,32 +17,33 @@
 // Wave taps of an array of pixel processors and its trees, shared by several kinds of machines.
 namespace csgsim::pixel_planes {
 
-/// State of the coefficients entering the trees, `PART.state`; their bits `PART.a`, `.b`, `.c`, and the number of the
-/// first, `.bit`; in degree 2 also `.xx`, `.xy`, `.yy`; with several bits in parallel also their number, `.bits`.
+/// Taps of the coefficients that enter the trees: `PART.state`; the coefficient bits `PART.a`, `.b`, `.c`, and the
+/// number of the first bit, `.bit`; in degree 2 also `.xx`, `.xy`, `.yy`; if several bits enter in parallel also their
+/// number, `.bits`.
 std::vector<wave::Tap> root_taps(const std::string& part, const PixelPipeline& pipeline, array::TreeForm trees);
 
-/// The control word at the pixels with its instruction: `PART.instruction`, `.text`, ..., `.function`, `.read_x`,
-/// `.read_y`, `.write`, `.bits`, `.constant`. If the trees deliver several bits in a clock there is also `.first`, the
-/// first of them that the step uses; `.function` then also names the functions of the bits beyond the field and of the
-/// sign, as in `compare+compare_with_0+sign_enable`, and `.bits` counts the bits of the first of these. `at` returns
-/// the instruction's number within the Program.
+/// Taps of the control word at the pixels and its instruction: `PART.instruction`, `.text`, ..., `.function`,
+/// `.read_x`, `.read_y`, `.write`, `.bits`, `.constant`. If the trees deliver several bits per clock there is also
+/// `.first`, the first bit that the step uses; `.function` then also names the functions of the bits beyond the field
+/// and of the sign, as in `compare+compare_with_0+sign_enable`, and `.bits` is the number of bits for the first of
+/// these functions. `at` returns the instruction's number within the Program.
 std::vector<wave::Tap> control_taps(const std::string& part, const PixelPipeline& pipeline, unsigned tree_bits,
                                     const isa::Program& program, std::function<wave::Number()> at);
 
-/// A probed pixel. Its taps show values only while `shows` returns true; always, if `shows` is null.
+/// A probed pixel. Its taps show values only while `shows` returns true, or always if `shows` is null.
 struct PixelPoint {
   const PixelPipeline& pipeline;
   array::Place place;  ///< position in the array
-  array::Place built;  ///< position among the pixels that are built
+  array::Place built;  ///< position in the array of pixels that are built
   std::function<bool()> shows;
   array::TreeForm trees;
 };
 
-/// Registers, memory ports and fields of a pixel, and the tree levels on the path to it: `pixel_X_Y.tree_bit`,
-/// `.carry`, `.flag`, `.enable`, `.latch`, `.mem_read_x`, `.mem_read_y`, `.mem_written`, one tap per field,
-/// `.tree_x_3`, the number of its first bit `.tree_x_3_bit`, `.tree_x_3_carry`; in degree 2 also `.tree_x_3_slope`,
-/// `_slope_carry`, `_step_carry`, and in the X tree `_row_slope`, `_row_slope_carry`. Taps of streams show all bits
-/// that the trees carry in parallel. Throws InputError for a level that the tree does not have.
+/// Taps of the registers, memory ports and fields of a pixel, and of the tree levels on the path to it:
+/// `pixel_X_Y.tree_bit`, `.carry`, `.flag`, `.enable`, `.latch`, `.mem_read_x`, `.mem_read_y`, `.mem_written`, one tap
+/// per field, `.tree_x_3`, the number of its first bit `.tree_x_3_bit`, `.tree_x_3_carry`; in degree 2 also
+/// `.tree_x_3_slope`, `_slope_carry`, `_step_carry`, and in the X tree `_row_slope`, `_row_slope_carry`. Taps of
+/// streams show all bits that the trees carry in parallel. Throws InputError for a level that the tree does not have.
 std::vector<wave::Tap> pixel_taps(wave::Pixel pixel, PixelPoint point, const isa::Program& program,
                                   std::span<const wave::TreeLevel> levels, unsigned alu_bits);
 

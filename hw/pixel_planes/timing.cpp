@@ -58,7 +58,7 @@ std::vector<Task> make_tasks(const isa::Program& program, const machines::Machin
   return tasks;
 }
 
-/// Clocks to copy a finished picture with that many colour bits: the steps of enable_all and copy.
+/// Clocks to copy a finished picture with `colour_bits` colour bits: the steps of enable_all and copy.
 std::uint64_t copy_clocks(std::uint32_t colour_bits, const machines::Machine& machine) {
   if (machines::second_buffer(colour_bits, machine).width == 0) return 0;
   const auto width = static_cast<std::uint16_t>(colour_bits);
@@ -70,8 +70,8 @@ std::uint64_t copy_clocks(std::uint32_t colour_bits, const machines::Machine& ma
 /// command begins at the next edge; from the edge at which a command begins, words of the next command are read.
 class FrameModel {
  public:
-  /// `shown`: scan-out of the previous picture, or null; in its numbering the frame's first edge is `first`. `spans`,
-  /// if not null, receives the clocks of each executed task.
+  /// `shown`: scan-out of the previous picture, or null; in its numbering the frame's first edge is `first`. `spans`:
+  /// receives the clocks of each executed task, unless null.
   FrameModel(const machines::Machine& machine, const std::vector<Task>& tasks, std::uint64_t copy_clocks,
              ScanOutTiming* shown, std::uint64_t first, std::vector<machines::ClockSpan>* spans = nullptr)
       : machine_(machine),
@@ -100,14 +100,14 @@ class FrameModel {
             .account = account(account_, link_.account(), machine_, instructions_)};
   }
 
-  /// Makes time() stop at that task, if it is executed, and record its moment; the timing is then not valid. Must be
-  /// called before time().
+  /// Makes time() stop at the given task, if it is executed, and record its moment; the timing is then not valid. Must
+  /// be called before time().
   void watch(std::size_t task) { watched_ = task; }
   [[nodiscard]] const std::optional<Moment>& watched() const { return moment_; }
 
  private:
   /// Determines on a copy of the link which words are sent before the edge at which a command begins. Later words are
-  /// read from that edge on and free no room before it.
+  /// read from that edge on, so they free no room before it.
   [[nodiscard]] Moment moment() const {
     machines::LinkTiming link = link_;
     const std::uint64_t read = first_word_ + link.words_read();
@@ -154,7 +154,8 @@ class FrameModel {
     }
   }
 
-  /// Begins the command when it has arrived, the previous one is over, and no refresh word is requested at the edge.
+  /// Begins the command when it has arrived, the previous command is over, and no refresh word is requested at the
+  /// edge.
   void begin_after_refreshing() {
     const std::uint64_t ready = std::max(read_ + 1, free_);
     std::uint64_t& waiting = jumped_ ? account_.jumping : account_.starved;
@@ -162,7 +163,8 @@ class FrameModel {
     for (begun_ = ready; refresh_at(begun_, begun_ + 1) != none; ++begun_) continue;
   }
 
-  /// Copies the picture when the previous one has been latched, then waits until the last step has reached the pixels.
+  /// Copies the picture when the previous picture has been latched, then waits until the last step has reached the
+  /// pixels.
   void end() {
     if (copy_clocks_ > 0) {
       const std::uint64_t latched = shown_ == nullptr ? free_ : latched_after(free_);
@@ -190,7 +192,7 @@ class FrameModel {
     return clocks;
   }
 
-  /// Sends the first refresh word requested in [from, before). Returns its edge, or none.
+  /// Sends the first refresh word requested in [from, before). Returns its edge, or `none`.
   std::uint64_t refresh_at(std::uint64_t from, std::uint64_t before) {
     if (shown_ == nullptr || shown_->request() == none) return none;
     const std::uint64_t edge = std::max(first_ + from, shown_->request());
@@ -201,8 +203,8 @@ class FrameModel {
     return edge - first_;
   }
 
-  /// Jumps after a question. The answer is there at edge free_, and the host receives it at the next edge. Until then
-  /// the host has kept sending, and words of the next command have been read.
+  /// Jumps after a question. The answer arrives at edge free_, and the host receives the request at the next edge.
+  /// Until then the host keeps sending, and words of the next command are read.
   void jump(std::size_t question) {
     const std::uint64_t known = free_ + 1;
     std::size_t task = question + 1;
@@ -213,7 +215,7 @@ class FrameModel {
         sent = link_.send_before(known, stored);
         if (!sent || task != question + 1) continue;
         read_ = std::max({stored + 1, read_ + 1, word == 0 ? begun_ : 0});
-        link_.read(read_);  // reading a word at free_ itself would make room too late for another
+        link_.read(read_);  // reading a word at free_ itself would make room too late for another word
       }
     }
     link_.stop(known, !sent);
@@ -277,7 +279,7 @@ class SequenceModel {
   /// Clocks from the beginning of the next frame until the scan-out of the last picture begins.
   [[nodiscard]] std::uint64_t scan_out_after() const { return std::max(scan_out_begin_, begin_) - begin_; }
 
-  /// Timing of all frames; the last picture is shown to its end.
+  /// Timing of all frames; the last picture is shown completely.
   std::vector<machines::FrameTiming> finish() {
     if (shown_) shown_->send_all(begin_);
     end_picture();
@@ -308,9 +310,9 @@ class SequenceModel {
   std::uint64_t scan_out_begin_ = 0;  ///< edge at which the scan-out of its picture begins
 };
 
-/// Interval in a long sequence of the same Program. Simulates frames until the scan-out begins as long after the
-/// frame's beginning as in the frame before, at most max_frames_tried. `alone`: timing of a single frame. With one
-/// buffer no picture is scanned out while another is drawn, so all frames are drawn alike.
+/// Interval in a long sequence of the same Program. Simulates up to max_frames_tried frames, until the scan-out begins
+/// as long after the frame's beginning as in the previous frame. `alone`: timing of a single frame. With one buffer no
+/// picture is scanned out while another is drawn, so all frames have the same timing.
 std::uint64_t steady_interval(const machines::FrameTiming& alone, const std::vector<Task>& tasks,
                               std::uint32_t colour_bits, const machines::Machine& machine) {
   const bool two_buffers = machines::own<Figures>(machine).scan_out_buffers >= 2;
@@ -373,7 +375,7 @@ std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, co
 Moment instruction_moment(const isa::Program& program, const machines::Machine& machine,
                           std::span<const machines::Skip> skips, std::uint32_t segment, std::uint32_t index) {
   const std::vector<Task> tasks = make_tasks(program, machine, skips);
-  std::size_t task = segment + 1 + index;  // after a clear for each segment
+  std::size_t task = segment + 1 + index;  // the start of each segment is also a task
   for (std::uint32_t s = 0; s < segment; ++s) task += program.segments[s].instructions.size();
   const std::uint32_t colour_bits = program.colour.width;
   FrameModel frame(machine, tasks, copy_clocks(colour_bits, machine), nullptr, 0);
@@ -391,7 +393,7 @@ std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeli
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (!steps[i].empty() && isa::needs_global_or(instructions[i].opcode)) steps[i].end = steps[i].begin + 1;
   }
-  return machines::later(std::move(steps), machines::evaluator_latency(machine));
+  return machines::shifted(std::move(steps), machines::evaluator_latency(machine));
 }
 
 std::vector<machines::FrameTiming> time_sequence(std::span<const DrawnFrame> frames, const machines::Machine& machine) {

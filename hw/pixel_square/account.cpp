@@ -7,7 +7,7 @@ namespace csgsim::pixel_square {
 
 namespace {
 
-/// Account of a unit without refresh and ring activities.
+/// Account of a unit that has no refresh and ring activities.
 machines::PartAccount part(std::string name, const SquareClocks& clocks) {
   using enum SquareActivity;
   return machines::part_of(
@@ -33,7 +33,7 @@ machines::PartAccount frame_buffer(const SquareClocks& clocks) {
                             waiting_for_frame_buffer, done, refreshing});
 }
 
-/// Adds the units that distribute the squares, and those before them.
+/// Adds the units that distribute the squares, and those that supply them.
 void add_front(const SquareAccount& counted, machines::Account& account) {
   if (!counted.ring) account.parts.push_back(part("host", counted.host));
   for (std::size_t i = 0; i < counted.processors.size(); ++i)
@@ -50,7 +50,7 @@ void add_front(const SquareAccount& counted, machines::Account& account) {
   if (counted.sender) account.parts.push_back(part("sender", *counted.sender));
 }
 
-/// Share of the renderers' clocks spent drawing.
+/// Fraction of the renderers' clocks spent drawing.
 machines::Share utilisation(const SquareAccount& counted) {
   machines::Share share{.name = "renderer_utilisation"};
   for (const SquareClocks& renderer : counted.renderers) {

@@ -12,15 +12,17 @@
 
 namespace csgsim::pixel_square {
 
-/// Activities of a unit of the pixel-square machine. Every clock of the frame is counted under exactly one of them.
+/// Activities of a unit of the pixel-square machine. Each clock of the frame counts for exactly one.
 enum class SquareActivity : std::uint8_t {
-  working,           ///< sending or receiving the model; testing, writing, sending; clearing, drawing, moving; storing
-  waiting_for_host,  ///< the first word has not left the host, or the model has not arrived
+  /// The host sends the model; a divider receives it, tests and writes; a sender sends; a renderer clears, draws or
+  /// moves a square; the frame buffer stores.
+  working,
+  waiting_for_host,          ///< the first word has not left the host, or the model has not arrived
   waiting_for_divider,       ///< the model FIFO is full, no square is in the store, or no complete command has arrived
   waiting_for_renderer,      ///< the store or the FIFO of the chosen renderer is full, or no colours have arrived
-  waiting_for_frame_buffer,  ///< the FIFO of clears is full, or a finished square has not moved out
+  waiting_for_frame_buffer,  ///< the FIFO of clear headers is full, or a finished square has not moved out
   done,                      ///< no work is left; for a renderer, every clock after its last square has left the pixels
-  refreshing,                ///< frame buffer only: the screen takes a turn and nothing is stored
+  refreshing,                ///< frame buffer only: the screen reads the memory, and nothing is stored
   waiting_for_ring,          ///< graphics processors only: words wait for the ring
 };
 
@@ -32,18 +34,18 @@ constexpr std::string_view name_of(SquareActivity activity) {
   return square_activity_names.at(static_cast<std::size_t>(activity));
 }
 
-/// Clocks of one unit by activity; they add up to the frame's clocks.
+/// Clocks of one unit by activity; their sum is the frame's clocks.
 using SquareClocks = machines::ClockTally<SquareActivity, square_activity_names.size()>;
 
-/// Completes `counted` to a frame of `clocks` clocks: the unaccounted clocks are added under `rest`.
+/// Completes the clocks counted until now to a frame of `clocks` clocks: the remaining clocks are counted as `rest`.
 SquareClocks complete_clocks(SquareClocks counted, SquareActivity rest, std::uint64_t clocks);
 
 /// Counts of the ring in one frame.
 struct RingAccount {
-  SquareClocks clocks;            ///< working: at least one channel carries a word
-  std::uint64_t words = 0;        ///< number of words carried
-  std::uint64_t full_clocks = 0;  ///< clocks in which every channel carried a word, or the frame buffer accepted its
-                                  ///< maximum
+  SquareClocks clocks;      ///< working: at least one channel carries a word
+  std::uint64_t words = 0;  ///< number of words carried
+  /// Clocks in which every channel carried a word, or the frame buffer accepted as many words as it can.
+  std::uint64_t full_clocks = 0;
 
   bool operator==(const RingAccount&) const = default;
 };
@@ -56,7 +58,7 @@ struct SquareAccount {
   std::vector<SquareClocks> processors;         ///< only with graphics processors
   std::optional<RingAccount> ring;              ///< only with graphics processors
   std::vector<SquareClocks> dividers;           ///< only with dividers in the machine
-  std::optional<SquareClocks> sender;           ///< only with dividers: the unit that sends the stored squares
+  std::optional<SquareClocks> sender;           ///< with dividers only: the unit that sends the stored squares
   std::vector<SquareClocks> renderers;          ///< pixel processors of each renderer, without its output buffer
   std::vector<std::uint64_t> renderer_squares;  ///< squares drawn by each renderer
   SquareClocks frame_buffer{};

@@ -7,7 +7,7 @@
 
 namespace csgsim::pixel_square {
 
-/// Counts that a renderer's controller made for a command it issued. Read only by run listeners; no hardware reads it.
+/// Counts of a renderer's controller for a command that it issued. Only run listeners read them; no hardware does.
 struct CommandAccount {
   enum class Kind : std::uint8_t { start, instruction, end };
 

@@ -68,8 +68,8 @@ void CornerDivider::work() {
   }
 }
 
-/// The boxes of the tree's nodes are computed while the model is received, and written to their memory after its last
-/// word.
+/// The boxes of the tree's nodes are computed while the model is received, and written to the node memory after its
+/// last word.
 void CornerDivider::take_model() {
   constexpr unsigned byte_bits = 8;
   const division::DisplayModel model = division::from_link(receiver_.bytes(), byte_bits);

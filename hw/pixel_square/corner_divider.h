@@ -20,19 +20,19 @@ namespace csgsim::pixel_square {
 
 /// State of a divider, for waves.
 struct DividerStatus {
-  std::string_view state;  ///< `receiving`, `testing`, `writing`, `done`, or the name of the stall
+  std::string_view state;  ///< `receiving`, `testing`, `writing`, `done`, or the name of the reason for waiting
   std::optional<std::size_t> square;
 };
 
-/// A divider in the machine (thesis fig. 7.3, docs/machines/pixel-square.md). When the model has been received, it
+/// A divider in the machine (thesis fig. 7.3, docs/machines/pixel-square.md). After the model has been received, it
 /// divides one square after another from its memory: it reads, tests and writes sequentially, and writes each word of
-/// the square's commands to the store at an edge at which the store has room.
+/// the square's commands to the store as soon as the store has room.
 class CornerDivider final : public sc_core::sc_module {
  public:
   CornerDivider(sc_core::sc_module_name name, const machines::Machine& machine, const ModelReceiver& receiver);
 
-  /// Begins a frame with a picture of that size. The divider divides the squares with the indices `assigned`, in this
-  /// order. `squares` must outlive the frame.
+  /// Begins a frame with a picture of the given size. The divider divides the squares with the indices `assigned`, in
+  /// this order. `squares` must outlive the frame.
   void begin(const machines::Size& picture, std::span<const isa::Region> squares, std::vector<std::size_t> assigned);
 
   /// Whether both squares lie in one group, so that the same divider divides them.
@@ -40,7 +40,7 @@ class CornerDivider final : public sc_core::sc_module {
 
   [[nodiscard]] Store& store() { return store_; }
   [[nodiscard]] const Store& store() const { return store_; }
-  /// Activities in a frame of `clocks` clocks.
+  /// Clocks by activity in a frame of `clocks` clocks.
   [[nodiscard]] SquareClocks account(std::uint64_t clocks) const;
   [[nodiscard]] DividerStatus status() const;
 
@@ -73,11 +73,11 @@ class CornerDivider final : public sc_core::sc_module {
   isa::Region group_;                         ///< group that the list belongs to
   std::optional<division::Candidates> list_;  ///< survivors of the group, if they fit the list memory
   std::optional<std::size_t> square_;         ///< square in progress
-  bool begun_square_ = false;                 ///< part of the square is in the store
+  bool begun_square_ = false;                 ///< whether part of the square is in the store
   SquareClocks clocks_;                       ///< counted since the model was received
-  std::uint64_t spent_ = 0;                   ///< clocks already counted that have not yet elapsed
+  std::uint64_t spent_ = 0;                   ///< clocks counted that have not elapsed yet
   std::string_view state_;
-  bool frame_pending_ = false;  ///< a frame has begun that the thread has not seen yet
+  bool frame_pending_ = false;  ///< whether a frame has begun that the thread has not processed yet
   sc_core::sc_event begun_{"begun"};
 };
 

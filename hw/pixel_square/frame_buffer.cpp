@@ -53,7 +53,7 @@ void FrameBuffer::end_of_elaboration() {
   words_written_ |= begun_;
 }
 
-/// Sleeps while all ports are empty and the screen's turn does not change.
+/// Sleeps while all ports are empty and the screen neither begins nor ends a turn.
 void FrameBuffer::on_clock() {
   if (!clock.posedge()) return;
   const std::uint64_t now = systemc::edges(period_);
@@ -64,7 +64,7 @@ void FrameBuffer::on_clock() {
   if (!any_pending()) sleep();
 }
 
-/// Accounts for the elapsed clocks; the buffer slept through all but the last.
+/// Accounts for the elapsed clocks; the frame buffer slept through all but the last.
 void FrameBuffer::count(std::uint64_t clocks) {
   if (screen_.row()) clocks_.add(SquareActivity::refreshing, clocks - 1);
   screen_.on_clocks(clocks);
@@ -166,13 +166,13 @@ void FrameBuffer::clear(Incoming& square) {
   store(square, span_of(bits));
 }
 
-/// Number of bits of the next word that belong to the square.
+/// Number of bits in the next word that belong to the square.
 std::uint64_t FrameBuffer::bits_to_come(const Incoming& square) const {
   return std::min<std::uint64_t>(port_bits_, colour_bits(square) - square.next_bit);
 }
 
-/// Calls act(at, from, count) for each pixel whose colour lies at least partly in the next word: `count` bits, starting
-/// with bit `from` of the word, belong to position `at`. Returns the position at which the following word begins.
+/// Calls act(at, from, count) for each pixel with colour bits in the next word: `count` bits, starting with bit `from`
+/// of the word, belong at position `at`. Returns the position at which the following word begins.
 template <class Visit>
 FrameBuffer::Cursor FrameBuffer::for_each_colour(const Incoming& square, const Visit& visit) const {
   Cursor at = square.next;

@@ -24,11 +24,11 @@ struct FrameContents {
 };
 
 /// Holds the picture; its rows are interleaved over the banks. In each clock, every bank that the screen does not read
-/// accepts one word from a port, or one word of background. The word goes to the bank of the row in which it begins. A
-/// header word uses a turn of any bank.
-/// The ports (one per renderer, then the sender's or those of graphics processors) are served round-robin, starting
-/// after the port that was served last. A port is served if a word or a square to clear is pending and its bank is
-/// free. A square to clear takes, after its header, one turn per word of its colours; each turn writes background.
+/// accepts one word from a port, or one word of background. A word goes to the bank of the row in which it begins; a
+/// header word occupies any free bank. The ports (one per renderer, then the ports of the sender or the graphics
+/// processors) are served round-robin, starting after the port that was served last. A port is served if a word or a
+/// square to clear is pending and its bank is free. After the header of a square to clear, one word of background is
+/// written per turn until the square is filled.
 class FrameBuffer final : public systemc::ClockedModule {
  public:
   sc_core::sc_vector<sc_core::sc_fifo_in<PortWord>> colours;  ///< one per renderer
@@ -39,18 +39,18 @@ class FrameBuffer final : public systemc::ClockedModule {
 
   void begin(const FrameContents& contents);
 
-  /// Colour of every pixel, in row order: the last stored value; 0 if none was stored since a picture of that size
-  /// began.
+  /// Colour of every pixel, in row order: the last stored value, or 0 if none was stored since the picture got its
+  /// size.
   [[nodiscard]] std::span<const std::uint32_t> picture() const { return picture_; }
 
-  // Shown in waves: the port served last at the last edge, if any; the square that came through it, with width 0 until
-  // its header is complete; the number of complete squares; and the row that the screen reads, if any.
+  // State for waves: the port served last at the last edge, if any; the row that the screen reads, if any; the square
+  // that came through that port, with width 0 until its header is complete; and the number of complete squares.
   [[nodiscard]] std::optional<std::size_t> served() const { return served_; }
   [[nodiscard]] std::optional<std::uint32_t> refreshed() const { return screen_.row(); }
   [[nodiscard]] const isa::Region& served_square() const { return served_square_; }
   [[nodiscard]] std::uint64_t squares() const { return squares_; }
 
-  /// Activities in a frame of `clocks` clocks.
+  /// Clocks by activity in a frame of `clocks` clocks.
   [[nodiscard]] SquareClocks account(std::uint64_t clocks) const {
     return complete_clocks(clocks_, SquareActivity::waiting_for_renderer, clocks);
   }
@@ -63,7 +63,7 @@ class FrameBuffer final : public systemc::ClockedModule {
     unsigned place = 0;  ///< bit position within the colour
   };
 
-  /// The square that arrives through a port.
+  /// The square that a port receives.
   struct Incoming {
     std::uint64_t header = 0;
     unsigned gathered = 0;       ///< bits of the header received

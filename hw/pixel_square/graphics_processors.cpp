@@ -46,7 +46,7 @@ void GraphicsProcessors::end_of_elaboration() {
   words_taken_ |= begun_;
 }
 
-/// Whether every processor is stalled or done; only the ring taking a word can end a stall.
+/// Whether every processor is stalled or done. A stall can end only when the ring takes a word.
 bool GraphicsProcessors::all_stalled() const {
   using enum SquareActivity;
   return std::ranges::all_of(processors_, [](const Processor& one) {

@@ -19,14 +19,14 @@
 
 namespace csgsim::pixel_square {
 
-/// Processors that divide the model. Each takes the next square that no other processor has taken, requests a renderer,
-/// and sends the square's commands to its port of the ring, one word a clock while there is room; for an empty square
-/// it sends a header to the frame buffer. It keeps the renderer, and takes no other square, until the ring has taken
-/// all of these words.
-/// Each processor sends what it compiled while the previous frame was drawn (hw/host). It requests a renderer before
-/// its first word. It is assigned the renderer with the fewest unfinished squares among those that no other processor
-/// keeps; ties go to the lowest number. A released renderer is available from the next edge on. If several processors
-/// request at the same edge, the lowest number is served first.
+/// Processors that divide the model. Each takes the next square, requests a renderer, and sends the square's commands
+/// to its port of the ring, one word per clock while there is room; for an empty square it sends a header to the frame
+/// buffer. It keeps the renderer, and takes no other square, until the ring has taken all of these words. Each
+/// processor sends what it compiled while the previous frame was drawn (hw/host).
+///
+/// A processor requests a renderer before its first word. It is assigned the renderer with the fewest unfinished
+/// squares among those that no other processor keeps; ties go to the lowest number. A released renderer is available
+/// from the next edge on. If several processors request at the same edge, the lowest number is served first.
 class GraphicsProcessors final : public systemc::ClockedModule {
  public:
   sc_core::sc_vector<sc_core::sc_fifo_out<RingWord>> words;  ///< one per processor
@@ -42,7 +42,7 @@ class GraphicsProcessors final : public systemc::ClockedModule {
 
   [[nodiscard]] std::size_t count() const { return processors_.size(); }
   [[nodiscard]] std::uint64_t squares_skipped() const { return skipped_; }
-  /// Activities of a processor in a frame of `clocks` clocks.
+  /// Clocks by activity of a processor in a frame of `clocks` clocks.
   [[nodiscard]] SquareClocks account(std::size_t processor, std::uint64_t clocks) const {
     return complete_clocks(processors_[processor].clocks, SquareActivity::done, clocks);
   }
@@ -51,12 +51,13 @@ class GraphicsProcessors final : public systemc::ClockedModule {
  private:
   struct Processor {
     std::optional<std::size_t> square;    ///< square in progress
-    bool is_clear = false;                ///< the square is empty
+    bool is_clear = false;                ///< whether the square is empty
     std::vector<isa::LinkWord> commands;  ///< commands of the square, as link words
-    std::size_t sent = 0;                 ///< words sent of these, or of the header
-    bool all_sent = false;                ///< all words are sent, but some still wait for the ring
+    std::size_t sent = 0;                 ///< number of these words, or of the header's, already sent
+    bool all_sent = false;                ///< whether all words are sent but some still wait for the ring
     std::optional<std::size_t> renderer;  ///< renderer that the processor keeps
-    SquareActivity activity{};            ///< activity of the last clock, and of the clocks slept since
+    /// Activity of the last clock, and of the clocks since then in which the processor slept.
+    SquareActivity activity{};
     SquareClocks clocks;
     SenderStatus status;
   };

@@ -103,9 +103,9 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
                                              "bits of a word of commands or colours on that ring"),
     own_figure<Figures, &Figures::ring_word_clocks>("ring.word_clocks", "clocks", 1, max_parameter_clocks,
                                                     "clocks between two words on a channel of that ring"),
-    own_figure<Figures, &Figures::dividers>(
-        "divider.count", "dividers", 1, 64,
-        "with corners: dividers that take groups of squares round-robin, each with the following resources"),
+    own_figure<Figures, &Figures::dividers>("divider.count", "dividers", 1, 64,
+                                            "with corners: dividers, to which groups of squares are assigned "
+                                            "round-robin, each with the following resources"),
     own_figure<Figures, &Figures::levels>("divider.levels", "levels", 1, 2,
                                           "with corners: 2 divides groups of squares first"),
     own_figure<Figures, &Figures::group_side>("divider.group", "squares", 1, 1024,

@@ -14,7 +14,7 @@ class Kind final : public machines::KindOf<Figures> {
   /// Squares of the machine's picture, each as large as a renderer's array and clipped at the right and bottom edges,
   /// in the machine's order. If a divider divides groups of squares first, the squares are listed group by group.
   std::vector<isa::Region> regions(const Machine& machine) const override;
-  /// Whether renderers have a global OR, for skipping instructions; no answer returns to the host.
+  /// Whether the renderers' controllers can skip instructions by a global OR; no answer returns to the host.
   bool has_global_or(const Machine& machine) const override;
   std::uint32_t hosts(const Machine& machine) const override;
   std::optional<machines::Division> division(const Machine& machine) const override;

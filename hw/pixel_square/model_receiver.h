@@ -12,7 +12,7 @@
 
 namespace csgsim::pixel_square {
 
-/// Receives the model from the link, one word a clock.
+/// Receives the model from the link, one word per clock.
 class ModelReceiver final : public systemc::ClockedModule {
  public:
   sc_core::sc_fifo_in<isa::LinkWord> model{"model"};
@@ -25,7 +25,7 @@ class ModelReceiver final : public systemc::ClockedModule {
 
   /// Notified at the edge at which the last word arrives.
   [[nodiscard]] const sc_core::sc_event& received() const { return received_; }
-  /// Received model, one byte per element.
+  /// The received model, one byte per element.
   [[nodiscard]] const std::vector<isa::LinkWord>& bytes() const { return bytes_; }
   /// Activities until the model is complete.
   [[nodiscard]] const SquareClocks& clocks() const { return clocks_; }

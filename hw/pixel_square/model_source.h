@@ -13,8 +13,8 @@
 
 namespace csgsim::pixel_square {
 
-/// The host's end of the link to a divider. Sends one word of the model every `link.word_clocks` clocks, in the last of
-/// them or in the first later clock in which the FIFO has room; the first word follows `link.latency` clocks after the
+/// The host's end of the link to a divider. Sends one word of the model per `link.word_clocks` clocks, in the last of
+/// these or in the first later clock in which the FIFO has room; the first word follows `link.latency` clocks after the
 /// start.
 class ModelSource final : public systemc::ClockedModule {
  public:
@@ -25,12 +25,12 @@ class ModelSource final : public systemc::ClockedModule {
   /// Starts at the next edge. The bytes must outlive the frame.
   void begin(std::span<const std::uint8_t> model);
 
-  /// Activities in a frame of `clocks` clocks.
+  /// Clocks by activity in a frame of `clocks` clocks.
   [[nodiscard]] SquareClocks account(std::uint64_t clocks) const {
     return complete_clocks(clocks_, SquareActivity::done, clocks);
   }
 
-  /// Shown in waves: number of words sent, and the activity at the last edge.
+  /// State for waves: the number of words sent, and the activity at the last edge.
   [[nodiscard]] std::uint64_t words_sent() const { return sent_ / link_.width; }
   [[nodiscard]] std::string_view state() const { return state_; }
 

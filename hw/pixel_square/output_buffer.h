@@ -9,7 +9,7 @@
 
 namespace csgsim::pixel_square {
 
-/// A finished square, header and colours, that leaves in words of `port_bits` bits. Its rows are loaded one by one, or
+/// A finished square, header and colours, that is sent in words of `port_bits` bits. Its rows are loaded one by one, or
 /// all at once.
 class OutputBuffer {
  public:
@@ -24,7 +24,7 @@ class OutputBuffer {
   /// Begins a square and loads all its rows.
   void load(const pixel_planes::RefreshPort& memory, isa::Field colour, const isa::Region& region);
 
-  /// Whether part of the square has not left.
+  /// Whether part of the square has not been sent.
   [[nodiscard]] bool busy() const { return first_ < size_; }
 
   /// Whether all bits of the next word are loaded; valid while busy.
@@ -34,7 +34,7 @@ class OutputBuffer {
   [[nodiscard]] bool needs_row() const;
   [[nodiscard]] PortWord word() const { return {slice_of(bits_, first_, port_bits_)}; }
 
-  /// Advances past the word that has left.
+  /// Advances past the word that has been sent.
   void advance() { first_ += port_bits_; }
 
  private:

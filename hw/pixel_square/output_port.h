@@ -11,20 +11,22 @@
 
 namespace csgsim::pixel_square {
 
-/// Sends finished squares to the frame buffer, one word a clock while there is room, from the first clock after the
+/// Sends finished squares to the frame buffer, one word per clock while there is room, from the first clock after the
 /// square has moved.
-/// Two buffers: a square leaves from the second, which bit planes enter and colours leave.
-/// Backing store: a square leaves from there, after the squares that already wait in it.
-/// One buffer: a square leaves from the pixels' memory:
-/// each row is latched, `latch_bits` bits of all its pixels a clock, and transferred to a register once it is latched
-/// and the next word of colours needs it; while words are sent from that register, the next row is latched. The pixels
-/// do not change a square that moves or leaves.
+/// - Two buffers: a square leaves from the second buffer, which bit planes enter and colours leave.
+/// - Backing store: a square leaves from there, after the squares that already wait in it.
+/// - One buffer: a square leaves from the pixels' memory. Each row is latched, `latch_bits` bits of all its pixels per
+///   clock, and transferred to a register once it is latched and the next word of colours needs it; while words are
+///   sent from that register, the next row is latched.
+///
+/// The pixels do not change a square that is moving or leaving.
 class OutputPort final : public sc_core::sc_module {
  public:
   sc_core::sc_in<bool> clock{"clock"};
   sc_core::sc_in<std::uint64_t> begun{"begun"};    ///< squares that have begun to move or to leave
   sc_core::sc_in<std::uint64_t> header{"header"};  ///< header of the last of these
-  sc_core::sc_in<bool> moving{"moving"};           ///< whether that square is still incomplete in the output buffer
+  /// Whether that square has not yet arrived completely in the output buffer.
+  sc_core::sc_in<bool> moving{"moving"};
   sc_core::sc_port<pixel_planes::RefreshPort> memory{"memory"};
   sc_core::sc_fifo_out<PortWord> colours{"colours"};
   sc_core::sc_out<std::uint64_t> left{"left"};  ///< squares whose last word has left
@@ -41,12 +43,12 @@ class OutputPort final : public sc_core::sc_module {
   void latch();
   void send();
 
-  const std::uint32_t latch_bits_;  ///< no_latch: the square is in the buffer at once
+  const std::uint32_t latch_bits_;  ///< no_latch: a whole square is loaded at once
   isa::Field colour_;
   const std::uint32_t port_bits_;
   std::deque<OutputBuffer> squares_;  ///< squares that have not left completely
   std::uint32_t latched_ = 0;         ///< latched bit planes of the row in the latch
-  std::uint32_t rows_to_latch_ = 0;   ///< rows of the square, including the one in the latch
+  std::uint32_t rows_to_latch_ = 0;   ///< rows of the square not completely latched, including the row in the latch
   std::uint64_t left_count_ = 0;
 };
 

@@ -8,7 +8,7 @@
 #include "hw/isa/program.h"
 #include "hw/isa/wire.h"
 
-/// Words of the FIFOs before the frame buffer, one word a clock. The FIFOs before the renderers hold link words.
+/// Words of the FIFOs before the frame buffer, one word per clock. The FIFOs before the renderers hold link words.
 namespace csgsim::pixel_square {
 
 /// Bits of a port word; usually one element.

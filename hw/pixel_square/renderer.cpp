@@ -15,7 +15,8 @@ array::TreeForm tree_form(const machines::Machine& machine) {
 
 }  // namespace
 
-/// The FIFO of accounts holds the commands on their way to the pixels, one per clock, and the previous one.
+/// The FIFO of accounts has room for the commands on their way to the pixels, one per clock, and for the previous
+/// command.
 Renderer::Renderer(sc_core::sc_module_name name, const machines::Machine& machine, systemc::EvaluatorForm form)
     : sc_core::sc_module(name),
       trees_(tree_form(machine)),

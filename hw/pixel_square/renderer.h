@@ -41,7 +41,8 @@ class Renderer final : public sc_core::sc_module {
   sc_core::sc_in<bool> clock{"clock"};
   sc_core::sc_fifo_in<isa::LinkWord> link{"link"};
   sc_core::sc_fifo_out<PortWord> colours{"colours"};
-  sc_core::sc_out<std::uint64_t> finished{"finished"};  ///< squares that have left, or are in the output buffer
+  /// Squares that have left, or are complete in the output buffer.
+  sc_core::sc_out<std::uint64_t> finished{"finished"};
   sc_core::sc_port<systemc::RetirementPort> retirement{"retirement"};
 
   Renderer(sc_core::sc_module_name name, const machines::Machine& machine,
@@ -50,7 +51,7 @@ class Renderer final : public sc_core::sc_module {
   /// `colour`: field of a pixel's memory that goes to the frame buffer. The names must outlive the frame.
   void begin(isa::Field colour, const systemc::SegmentNames& names);
 
-  /// Activities of the pixel processors in a frame of `clocks` clocks. Clocks after the last square are `done`.
+  /// Clocks by activity of the pixel processors in a frame of `clocks` clocks. Clocks after the last square are `done`.
   [[nodiscard]] SquareClocks account(std::uint64_t clocks) const { return controller_.account(clocks); }
   [[nodiscard]] std::uint64_t squares() const { return controller_.squares(); }
   /// Number of skipped instructions in the frame.

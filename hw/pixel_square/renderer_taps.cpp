@@ -16,7 +16,8 @@ namespace {
 using wave::Number;
 using wave::Tap;
 
-/// Returns a function that reads the number of the instruction at the pixels; with `segment`, only instructions of it.
+/// Returns a function that reads the number of the instruction at the pixels; with `segment`, only if it is an
+/// instruction of that segment.
 std::function<Number()> at_pixels(const RendererParts& parts, const isa::Program& program,
                                   std::optional<std::uint32_t> segment) {
   return [parts, segment, firsts = isa::first_numbers(program)]() -> Number {
@@ -31,7 +32,7 @@ std::function<Number()> at_pixels(const RendererParts& parts, const isa::Program
 
 /// While memory is being cleared, part of it still holds the previous square.
 bool has(const RendererParts& parts, std::uint32_t segment) {
-  const pixel_planes::ControlWord& before = parts.pipeline.now().carried_out();
+  const pixel_planes::ControlWord& before = parts.pipeline.now().last_executed();
   return parts.completion.segment() == segment && !(before.clears && !before.last);
 }
 

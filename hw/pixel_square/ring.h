@@ -16,10 +16,10 @@
 namespace csgsim::pixel_square {
 
 /// Carries commands from graphics processors to renderers, and headers of squares to clear and colours to the frame
-/// buffer. It carries words in the last of every `ring.word_clocks` clocks of a frame: at most one word per channel, at
-/// most one from each source and to each renderer, and at most one to the frame buffer per bank. The sources (the
-/// processors, then the renderers) are polled round-robin, starting after the source that was served last; sources
-/// without a word, or whose destination is full, are skipped.
+/// buffer. It carries words in the last clock of each period of `ring.word_clocks` clocks: at most one word per
+/// channel, at most one from each source and to each renderer, and at most one to the frame buffer per bank. The
+/// sources (the processors, then the renderers) are polled round-robin, starting after the source that was served last;
+/// sources without a word, or whose destination is full, are skipped.
 class Ring final : public systemc::ClockedModule {
  public:
   sc_core::sc_vector<sc_core::sc_fifo_in<RingWord>> processors;
@@ -38,7 +38,7 @@ class Ring final : public systemc::ClockedModule {
   [[nodiscard]] RingAccount account(std::uint64_t clocks) const {
     return {complete_clocks(clocks_, SquareActivity::waiting_for_divider, clocks), words_, full_clocks_};
   }
-  /// Shown in waves: number of words carried in the frame, and whether some channel carries a word.
+  /// State for waves: number of words carried in the frame, and whether some channel carries a word.
   [[nodiscard]] std::uint64_t words() const { return words_; }
   [[nodiscard]] bool is_carrying() const { return edges() < busy_until_; }
 

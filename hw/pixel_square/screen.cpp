@@ -55,10 +55,10 @@ void check_screen(const isa::FrameHeader& header, const machines::Machine& machi
   const std::uint64_t turns =
       figures.refresh_rate * turns_of({header.shape.width, header.shape.height}, header.colour.width, figures);
   if (turns == 0 || turns <= (machine.clock_hz - 1) / figures.refresh_clocks) return;
-  throw InputError(
-      fmt::format("the screen takes {} turns a second of {} clocks each, but the frame buffer has {} clocks a second, "
-                  "which leaves none for drawing; increase refresh.bits, or set frame_buffer.pictures to 2",
-                  turns, figures.refresh_clocks, machine.clock_hz));
+  throw InputError(fmt::format(
+      "the screen takes {} turns per second of {} clocks each, but the frame buffer has {} clocks per second, "
+      "which leaves none for drawing; increase refresh.bits, or set frame_buffer.pictures to 2",
+      turns, figures.refresh_clocks, machine.clock_hz));
 }
 
 }  // namespace csgsim::pixel_square

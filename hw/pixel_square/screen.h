@@ -8,14 +8,14 @@
 
 namespace csgsim::pixel_square {
 
-/// Turns that the screen takes of the memory into which squares are drawn. The turns are spread evenly over the time of
-/// a picture; each copies `Figures::refresh_bits` bits, row by row, to a register from which they are shown. With two
-/// pictures, the screen reads the other one and takes no turns.
+/// Models how the screen reads the memory into which squares are drawn. Its turns are spread evenly over the display
+/// time of a picture; each copies `Figures::refresh_bits` bits, row by row, to a register from which they are shown.
+/// With two pictures, the screen reads the other picture and takes no turns of this memory.
 class Screen {
  public:
   Screen(const Figures& figures, std::uint64_t clock_hz);
 
-  /// Begins a frame and the time of a picture.
+  /// Begins a frame and the display of its picture.
   void begin(const machines::Size& picture, std::uint32_t colour_bits);
 
   /// Advances by `clocks` edges, at most clocks_to_change().
@@ -24,7 +24,7 @@ class Screen {
   /// Edges until a turn begins or ends; valid only if takes().
   [[nodiscard]] std::uint64_t clocks_to_change() const;
 
-  /// First row read by the turn in the clock that begins with this edge, if any.
+  /// First row read by the turn in the clock that begins with the current edge, if any.
   [[nodiscard]] std::optional<std::uint32_t> row() const;
 
   /// Whether the screen takes turns.
@@ -41,13 +41,13 @@ class Screen {
   std::uint64_t phase_ = 0;  ///< progress to the next turn, in turns per second x clocks
   std::uint64_t next_ = 0;   ///< first picture bit of the next turn
   std::uint64_t at_ = 0;     ///< first picture bit of the current turn
-  std::uint32_t left_ = 0;   ///< clocks left of the current turn
+  std::uint32_t left_ = 0;   ///< remaining clocks of the current turn
 };
 
-/// Number of turns that show the picture once.
+/// Number of turns for one display of the picture.
 std::uint64_t turns_of(const machines::Size& picture, std::uint32_t colour_bits, const Figures& figures);
 
-/// Throws InputError if the screen occupies every clock of the memory.
+/// Throws InputError if the screen would occupy every clock of the memory.
 void check_screen(const isa::FrameHeader& header, const machines::Machine& machine);
 
 }  // namespace csgsim::pixel_square

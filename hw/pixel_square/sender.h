@@ -17,20 +17,21 @@
 
 namespace csgsim::pixel_square {
 
-/// A square whose sending begins.
+/// A square that the sender begins to send.
 struct SquareStart {
   isa::Region region;
   bool is_clear = false;  ///< the square is empty; no words follow
 };
 
-/// State of a sender, for waves, after the edge with which the clock began.
+/// State of a sender, for waves, in the clock that began with the last edge.
 struct SenderStatus {
-  std::string_view state;               ///< `receiving`, `testing`, `sending`, `done`, or the name of the stall
+  /// `receiving`, `testing`, `sending`, `done`, or the name of the reason for waiting.
+  std::string_view state;
   std::size_t square = 0;               ///< index of the square; the number of squares when done
   std::optional<std::size_t> renderer;  ///< renderer that receives the square, once chosen
 };
 
-/// Distributes the squares one after another, one word every `word_clocks` clocks while there is room. A square goes to
+/// Distributes the squares one after another, one word per `word_clocks` clocks while there is room. A square goes to
 /// the renderer with the fewest unfinished squares (ties go to the lowest number); the header of an empty square goes
 /// to the frame buffer. Derived classes provide the words of a square.
 class Sender : public systemc::ClockedModule {
@@ -40,7 +41,7 @@ class Sender : public systemc::ClockedModule {
   sc_core::sc_fifo_out<PortWord> clears{"clears"};
   sc_core::sc_port<systemc::RetirementPort> retirement{"retirement"};
 
-  /// Activities in a frame of `clocks` clocks.
+  /// Clocks by activity in a frame of `clocks` clocks.
   [[nodiscard]] SquareClocks account(std::uint64_t clocks) const {
     return complete_clocks(clocks_, SquareActivity::done, clocks);
   }
@@ -53,22 +54,22 @@ class Sender : public systemc::ClockedModule {
   /// Begins a frame of `squares` squares.
   void begin_frame(std::size_t squares);
 
-  /// Activity for this clock if the square cannot be sent yet; empty if it can.
+  /// The reason for waiting in this clock if the square cannot be sent yet; empty if it can.
   virtual std::optional<SquareActivity> prepare(std::size_t square) = 0;
 
-  /// Event after which prepare() can return another result than waiting_for_divider; null to poll at each edge.
+  /// Event after which prepare() can return something other than waiting_for_divider; null to poll at each edge.
   [[nodiscard]] virtual const sc_core::sc_event* prepared(std::size_t /*square*/) const { return nullptr; }
 
-  /// State name for `working` while a square is prepared.
+  /// Name of the state `working` while a square is prepared.
   [[nodiscard]] virtual std::string_view preparing() const = 0;
 
   /// Begins sending the prepared square.
   virtual SquareStart start(std::size_t square) = 0;
 
-  /// Next word of SegmentStart, the instructions and SegmentEnd; null while it is not available.
+  /// Next word of SegmentStart, the instructions and SegmentEnd; null while none is available.
   [[nodiscard]] virtual const isa::LinkWord* next_word() const = 0;
 
-  /// Advances past the word that has left. Returns whether it was the last of the square.
+  /// Advances past the word that has been sent. Returns whether it was the last word of the square.
   virtual bool pass() = 0;
 
  private:
@@ -90,12 +91,12 @@ class Sender : public systemc::ClockedModule {
   std::size_t index_ = 0;                ///< index of the square in progress
   std::optional<SquareStart> square_;    ///< set once the square is prepared
   std::optional<std::size_t> target_;    ///< renderer that receives the square; none if it is cleared
-  std::size_t sent_ = 0;                 ///< words of its header
+  std::size_t sent_ = 0;                 ///< number of words of its header already sent
   std::uint32_t elapsed_ = 0;            ///< clocks spent on the current word
   std::vector<std::uint64_t> assigned_;  ///< squares assigned to each renderer
   std::uint64_t skipped_ = 0;
   std::uint64_t acted_at_ = 0;  ///< clock edge
-  SquareActivity activity_{};   ///< activity of the last clock, and of the clocks slept since
+  SquareActivity activity_{};   ///< activity of the last clock, and of the clocks since then in which the sender slept
   SquareClocks clocks_;
   SenderStatus status_;
   sc_core::sc_event begun_{"begun"};

@@ -11,8 +11,8 @@
 
 namespace csgsim::pixel_square {
 
-/// Reports to the run listener which commands a renderer's pixels have completed, with the counts of its controller.
-/// Not a hardware unit: takes no clock, and acts between the edge that completes a command and the next.
+/// Reports to the run listener which commands a renderer's pixels have completed, with the counts of its controller. It
+/// is not a hardware unit: it takes no clock, and acts between the edge that completes a command and the next edge.
 class SquareCompletion final : public sc_core::sc_module {
  public:
   sc_core::sc_in<std::uint64_t> retired{"retired"};
@@ -32,7 +32,7 @@ class SquareCompletion final : public sc_core::sc_module {
   /// Number of skipped instructions since begin().
   [[nodiscard]] std::uint64_t skipped() const { return skipped_; }
 
-  /// Shown in waves: the segment that the pixels draw, or drew last; none before the first.
+  /// For waves: the segment that the pixels draw, or drew last; empty before the first.
   [[nodiscard]] std::optional<std::uint32_t> segment() const { return segment_; }
 
  private:

@@ -60,8 +60,8 @@ std::string_view SquareController::state() const {
 /// Clock edges since the machine was built.
 std::uint64_t SquareController::edges() const { return systemc::edges(period_); }
 
-/// Runs at a clock edge, and when the last word of a square leaves at one, which frees the pixels without a second
-/// buffer. While idle, sleeps until a word arrives.
+/// Runs at a clock edge, and when the last word of a square leaves at an edge, because this frees the pixels if there
+/// is no second buffer. While idle, sleeps until a word arrives.
 void SquareController::act() {
   const bool was_idle = state_ == State::idle;
   if (clock.posedge()) {
@@ -203,8 +203,8 @@ void SquareController::put_idle_word() {
   wires_idle_ = true;
 }
 
-/// Sleeps past the next edge if nothing is to be done at it. A word that arrives while there is room for it is received
-/// at the next edge.
+/// Sleeps beyond the next edge if there is nothing to do at it. A word that arrives while there is room for it is
+/// received at the next edge.
 void SquareController::sleep() {
   const bool holds = receiver_.holds();
   if (!holds && link.num_available() > 0) return;

@@ -18,15 +18,18 @@
 namespace csgsim::pixel_square {
 
 /// Receives commands from the link and puts a control word on the wires at each rising edge, for the clock that begins
-/// with it. SegmentStart takes the clocks that clear the memory, at least one; an instruction takes the clocks in which
-/// its steps are on the wires; SegmentEnd takes one clock, and those in which the last step travels to the pixels. At
-/// the next edge at which the output buffer is free, the square starts to move there, `move_bits` bit planes a clock;
-/// moving all planes at once takes no clock. With a backing store, it moves as soon as the store has room for it,
-/// `backing_width` bits a clock. With neither a second buffer nor a backing store, the pixels wait until the square has
-/// left. Then the next command is taken.
-/// A question takes the clock of its step, and the clocks until its answer arrives. If no pixel is enabled, the number
-/// of instructions given by the question are received and dropped, each in the clock in which the next command could
-/// have been taken.
+/// with it.
+/// - SegmentStart takes the clocks that clear the memory, at least one.
+/// - An instruction takes the clocks in which its steps are on the wires.
+/// - A global-OR test takes the clock of its step, and the clocks until its answer arrives. If no pixel is enabled, as
+///   many instructions as the test specifies are received and dropped, each in the clock in which the next command
+///   could have been taken.
+/// - SegmentEnd takes one clock, and those in which the last step travels to the pixels.
+///
+/// At the next edge at which the output buffer is free, the square starts to move there, `move_bits` bit planes per
+/// clock; moving all planes at once takes no clock. With a backing store, it moves as soon as the store has room for
+/// it, `backing_width` bits per clock. With neither a second buffer nor a backing store, the pixels wait until the
+/// square has left. Then the next command is taken.
 class SquareController final : public sc_core::sc_module {
  public:
   sc_core::sc_in<bool> clock{"clock"};
@@ -36,8 +39,10 @@ class SquareController final : public sc_core::sc_module {
   sc_core::sc_port<pixel_planes::PixelWires> wires{"wires"};
   sc_core::sc_out<std::uint64_t> begun{"begun"};    ///< squares that have begun to move or to leave
   sc_core::sc_out<std::uint64_t> header{"header"};  ///< header of the last of these
-  sc_core::sc_out<bool> moving{"moving"};           ///< whether that square is still incomplete in the output buffer
-  sc_core::sc_out<std::uint64_t> finished{"finished"};  ///< squares that have left, or are in the output buffer
+  /// Whether that square has not yet arrived completely in the output buffer.
+  sc_core::sc_out<bool> moving{"moving"};
+  /// Squares that have left, or are complete in the output buffer.
+  sc_core::sc_out<std::uint64_t> finished{"finished"};
   sc_core::sc_fifo_out<CommandAccount> accounts{"accounts"};
 
   SquareController(sc_core::sc_module_name name, const machines::Machine& machine);
@@ -45,7 +50,7 @@ class SquareController final : public sc_core::sc_module {
   /// Begins a frame with colours of `colour_bits` bits.
   void begin(std::uint32_t colour_bits);
 
-  /// Activities in a completed frame of `clocks` clocks. Clocks after the last square are `done`.
+  /// Clocks by activity in a completed frame of `clocks` clocks. Clocks after the last square are `done`.
   [[nodiscard]] SquareClocks account(std::uint64_t clocks) const {
     return complete_clocks(clocks_, SquareActivity::done, clocks);
   }
@@ -63,7 +68,7 @@ class SquareController final : public sc_core::sc_module {
     idle,      ///< waits for a square
     clearing,  ///< clears the pixels' memory
     drawing,   ///< executes instructions
-    asking,    ///< waits for the answer to a question
+    asking,    ///< waits for the answer of the global OR
     draining,  ///< the last step is on its way to the pixels
     drawn,     ///< waits for room in the output buffer
     moving,    ///< the square moves to the output buffer
@@ -111,9 +116,9 @@ class SquareController final : public sc_core::sc_module {
   isa::Region region_;                                             ///< region of the current square
   std::uint64_t clocks_left_ = 0;                                  ///< remaining clocks of clearing, draining or moving
   std::uint64_t instruction_clocks_ = 0;                           ///< clocks of the current instruction
-  std::uint64_t skips_left_ = 0;                                   ///< instructions still to be dropped
+  std::uint64_t skips_left_ = 0;                                   ///< number of instructions still to be dropped
   std::uint64_t ordinal_ = 0;                                      ///< index of the next instruction within the square
-  bool wires_idle_ = true;                                         ///< the wires carry no step
+  bool wires_idle_ = true;                                         ///< whether the wires carry no step
   std::uint64_t acted_at_ = 0;                                     ///< clock edge
   std::uint64_t put_at_ = 0;                                       ///< edge from which the wires carry the next word
   std::optional<array::BitStep> last_step_;  ///< last step of the current instruction, after the others have been

@@ -40,7 +40,7 @@ division::Plane SteppedDatapath::read_plane(std::uint32_t index) {
 
 void SteppedDatapath::on_box() { callbacks_.spend(figures_.box_clocks); }
 
-/// Reading the next half-space of a list overlaps with testing the current one.
+/// Reading the next half-space of a list overlaps with testing the current half-space.
 void SteppedDatapath::on_corner_test(bool is_last) {
   const std::uint64_t test = figures_.halfspace_clocks;
   callbacks_.spend(testing_ ? std::max(read_, test) : read_);

@@ -19,11 +19,11 @@ class SteppedDatapath final : public division::Datapath {
   enum class Level : std::uint8_t { group, listed, whole };
 
   struct Callbacks {
-    std::function<void(std::uint64_t)> spend;                    ///< accounts for that number of clocks
+    std::function<void(std::uint64_t)> spend;                    ///< adds the given number of clocks
     std::function<void(const isa::Instruction&)> store_command;  ///< writes a command to the store, word by word
   };
 
-  /// `far_planes`: the planes did not fit the divider's memory and are read from the host over the link.
+  /// `far_planes`: whether the planes did not fit the divider's memory and are read from the host over the link.
   SteppedDatapath(const division::ModelHeader& header, const division::ModelMemory& memory,
                   const machines::Machine& machine, bool far_planes, Callbacks callbacks);
 

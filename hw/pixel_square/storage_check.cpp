@@ -20,14 +20,14 @@ std::uint64_t beyond(std::uint64_t needed, std::uint64_t available) {
   return needed > available ? needed - available : 0;
 }
 
-/// Bits that overflow the half-space and node memories of the current surface.
+/// Bits that do not fit the half-space and node memories of the current surface.
 std::uint64_t spilt_bits(const isa::DivisionStep& surface, const Figures& figures) {
   constexpr std::uint64_t max_overflow = std::uint64_t{1} << 40U;
   return std::min(beyond(surface.halfspaces, figures.halfspaces), max_overflow) * halfspace_entry_bits(figures) +
          std::min(beyond(surface.nodes, figures.nodes), max_overflow) * node_entry_bits;
 }
 
-/// Groups formed by the machine's dividers; none with one level.
+/// Groups formed by the machine's dividers; empty if there is one level.
 std::vector<division::Group> divider_groups(const isa::Program& program, const machines::Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
   if (figures.levels < 2) return {};

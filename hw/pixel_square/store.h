@@ -18,8 +18,8 @@ struct StoredWord {
   bool is_last = false;   ///< last entry of its square
 };
 
-/// The memory between a divider, which writes one word per edge, and the sender, which reads one. A word written at an
-/// edge can be read at the next; an entry freed at an edge can be filled at the next.
+/// The memory between a divider, which writes one word per edge, and the sender, which reads one word per edge. A word
+/// written at an edge can be read at the next; an entry freed at an edge can be filled at the next.
 class Store {
  public:
   explicit Store(const machines::Machine& machine);
@@ -28,7 +28,7 @@ class Store {
 
   // Interface to the divider.
   [[nodiscard]] bool has_room() const { return words_.size() + (taken_at_ == edge() ? 1U : 0U) < depth_; }
-  /// Valid without room at this edge: whether room at the next edge is guaranteed.
+  /// Whether room at the next edge is guaranteed; valid only if there is no room at this edge.
   [[nodiscard]] bool has_room_next() const { return words_.size() < depth_; }
   /// Writes a word that is visible after this edge.
   void write(const StoredWord& word) { write(word, edge()); }
@@ -45,7 +45,7 @@ class Store {
   /// Oldest word; null if none was written at an earlier edge.
   [[nodiscard]] const StoredWord* front() const;
   void take();
-  /// Valid while no square can begin: notified at an edge at which one may be able to.
+  /// Event at which sending of a square may become possible; valid while no square can begin.
   [[nodiscard]] const sc_core::sc_event& ready();
 
   [[nodiscard]] std::uint64_t fill() const;

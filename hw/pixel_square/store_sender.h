@@ -8,8 +8,8 @@
 
 namespace csgsim::pixel_square {
 
-/// Sends the squares that dividers have stored, one after another, a word a clock. Sending of a square begins when it
-/// is complete, or when the store is full; then its remaining words follow as they are stored.
+/// Sends the squares that dividers have stored, one after another, one word per clock. Sending of a square begins when
+/// it is complete, or when the store is full; then its remaining words follow as they are stored.
 class StoreSender final : public Sender {
  public:
   StoreSender(sc_core::sc_module_name name, const machines::Machine& machine) : Sender(name, machine, 1) {}

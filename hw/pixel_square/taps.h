@@ -18,12 +18,12 @@ namespace csgsim::pixel_square {
 /// Taps `PART.state`, `.square` (in progress) and `.store_fill` (in words).
 std::vector<wave::Tap> divider_taps(const std::string& part, const CornerDivider& divider, const isa::Program& program);
 
-/// Taps of a sender: `PART.state`, `.square` (in progress) and `.renderer` (that receives it).
+/// Taps of a sender: `PART.state`, `.square` (in progress) and `.renderer` (the destination).
 std::vector<wave::Tap> sender_taps(const std::string& part, const SenderStatus& status, const isa::Program& program);
 
-/// Taps `frame_buffer.state`; `.port`, the port being served: a renderer's number, or, above these, the number of the
-/// port that requested a clear; `.square`, which arrives through it; `.squares`, the number of complete squares;
-/// `.refreshed_row`.
+/// Taps of the frame buffer: `frame_buffer.state`; `.port`, the port being served (a renderer's number or, above these,
+/// the number of the port that requested a clear); `.square`, which arrives through that port; `.squares`, the number
+/// of complete squares; `.refreshed_row`.
 std::vector<wave::Tap> frame_buffer_taps(const FrameBuffer& buffer, const isa::Program& program,
                                          const systemc::SegmentNames& names);
 

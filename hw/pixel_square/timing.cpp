@@ -36,7 +36,7 @@ std::size_t processors_in(const Machine& machine) {
   return has_ring(figures) ? figures.processors : 0;
 }
 
-/// The machine's units, stepped in the order of the agenda.
+/// The machine's units, executed in the order of the agenda.
 class FrameModel {
  public:
   FrameModel(const isa::Program& program, const Machine& machine, std::span<const machines::Skip> skips,
@@ -94,7 +94,7 @@ class FrameModel {
     return all;
   }
 
-  /// The words of the model follow each other as fast as the host can send them and the FIFO can take them.
+  /// Receives the words of the model as fast as the host can send them and the FIFO has room.
   void take_model() {
     const machines::Link& link = machine_.link;
     const std::uint64_t words = quotient_up(8 * std::uint64_t{program_.display_model.size()}, link.width);
@@ -152,7 +152,7 @@ class FrameModel {
   Fifo<TimedPortWord> clears_;
   std::vector<RendererTiming> renderers_;
   std::vector<DividerTiming> dividers_;
-  PartClocks host_;  ///< the host, with dividers in the machine
+  PartClocks host_;  ///< the host, if the machine has dividers
   SenderTiming sender_;
   ProcessorsTiming processors_;
   RingTiming ring_;
@@ -178,7 +178,7 @@ std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, co
   return result;
 }
 
-/// A question occupies the controller until its answer arrives, but the pixels for one clock.
+/// A question occupies the controller until its answer arrives, but the pixels only for one clock.
 std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeline, const isa::Program& program,
                                                 const Machine& machine, std::uint32_t segment, std::uint32_t /*x*/,
                                                 std::uint32_t /*y*/) const {
@@ -187,7 +187,7 @@ std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeli
     const bool needs_global_or = isa::needs_global_or(program.segments[segment].instructions[i].opcode);
     if (needs_global_or && !spans[i].empty()) spans[i].end = spans[i].begin + 1;
   }
-  return machines::later(std::move(spans), machines::evaluator_latency(machine));
+  return machines::shifted(std::move(spans), machines::evaluator_latency(machine));
 }
 
 }  // namespace csgsim::pixel_square

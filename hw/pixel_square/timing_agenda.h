@@ -13,16 +13,15 @@
 
 #include "hw/pixel_square/account.h"
 
-/// Event-driven timing: units act only at the clock edges at which something happens, on the state that earlier edges
-/// left.
+/// Event-driven timing: units act only at the clock edges at which their state can change.
 namespace csgsim::pixel_square {
 
 /// Number of a clock edge, counted from 1.
 using Time = std::uint64_t;
 
 /// Numbers of the units in the agenda. At one edge, units act in the order of their numbers: the pixels before their
-/// decoder, which can take a word at the edge at which they take a command; graphics processors in their order. The
-/// order of the others does not matter.
+/// decoder, because the decoder can take a word at the edge at which the pixels take a command; graphics processors in
+/// their own order. For the other units the order has no effect.
 struct PartNumbers {
   std::size_t renderers = 1;
   std::size_t dividers = 0;
@@ -66,8 +65,8 @@ class IndexSet {
     return std::nullopt;
   }
 
-  /// Calls `visit` with each element, in cyclic order from `first` on, until it returns false. `visit` may change the
-  /// set only at the element that it was called with.
+  /// Calls `visit` with each element, in cyclic order from `first` on, until it returns false. `visit` may add or
+  /// remove only the element it is called with.
   template <class Visit>
   void for_each_from(std::size_t first, const Visit& visit) const {
     if (words_.empty()) return;
@@ -91,13 +90,13 @@ class IndexSet {
   std::vector<std::uint64_t> words_;
 };
 
-/// Schedule of the units' next edges. A unit sleeps while only another unit can end its stall. Most units act again at
-/// the next edge, so the units of this edge and the next are bit sets; the others are in a heap.
+/// Schedule of the units' next edges. A waiting unit sleeps until another unit wakes it. Most units act again at the
+/// next edge, so the units of this edge and the next are bit sets; the others are in a heap.
 class Agenda {
  public:
   explicit Agenda(std::size_t parts) : due_(parts, never), this_edge_(parts), next_edge_(parts) {}
 
-  /// Schedules the unit for `when`, this edge or a later one, and discards its previous entry.
+  /// Schedules the unit for `when`, the current edge or a later one, and discards its previous entry.
   void put(std::size_t part, Time when) {
     due_[part] = when;
     if (when == now_) {
@@ -155,13 +154,14 @@ class Fifo {
   [[nodiscard]] bool has_word(Time now) const { return !words_.empty() && words_.front().second < now; }
   [[nodiscard]] bool has_room(Time now) const { return words_.size() + (read_ == now ? 1U : 0U) < depth_; }
 
-  /// Valid without a word (or room) at this edge: whether there is one at the next.
+  /// Whether there is a word at the next edge, and whether there is room. Valid only if this is not so at the current
+  /// edge.
   [[nodiscard]] bool has_word_next() const { return !words_.empty(); }
   [[nodiscard]] bool has_room_next() const { return words_.size() < depth_; }
 
   [[nodiscard]] const Word& oldest() const { return words_.front().first; }
 
-  /// Keeps `number` in the set while the FIFO is not empty.
+  /// Keeps `number` in `with_words` while the FIFO is not empty.
   void track_in(IndexSet& with_words, std::size_t number) {
     with_words_ = &with_words;
     number_ = number;
@@ -194,12 +194,12 @@ class Fifo {
   std::size_t number_ = 0;
 };
 
-/// Activities of a unit, accounted for in chronological order.
+/// Clocks of a unit by activity, counted in chronological order.
 class PartClocks {
  public:
   void work(Time clocks) { add(SquareActivity::working, clocks); }
 
-  /// Accounts all clocks before `now` that are not yet accounted for to `why`.
+  /// Counts all clocks before `now` that are not counted yet as `why`.
   void wait(SquareActivity why, Time now) { add(why, now - next_clock_); }
 
   /// Completes the account; `end` is the frame's last clock.

@@ -25,7 +25,8 @@ void DividerTiming::begin(Time now, std::uint64_t words) {
   next(now);
 }
 
-/// Lists the stored words of a square and the tests between them. A group's first square includes the group's tests.
+/// Lists the words stored for a square and the tests between them. The first square of a group includes the group's
+/// tests.
 void DividerTiming::list_pieces(std::size_t square) {
   const isa::Segment& segment = program_.segments[square];
   const isa::DivisionCounts& counts = *segment.division;

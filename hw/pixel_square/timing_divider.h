@@ -13,7 +13,8 @@
 
 namespace csgsim::pixel_square {
 
-/// Edge-level model of a divider: the clocks of tests between stored words, and the stalls until the store has room.
+/// Edge-level model of a divider: the clocks of tests between stored words, and the clocks in which it waits for room
+/// in the store.
 class DividerTiming {
  public:
   /// `timeline`: null, or a blank timeline that the renderers fill.
@@ -25,7 +26,8 @@ class DividerTiming {
   /// Assigns one more square to the divider, in program order.
   void assign(std::size_t square) { assigned_.push_back(square); }
 
-  /// Starts when the model's last word has arrived at edge `now`, after `words` clocks in which a word arrived.
+  /// Starts the divider when the model's last word has arrived at edge `now`, after `words` clocks in which words
+  /// arrived.
   void begin(Time now, std::uint64_t words);
 
   /// Acts at an edge.
@@ -34,7 +36,7 @@ class DividerTiming {
   [[nodiscard]] const SquareClocks& clocks(Time end) { return clocks_.complete(end); }
 
  private:
-  /// Words stored without tests between them, and the clocks of tests before the first.
+  /// Words that are stored without tests between them, and the clocks of the tests before the first of them.
   struct Piece {
     std::uint64_t clocks = 0;
     std::uint64_t words = 0;
@@ -52,7 +54,7 @@ class DividerTiming {
   machines::Timeline* timeline_;
   StoreTiming store_;
   PartClocks clocks_;
-  std::deque<std::size_t> assigned_;  ///< squares still to be divided
+  std::deque<std::size_t> assigned_;  ///< squares not yet divided
   std::deque<Piece> pieces_;          ///< remaining pieces of the current square
   std::uint64_t stored_ = 0;          ///< words of the current piece
   std::uint64_t before_ = 0;          ///< clocks of tests before the next piece, in addition to its own

@@ -40,7 +40,8 @@ DivisionClocks::DivisionClocks(const isa::Program& program, const machines::Mach
 
 std::uint64_t DivisionClocks::tree_clocks() const { return nodes_ * figures_of(machine_).node_clocks; }
 
-/// Reading and testing overlap: each half-space takes the longer of both, and each list the shorter once.
+/// Reading and testing overlap: each half-space takes the longer of both times, and each list additionally the shorter
+/// time once.
 std::uint64_t DivisionClocks::list_clocks(std::uint64_t lists, std::uint64_t halfspaces, std::uint64_t read) const {
   const std::uint64_t test = figures_of(machine_).halfspace_clocks;
   return halfspaces * std::max(read, test) + lists * std::min(read, test);

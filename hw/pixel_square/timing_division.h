@@ -9,16 +9,16 @@
 
 namespace csgsim::pixel_square {
 
-/// Clocks of a divider's tests and reads, computed from their numbers and from the widths of the model's records.
+/// Clocks of a divider's tests and reads, computed from their counts and from the widths of the model's records.
 class DivisionClocks {
  public:
   DivisionClocks(const isa::Program& program, const machines::Machine& machine);
 
   /// Clocks between the model's last word and the first square.
   [[nodiscard]] std::uint64_t tree_clocks() const;
-  /// Clocks of the first level, spent before a group's first square, which records the counts.
+  /// Clocks of the first level, spent before a group's first square; `first` contains the counts of the group.
   [[nodiscard]] std::uint64_t group_clocks(const isa::DivisionCounts& first) const;
-  /// Clocks of the tests for a surface. `from_list`: the square is divided from its group's list.
+  /// Clocks of the tests for a surface. `from_list`: whether the square is divided from the list of its group.
   [[nodiscard]] std::uint64_t test_clocks(const isa::DivisionStep& step, bool from_list) const;
   /// Clocks of an instruction before its first word.
   [[nodiscard]] std::uint64_t instruction_clocks(const isa::Instruction& instruction) const;
@@ -35,10 +35,10 @@ class DivisionClocks {
   std::uint64_t halfspace_ = 0;  ///< including its plane
 };
 
-/// Divider of each square: groups, or single squares at one level, are assigned round-robin.
+/// The divider of each square: groups, or single squares if there is one level, are assigned round-robin.
 std::vector<std::size_t> dividers_of(const isa::Program& program, const machines::Machine& machine);
 
-/// Throws InputError if a frame's tests would exceed the range of the clock counter.
+/// Throws InputError if the clocks of a frame's tests would exceed the range of the clock counter.
 void check_countable(const isa::Program& program, const machines::Machine& machine);
 
 }  // namespace csgsim::pixel_square

@@ -47,7 +47,7 @@ void FrameBufferTiming::store(Time now) {
   if (served > 0 || has_word_next) agenda_.put(PartNumbers{renderers_}.frame_buffer(), now + 1);
 }
 
-/// The word that a port could deliver at this edge.
+/// The word that a port can deliver at this edge.
 std::optional<TimedPortWord> FrameBufferTiming::waiting(std::size_t port, Time now) {
   if (clears_now(port)) {
     const LeavingSquare& clear = clears_[port - renderers_];
@@ -77,7 +77,7 @@ void FrameBufferTiming::take(std::size_t port, const TimedPortWord& word, Time n
   if (word.last && !clears_now(port) && ++stored_ == program_.segments.size()) end_ = now;
 }
 
-/// Words that clear the square.
+/// The words of background for a square.
 LeavingSquare FrameBufferTiming::background_of(std::size_t square) const {
   LeavingSquare words(program_.segments[square].region, isa::frame_header(program_).colour.width,
                       colour_word_bits(machines::own<Figures>(machine_)));

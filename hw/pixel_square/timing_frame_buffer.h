@@ -16,7 +16,7 @@ class FrameBufferTiming {
   FrameBufferTiming(const isa::Program& program, const machines::Machine& machine,
                     std::vector<Fifo<TimedPortWord>*> ports, Agenda& agenda);
 
-  /// Acts at an edge: serves the ports round-robin.
+  /// Lets the frame buffer act at an edge: it serves the ports round-robin.
   void store(Time now);
 
   /// Edge at which the last square was complete; 0 before.
@@ -46,7 +46,7 @@ class FrameBufferTiming {
   std::size_t turn_ = 0;               ///< port that is polled first
   std::vector<LeavingSquare> clears_;  ///< squares being cleared, one per port after the renderers'
   std::vector<std::uint32_t> taken_;   ///< banks claimed in the current clock
-  std::uint64_t shared_ = 0;           ///< clocks in which both the screen took a turn and a word was stored
+  std::uint64_t shared_ = 0;           ///< clocks in which the screen took a turn and a word was stored
   std::uint64_t stored_ = 0;
   Time end_ = 0;
 };

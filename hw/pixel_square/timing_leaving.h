@@ -11,7 +11,7 @@ namespace csgsim::pixel_square {
 /// Number of words of a square's header.
 std::uint64_t header_words(std::uint64_t port_bits);
 
-/// The words in which a square leaves for the frame buffer: first its header, then its colours.
+/// The words of a square that leaves for the frame buffer: first its header, then its colours.
 class LeavingSquare {
  public:
   LeavingSquare() = default;
@@ -19,7 +19,7 @@ class LeavingSquare {
 
   [[nodiscard]] std::uint64_t words_left() const { return words_; }
 
-  /// First and last row of the square in the next word; empty for a header word.
+  /// First and last row of the square that the next word contains; empty for a header word.
   struct Rows {
     std::uint32_t first = 0;
     std::uint32_t last = 0;
@@ -29,7 +29,7 @@ class LeavingSquare {
   /// Row of the picture in which the next word begins; empty for a header word.
   [[nodiscard]] std::optional<std::uint32_t> picture_row() const;
 
-  /// Advances past the word that has left.
+  /// Advances past the word that has been sent.
   void advance();
 
   /// Drops the words of the header.
@@ -55,7 +55,7 @@ class RowLatch {
   RowLatch(std::uint64_t clocks, Time start_clock)
       : clocks_(clocks), latched_(start_clock + 1 + clocks), needed_(start_clock + 1) {}
 
-  /// Edge at which `row`, part of the next word of colours, is transferred.
+  /// Edge at which `row`, which the next word of colours needs, is transferred.
   [[nodiscard]] Time transfer_edge(std::uint32_t row);
 
   /// Records that a word of colours leaves at edge `now`.
@@ -64,7 +64,7 @@ class RowLatch {
  private:
   std::uint64_t clocks_;
   Time latched_;            ///< edge from which the next row can be transferred
-  Time needed_;             ///< edge from which the next word of colours is formed
+  Time needed_;             ///< edge from which the next word of colours is assembled
   Time transferred_ = 0;    ///< edge of the last transfer
   std::uint32_t rows_ = 0;  ///< rows transferred
 };

@@ -17,7 +17,7 @@ namespace csgsim::pixel_square {
 
 /// A word that a graphics processor puts on the ring.
 struct TimedRingWord {
-  std::optional<std::size_t> renderer;  ///< destination; none: the frame buffer
+  std::optional<std::size_t> renderer;  ///< destination; empty for the frame buffer
   TimedLinkWord command;
   TimedPortWord header;
   bool ends = false;  ///< last word of its square
@@ -34,10 +34,11 @@ class ProcessorsTiming {
   /// Begins the frame.
   void begin();
 
-  /// One processor acts at an edge.
+  /// Lets one processor act at an edge.
   void act(std::size_t number, Time now);
 
-  /// The ring has taken the last word of the processor's square: renderer and processor are free from the next edge on.
+  /// Records that the ring has taken the last word of the processor's square: renderer and processor are free from the
+  /// next edge on.
   void leave(std::size_t number, Time now);
 
   /// Words that wait for the ring.
@@ -54,15 +55,15 @@ class ProcessorsTiming {
     std::size_t part;
     Fifo<TimedRingWord> words;
     PartClocks clocks{};
-    SquareActivity activity = SquareActivity::waiting_for_host;  ///< activity in the clocks not yet accounted for
+    SquareActivity activity = SquareActivity::waiting_for_host;  ///< activity in the clocks not counted yet
     std::optional<std::size_t> square{};
     std::vector<TimedCommand> commands{};
     std::size_t command = 0;  ///< index of the current command
-    std::uint64_t sent = 0;   ///< words sent of that command, or of the header
-    bool all_sent = false;    ///< all words are sent, but some still wait for the ring
+    std::uint64_t sent = 0;   ///< number of words sent of that command, or of the header
+    bool all_sent = false;    ///< whether all words are sent but some still wait for the ring
     std::optional<std::size_t> renderer{};
   };
-  /// Whether a processor keeps the renderer, and the edge from which it is available after its release.
+  /// Whether a processor keeps a renderer; otherwise the edge from which the renderer is available again.
   struct Reservation {
     bool reserved = false;
     Time free_from = 0;

@@ -11,18 +11,18 @@ namespace csgsim::pixel_square {
 
 namespace {
 
-/// Clock 0 of a timeline begins at the first edge after the frame is requested. A command that the pixels take at that
+/// Clock 0 of a timeline begins at the first edge after the frame is requested. A command that the pixels take at this
 /// edge is accounted for from edge 2 on.
 constexpr Time first_edge = 2;
 
 PartNumbers numbers(const machines::Machine& machine) { return {machines::own<Figures>(machine).renderers}; }
 
-/// Unit that delivers commands.
+/// Number of the unit that delivers commands.
 std::size_t command_source(const machines::Machine& machine) {
   return has_ring(machines::own<Figures>(machine)) ? numbers(machine).ring() : numbers(machine).sender();
 }
 
-/// Unit that receives colours.
+/// Number of the unit that receives colours.
 std::size_t colour_sink(const machines::Machine& machine) {
   return has_ring(machines::own<Figures>(machine)) ? numbers(machine).ring() : numbers(machine).frame_buffer();
 }

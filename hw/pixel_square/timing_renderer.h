@@ -20,17 +20,17 @@ struct TimedCommand {
   std::uint64_t clocks = 0;             ///< clocks of the pixels' controller
   const isa::Region* region = nullptr;  ///< region of the square; set in the end command
   std::uint64_t skips = 0;              ///< number of following instructions that are skipped
-  machines::ClockSpan* span = nullptr;  ///< null, or receives the clocks of the frame that the command occupies
+  machines::ClockSpan* span = nullptr;  ///< receives the clocks of the frame that the command occupies, unless null
 };
 
-/// Part of a command; the last part carries the whole command.
+/// Word of a command; the last word contains the whole command.
 struct TimedLinkWord {
   std::optional<TimedCommand> whole;
 };
 
 struct TimedPortWord {
   bool last = false;                 ///< last word of the square, or of the header of a square to clear
-  std::optional<std::uint32_t> row;  ///< row of the picture in which the word begins; none for a header word
+  std::optional<std::uint32_t> row;  ///< row of the picture in which the word begins; empty for a header word
   std::size_t cleared = 0;           ///< number of the square; set in the last word of the header of a square to clear
 };
 
@@ -42,7 +42,7 @@ class RendererTiming {
   [[nodiscard]] Fifo<TimedLinkWord>& link() { return link_; }
   [[nodiscard]] Fifo<TimedPortWord>& colours() { return colours_; }
 
-  // Each of the three units acts at an edge.
+  // Lets one of the three units act at an edge.
   void decode(Time now);
   void draw(Time now);
   void leave(Time now);
@@ -50,7 +50,7 @@ class RendererTiming {
   /// Assigns one more square to the renderer.
   void assign() { ++assigned_; }
 
-  /// Assigned squares that, as visible at that edge, are not finished.
+  /// Number of assigned squares that are not finished, as visible at edge `now`.
   [[nodiscard]] std::uint64_t unfinished(Time now) const {
     return assigned_ - finished_ + (finished_at_ == now ? 1 : 0);
   }
@@ -64,28 +64,28 @@ class RendererTiming {
   void finish(Time now);
 
   Agenda* agenda_;
-  std::size_t pixels_;     ///< unit number
-  std::size_t decoder_;    ///< unit number
-  std::size_t output_;     ///< unit number
-  std::uint64_t waiting_;  ///< finished squares that can wait in addition to the one being drawn; 0: squares leave from
-                           ///< the pixels
-  Time latency_;           ///< clocks from the controller to the pixels
+  std::size_t pixels_;   ///< unit number
+  std::size_t decoder_;  ///< unit number
+  std::size_t output_;   ///< unit number
+  /// Finished squares that can wait in addition to the one being drawn; 0 if squares leave from the pixels' memory.
+  std::uint64_t waiting_;
+  Time latency_;  ///< clocks from the controller to the pixels
   std::uint32_t colour_bits_;
   std::uint64_t port_bits_;
   Time move_clocks_;   ///< clocks to move a square to the second buffer or the backing store
-  Time latch_clocks_;  ///< clocks to latch a row, with one buffer; 0: nothing is latched
+  Time latch_clocks_;  ///< with one buffer: clocks to latch a row; 0 if nothing is latched
 
   Fifo<TimedLinkWord> link_;
   Fifo<TimedPortWord> colours_;
   PartClocks clocks_;  ///< clocks of the pixels
 
   std::optional<TimedCommand> command_;  ///< command held by the decoder
-  std::optional<LeavingSquare> drawn_;   ///< a drawn square that has not moved
+  std::optional<LeavingSquare> drawn_;   ///< a drawn square that has not moved yet
   std::uint64_t skips_left_ = 0;         ///< commands still to be dropped
-  bool moving_ = false;                  ///< a square moves to the second buffer
-  bool leaving_ = false;                 ///< a square leaves from the pixels' memory
+  bool moving_ = false;                  ///< whether a square moves to the second buffer
+  bool leaving_ = false;                 ///< whether a square leaves from the pixels' memory
   std::deque<LeavingSquare> squares_;    ///< squares that have not left completely; the first is leaving
-  Time whole_at_ = 0;                    ///< edge at which the last of them was complete in the buffer
+  Time whole_at_ = 0;                    ///< edge at which the last of these squares was complete in the buffer
   std::optional<RowLatch> latch_;        ///< latch for the rows of the leaving square
   Time left_ = 0;                        ///< edge at which the last square's last word left
   std::uint64_t assigned_ = 0;

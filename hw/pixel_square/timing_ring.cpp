@@ -24,7 +24,7 @@ RingTiming::RingTiming(const machines::Machine& machine, ProcessorsTiming& proce
   for (std::size_t i = 0; i < renderers.size(); ++i) renderers[i].colours().track_in(sources_, processors.count() + i);
 }
 
-/// Sleeps while only another unit can unblock a word.
+/// Sleeps until another unit can unblock a word.
 void RingTiming::carry(Time now) {
   if (now % word_clocks_ != 0) return agenda_.put(part_, step_after(now));
   const std::size_t sources = processors_.count() + renderers_.size();
@@ -54,7 +54,7 @@ RingTiming::Outcome RingTiming::carry_from(std::size_t source, Time now) {
 
 namespace {
 
-/// Whether a word can pass between the two FIFOs at this edge (passes), or at a later one without another event
+/// Whether a word can pass between the two FIFOs at this edge (passes), or at a later edge without any other event
 /// (will_pass).
 template <class From, class To>
 bool passes(const Fifo<From>& from, const Fifo<To>& to, Time now) {

@@ -17,7 +17,7 @@ class RingTiming {
   RingTiming(const machines::Machine& machine, ProcessorsTiming& processors, std::vector<RendererTiming>& renderers,
              Agenda& agenda);
 
-  /// Acts at an edge: carries waiting words in the last clock of each word period.
+  /// Lets the ring act at an edge: it carries waiting words in the last clock of each word period.
   void carry(Time now);
 
   /// FIFOs to the frame buffer: colours of each renderer, followed by headers of each processor.

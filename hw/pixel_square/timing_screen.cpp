@@ -9,7 +9,7 @@ namespace csgsim::pixel_square {
 
 namespace {
 
-/// Holds products of two rates.
+/// Wide enough for products of two rates.
 __extension__ using Wide = unsigned __int128;
 
 }  // namespace

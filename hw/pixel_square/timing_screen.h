@@ -9,16 +9,17 @@
 
 namespace csgsim::pixel_square {
 
-/// Edge-level model of the screen's turns of the frame buffer. Turn k, from 1, begins at the first edge e for which e /
-/// (clocks per second) >= k / (turns per second).
+/// Edge-level model of the turns in which the screen reads the frame buffer. Turn k, from 1, begins at the first edge e
+/// for which e / (clocks per second) >= k / (turns per second).
 class ScreenTiming {
  public:
   ScreenTiming(const isa::Program& program, const machines::Machine& machine);
 
-  /// Bank that a turn occupies in the clock that begins with edge `now`. Successive calls must not decrease `now`.
+  /// The bank that a turn occupies in the clock that begins with edge `now`, if any. Successive calls must not decrease
+  /// `now`.
   [[nodiscard]] std::optional<std::uint32_t> bank(Time now);
 
-  /// Number of clocks in turns, up to and including the clock that begins with edge `end`.
+  /// Number of clocks occupied by turns, up to and including the clock that begins with edge `end`.
   [[nodiscard]] std::uint64_t clocks_until(Time end) const;
 
  private:
@@ -36,7 +37,7 @@ class ScreenTiming {
 
   // State of the turn that was requested last.
   std::uint32_t bank_ = 0;
-  Time end_ = 0;   ///< first edge after the turn; 0: there is none
+  Time end_ = 0;   ///< first edge after the turn; 0 if there is none
   Time next_ = 0;  ///< edge at which the next turn begins
 };
 

@@ -24,7 +24,7 @@ SenderTiming::SenderTiming(const isa::Program& program, const machines::Machine&
       timeline_(timeline),
       activity_(dividers.empty() ? SquareActivity::waiting_for_host : SquareActivity::waiting_for_divider) {}
 
-/// If there are dividers, their stores wake the sender.
+/// If there are dividers, their stores wake the sender instead.
 void SenderTiming::begin() {
   if (!is_host()) return agenda_.put(part_, 1);
   clocks_.wait(SquareActivity::waiting_for_host, 1 + machine_.link.latency);
@@ -97,7 +97,7 @@ TimedStored SenderTiming::take_word(Time now) {
   return {command, ++command_ == commands_.size()};
 }
 
-/// Sends the next word after the word clocks that follow this edge.
+/// Schedules the next word for the end of the word clocks that follow this edge.
 void SenderTiming::schedule_next(Time now) {
   const Time word_clocks = is_host() ? machine_.link.word_clocks : 1;
   clocks_.work(word_clocks - 1);

@@ -27,7 +27,7 @@ class SenderTiming {
   /// Begins the frame.
   void begin();
 
-  /// Acts at an edge.
+  /// Lets the sender act at an edge.
   void send(Time now);
 
   [[nodiscard]] std::uint64_t skipped() const { return skipped_; }
@@ -57,13 +57,13 @@ class SenderTiming {
   std::span<const machines::Skip> skips_;
   machines::Timeline* timeline_;
   PartClocks clocks_;
-  SquareActivity activity_;  ///< activity in the clocks not yet accounted for
+  SquareActivity activity_;  ///< activity in the clocks not counted yet
 
   std::size_t square_ = 0;  ///< index of the current square
   bool begun_ = false;
   bool is_clear_ = false;
   std::uint64_t sent_ = 0;              ///< words sent of the header, or of the host's current command
-  std::vector<TimedCommand> commands_;  ///< commands of a host's square
+  std::vector<TimedCommand> commands_;  ///< commands of the square that the host sends
   std::size_t command_ = 0;             ///< index of the current command
   std::optional<std::size_t> target_;
   std::uint64_t skipped_ = 0;

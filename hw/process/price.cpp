@@ -29,9 +29,9 @@ constexpr double gate_transistors = 4;  ///< a NAND with two inputs
 constexpr double full_adder_gates = 3;
 constexpr double select_gates = 4;  ///< for the ALU's operands and operation
 constexpr double carry_gates = 2;   ///< per bit of an adder
-constexpr double turn_gates = 2;    ///< per level of the rotator at a port, a multiplexer
+constexpr double turn_gates = 2;    ///< per level of the rotator at a port, which is a multiplexer
 
-/// A parameter of the description as a number; empty if the kind does not have it or it is ideal.
+/// A parameter of the description as a number; empty if the kind does not have it or its value is ideal.
 std::optional<std::uint64_t> figure_of(const Machine& machine, std::string_view key) {
   const auto found = std::ranges::find(machine.figures, key, &machines::Figure::key);
   if (found == machine.figures.end()) return std::nullopt;
@@ -82,7 +82,7 @@ double stream_bits(const Machine& machine) {
 }
 
 /// Flip-flops of a pixel and its node (docs/area.md, "Logic"): those of the streams, a carry for each adder, and, if
-/// one stream bit enters per clock, one for the delayed slope; with wider streams the delay is part of the streams.
+/// one stream bit enters per clock, one for the delayed slope. With wider streams the delay is part of the streams.
 double register_bits(const Machine& machine) {
   const double operand_latch = machine.memory_reads == 1 ? machine.alu_bits : 0;
   const double carries = machine.evaluator_degree == 1 ? 1 : 3;
@@ -90,7 +90,7 @@ double register_bits(const Machine& machine) {
   return 3 + operand_latch + stream_bits(machine) * machines::registered_nodes(machine) + carries + flag_and_delay;
 }
 
-/// Adders chained between registers of a tree.
+/// Number of adders chained between two registers of a tree.
 double adders_in_series(const Machine& machine) {
   const double levels = levels_of(std::max(machine.array.width, machine.array.height), 2);
   return std::clamp<double>(machine.register_levels, 1, std::max(levels, 1.0));
@@ -101,7 +101,7 @@ double tree_gates(const Machine& machine) {
   return full_adder_gates * adders_in_series(machine) + carry_gates * (machine.evaluator_bits - 1.0);
 }
 
-/// Wire length in mm between those adders: `longest` * (1/2 + 1/4 + ...), each wire half as long as the previous one.
+/// Wire length in mm between these adders: `longest` * (1/2 + 1/4 + ...), each wire half as long as the previous one.
 double tree_wires(const Machine& machine, double longest) {
   return longest * (1 - std::exp2(1 - adders_in_series(machine)));
 }
@@ -113,7 +113,7 @@ double pixel_energy(const Machine& machine, double logic, const Process& process
   const double read = static_cast<double>(process.memory_energy) *
                       std::sqrt(machine.array.memory_bits / static_cast<double>(process.memory_bits));
   const double adders = machine.alu_bits + (machine.evaluator_degree == 1 ? 1.0 : 3.0) * machine.evaluator_bits;
-  const double pitch = std::sqrt(pixel_area(machine, logic, process));  // mm
+  const double pitch = std::sqrt(pixel_area(machine, logic, process));  // mm, from one pixel to the next
   return aj * (ports * machine.alu_bits * read + adders * static_cast<double>(process.adder_energy) +
                register_bits(machine) * static_cast<double>(process.register_energy) +
                stream_bits(machine) * pitch * static_cast<double>(process.wire_energy));
@@ -134,7 +134,7 @@ std::vector<ClockPath> clock_paths(const Machine& machine, const Process& proces
   const auto registered = static_cast<double>(process.register_delay);
   const auto gate = static_cast<double>(process.gate_delay);
   const auto wire = static_cast<double>(process.wire_delay);
-  const double pitch = std::sqrt(pixel_area(machine, *logic, process));  // mm
+  const double pitch = std::sqrt(pixel_area(machine, *logic, process));  // mm, from one pixel to the next
   const double half_side = pitch * std::max(machine.array.width, machine.array.height) / 2;
   std::vector<ClockPath> paths{
       {"pixel", registered + pixel_path(machine, process)},

@@ -25,14 +25,14 @@ struct ClockPath {
   bool operator==(const ClockPath&) const = default;
 };
 
-/// The critical paths of a machine; each includes a register:
-/// - `pixel`: a memory bit is decoded, read and rotated to its place in the ALU, and passes the carries of the ALU's
-///   bits, two gates each.
+/// The critical paths of a machine, each including the delay of a register:
+/// - `pixel`: a memory bit is decoded, read and rotated to its place in the ALU, and then passes the carries of the
+///   ALU's bits, two gates each.
 /// - `trees`: the full adder of a node, three gates, plus two for each further bit of a stream per clock, through which
 ///   its carry ripples. If only every r-th level has registers, r full adders and the wires between them: the first
 ///   wire is a quarter of the array's side long, each other half as long as the previous one.
 /// - `wire`: the longest wire of a tree or of the broadcast, half the side of the array.
-/// - `global OR`: a gate of that OR, if the machine has one, composed of gates with the fan-in of the process.
+/// - `global OR`: if the machine has a global OR, one of its gates, composed of gates with the fan-in of the process.
 ///
 /// Empty for machines with other processors and for pixels that have not been synthesised.
 std::vector<ClockPath> clock_paths(const machines::Machine& machine, const Process& process);
@@ -42,10 +42,11 @@ struct Clock {
   std::uint64_t hz = 0;
   ClockPath path;
 };
-/// Empty if there are no paths.
+/// The clock of the machine; empty if there are no paths.
 std::optional<Clock> clock_of(const machines::Machine& machine, const Process& process);
 
-/// Area in mm² of the processors with trees and memory, of a frame buffer, and of controller and FIFO of each array.
+/// Area in mm² of the processors with trees and memory, of a frame buffer, and of the controller and FIFO of each
+/// array. Empty if the area of a pixel is not known.
 std::optional<double> machine_mm2(const machines::Machine& machine, const machines::Resources& resources,
                                   const Process& process);
 
@@ -56,11 +57,11 @@ std::uint64_t pixel_clocks(const isa::Program& program, const machines::Machine&
 /// Work of one frame.
 struct FrameWork {
   std::uint64_t pixel_clocks = 0;
-  double seconds = 0;  ///< time until the next frame begins
+  double seconds = 0;  ///< time from the start of the frame until the next frame begins
 };
 
-/// Energy of a frame in joules: in each pixel clock all memory ports, the ALU, the node of the trees and their
-/// registers are active, and the streams of the trees cross the pixel. Static power of the gates is added.
+/// Energy of a frame in joules: in each pixel clock all memory ports, the ALU, the tree node and their registers are
+/// active, and the streams of the trees cross the pixel. The static energy of the gates is added.
 std::optional<double> frame_joules(const machines::Machine& machine, const machines::Resources& resources,
                                    const FrameWork& work, const Process& process);
 

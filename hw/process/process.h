@@ -35,7 +35,7 @@ struct Process {
 };
 
 /// Reads a description (TOML); `file` is its name in messages. Throws InputError with file:line:column. Each of
-/// `changes`, KEY=VALUE, then replaces a parameter's value; throws machines::ChangeError.
+/// `changes`, KEY=VALUE, then replaces a parameter's value; throws machines::ChangeError for a wrong change.
 Process read_process(std::string_view text, std::string_view file, std::span<const std::string> changes = {});
 
 /// Names of the built-in processes.

@@ -1,6 +1,6 @@
 // Issues the words that clear memory and registers: CLOCKS words, over which the memory's bits are distributed evenly
-// (hw/pixel_planes/clear_step.h: word k, from 0, clears the bits from k * MEMORY_BITS / CLOCKS up to the next word's
-// first).
+// (hw/pixel_planes/clear_step.h: word k, from 0, clears the bits from k * MEMORY_BITS / CLOCKS up to, but not
+// including, the first bit of the next word).
 `include "faults.vh"
 
 module clearer #(
@@ -12,7 +12,7 @@ module clearer #(
   input wire reset,
   input wire begins,                // the first word is issued at this edge
   input wire goes_on,               // a further word is issued
-  input wire [ADDRESS:0] limit,     // bits from this one on are kept
+  input wire [ADDRESS:0] limit,     // bits from this one on are not cleared
   output wire [ADDRESS-1:0] address,
   output wire [ADDRESS:0] count,
   output wire last

@@ -1,6 +1,6 @@
-// Delays each control word until it meets, at the pixels, the bits of F that entered the trees with it: LATENCY
-// registers, at least 1, one for each level of the trees (thesis 7.2.1). One clock earlier the word is on `early`, so
-// that memory addresses can be decoded into registers in time.
+// Delays each control word by LATENCY registers (at least 1), one for each level of the trees, so that it reaches the
+// pixels together with the bits of F that entered the trees with it (thesis 7.2.1). One clock earlier the word is on
+// `early`, so that memory addresses can be decoded into registers in time.
 module control_delay #(
   parameter LATENCY = 6,
   parameter BITS = 64

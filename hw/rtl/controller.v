@@ -2,7 +2,7 @@
 // wires at each edge. Written from the instruction table (hw/isa/opcodes.h) and docs/machines/pixel-planes.md,
 // "Controller", "Segments", "Global OR", "Scan-out" and "Buffers" (thesis 7.2.1).
 //
-// An instruction occupies the wires for its steps; a refresh word that the scan-out requests precedes the next command,
+// An instruction occupies the wires for its steps. A refresh word that the scan-out requests precedes the next command,
 // and is sent whenever the controller waits. With two buffers, a finished picture is copied to the topmost bits as soon
 // as the last row of the previous picture has been latched.
 `include "faults.vh"
@@ -24,7 +24,7 @@ module controller #(
   input wire reset,
 
   input wire frame,                        // the host has a frame
-  output reg request,                      // requests the words from an instruction on
+  output reg request,                      // requests the words from the instruction request_from on
   output reg [31:0] request_from,
   input wire [LINK-1:0] word,
   input wire word_valid,
@@ -57,7 +57,7 @@ module controller #(
   output reg done,                         // the frame is done
   output reg [31:0] clocks,                // clocks of the frame until it was done
 
-  output reg [3:0] spent,                  // use of the clock that begins: hw/rtl/spent.vh
+  output reg [3:0] spent,                  // how the clock that begins is used: hw/rtl/spent.vh
   output reg refresh_waits                 // a refresh word was requested but not sent at the edge
 );
 `include "command.vh"
@@ -77,20 +77,21 @@ module controller #(
   reg [5:0] turn;
   reg [31:0] next_instruction;
   reg drop_again;
-  reg jumped;                      // no command has arrived since the jump
+  reg jumped;                      // no command has arrived since the last jump
   reg [7:0] drained;
-  reg unlatched;                   // rows of the picture remain to be latched
+  reg unlatched;                   // some rows of the picture have not been latched
 
   wire whole;
   wire [COMMAND_BITS-1:0] received;
 
-  // Effects of an answer in the clock in which it arrives.
+  // Actions in the clock in which an answer arrives.
   wire answered = state == ANSWERING && answer_valid;
   wire asks_skip = current[5:0] == SKIP_IF_NONE;
   wire jump = answered && asks_skip && !answer;
   assign drop_words = jump | drop_again;
 
-  // A refresh word is sent when no command uses the control wires, and a command begins when neither does.
+  // A refresh word is sent when no command uses the control wires; a command begins when neither a command nor a
+  // refresh word does.
   assign take_refresh = refresh && state != ISSUING && state != CLEARING && state != COPYING;
   wire shown_until_now = unlatched & ~latched;
   wire free = (state == READY || (answered && !jump)) && !take_refresh;
@@ -101,7 +102,7 @@ module controller #(
   wire begins_clear = take && number == SEGMENT;
   wire ends_frame = take && number == FRAME_END;
 
-  // End of a frame: the colours are copied first, unless there is one buffer or nothing to show.
+  // End of a frame: the colours are copied first, unless there is only one buffer or nothing to show.
   reg [11:0] colour_base;
   reg [5:0] colour_width;
   wire begins_hold = COPIES && ends_frame && received[FIELD_0 + BASE_BITS +: 6] != 0;
@@ -117,7 +118,7 @@ module controller #(
     .clk(clk), .reset(reset), .drop(drop_words), .word(word), .word_valid(word_valid), .take_word(take_word),
     .whole(whole), .command(received), .take(take));
 
-  // Steps of an instruction or of a copy: enable_all, then copy.
+  // Steps of an instruction or of a copy, which is enable_all followed by copy.
   wire begins_steps = begins_instruction | begins_copy;
   reg [COMMAND_BITS-1:0] command;
   always @* begin
@@ -164,7 +165,7 @@ module controller #(
   wire asks = command[5:0] == GLOBAL_OR || command[5:0] == SKIP_IF_NONE;
   wire [31:0] after_jump = next_instruction + current[6 +: 32];
 
-  // Coefficients that an instruction squares leaves for the next instruction.
+  // Coefficients that an instruction `squares` stores for the next instruction.
   generate
     if (DEGREE > 1) begin : quadratic
       reg [SQUARES_BITS-1:0] kept;

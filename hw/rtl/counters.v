@@ -1,6 +1,6 @@
-// Counts the clocks of a frame by use, as the stats of csgsim do (docs/machines/pixel-planes.md): for a testbench,
-// connected to the controller's wires. The counts refer to the current frame, or to the last one; they add up to its
-// clocks.
+// Counts the clocks of a frame by use, as the stats of csgsim do (docs/machines/pixel-planes.md). It is for a
+// testbench, which connects it to the controller's wires. The counts refer to the current frame or, between frames, to
+// the last one; their sum is the number of its clocks.
 module counters (
   input wire clk,
   input wire reset,
@@ -12,7 +12,7 @@ module counters (
   output reg [31:0] starved,        // idle, waiting for a command
   output reg [31:0] answering,
   output reg [31:0] jumping,
-  output reg [31:0] refreshing,     // refresh words sent while nothing else was to do
+  output reg [31:0] refreshing,     // refresh words sent while the controller had nothing else to do
   output reg [31:0] holding,
   output reg [31:0] copying,
   output reg [31:0] draining,

@@ -1,6 +1,6 @@
-// The OR of the enable bits of all pixels: levels of gates with FAN_IN inputs and a register each, so that an answer
-// takes one clock per level (docs/machines/pixel-planes.md, "Global OR"). With FAN_IN 0 a single gate has all inputs
-// and settles within the clock.
+// The OR of the enable bits of all pixels: levels of gates with FAN_IN inputs, each followed by a register, so that an
+// answer takes one clock per level (docs/machines/pixel-planes.md, "Global OR"). If FAN_IN is 0, a single gate has all
+// inputs and settles within the clock.
 module global_or #(
   parameter LINES = 64,
   parameter FAN_IN = 64

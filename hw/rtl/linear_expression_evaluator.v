@@ -1,8 +1,8 @@
 // The multiplier trees of the Linear Expression Evaluator (thesis 7.2.1 and fig. 7.1; docs/machines/pixel-planes.md).
 // They compute A*x + B*y + C at every pixel, one bit per clock, LEVELS_X + LEVELS_Y clocks after the bits of A, B and C
-// have entered, least significant bit first, with streams back to back. An X tree delivers a sum to each column, and a
-// Y tree per column delivers one to each pixel. With DEGREE 2 they add XX*x*x + XY*x*y + YY*y*y
-// (docs/machines/pixel-planes.md). Pixel (x, y) is leaf y * WIDTH + x.
+// have entered, least significant bit first, for streams that follow one another without gaps. An X tree delivers a sum
+// to each column, and a Y tree per column delivers one to each pixel. If DEGREE is 2 they add XX*x*x + XY*x*y + YY*y*y.
+// Pixel (x, y) is leaf y * WIDTH + x.
 `include "faults.vh"
 
 module linear_expression_evaluator #(
@@ -14,7 +14,7 @@ module linear_expression_evaluator #(
 ) (
   input wire clk,
   input wire reset,
-  input wire first,        // first bits of a stream are on the following wires
+  input wire first,        // the first bits of a stream are on the following wires
   input wire a,
   input wire b,
   input wire c,
@@ -25,7 +25,7 @@ module linear_expression_evaluator #(
   /* verilator lint_on UNUSEDSIGNAL */
   output wire [WIDTH*HEIGHT-1:0] leaves
 );
-  // Additional levels that square_tree.v needs.
+  // Additional outputs that square_tree.v needs.
   localparam MORE_X = DEGREE > 1 && LEVELS_X > 3 ? LEVELS_X - 3 : 0;
   localparam MORE_Y = DEGREE > 1 && LEVELS_Y > 3 ? LEVELS_Y - 3 : 0;
 
@@ -40,7 +40,7 @@ module linear_expression_evaluator #(
 
   generate
     if (DEGREE == 1) begin : linear
-      // The delay of an unused wire is 0; B is needed from the clock in which C's sums leave the X tree.
+      // An unused wire has delay 0. B is needed from the clock in which C's sums leave the X tree.
       localparam DELAY_A = LEVELS_X > 0 ? LEVELS_X - 1 : 0;
       localparam DELAY_B = LEVELS_Y > 0 ? LEVELS_X + LEVELS_Y - 1 : 0;
       wire late_a;

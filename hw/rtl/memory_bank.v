@@ -1,6 +1,7 @@
-// Words of one bit at each of PIXELS pixels: a word line is an address, a bit line a pixel. Each port has a registered
-// row address whose data is read in the same clock, so that block RAM, which takes addresses at an edge, can implement
-// it. A read returns data written at the previous edge; synthesis adds registers to a RAM without this property.
+// Words of one bit at each of PIXELS pixels: a word line corresponds to an address, a bit line to a pixel. Each port
+// has a registered row address whose data is read in the same clock, so that block RAM, which samples addresses at an
+// edge, can implement it. A read returns data written at the previous edge; synthesis adds registers to a RAM without
+// this property.
 module memory_bank #(
   parameter PIXELS = 64,
   parameter WORDS = 72,

@@ -1,6 +1,6 @@
 // Decodes the address of a port of pixel memory, once for all pixels of a chip. The address of the ALU's place 0
-// arrives a clock before its use; in the clock of its use, registers select the word line of each bank. Bit a of memory
-// is in bank a mod BANKS, word a / BANKS, so that adjacent bits are in different banks.
+// arrives one clock before its use; in the clock of its use, registers select the word line of each bank. Bit a of
+// memory is in bank a mod BANKS, word a / BANKS, so that adjacent bits are in different banks.
 `include "faults.vh"
 
 module memory_port #(

@@ -1,9 +1,9 @@
-// LANES serial multiplier trees (thesis 7.2.1 and fig. 7.1): each adds multiplicand * i to its stream for each leaf i,
-// LEVELS clocks later. Node 1 is the root, the children of node n are 2n and 2n + 1, and leaf i is node 2^LEVELS + i.
-// Nodes without a leaf are omitted.
+// LANES serial multiplier trees (thesis 7.2.1 and fig. 7.1): for each leaf i, each tree adds multiplicand * i to its
+// stream, LEVELS clocks later. Node 1 is the root, the children of node n are 2n and 2n + 1, and leaf i is node
+// 2^LEVELS + i. Nodes without a leaf are omitted.
 //
 // The multiplicand enters LEVELS - 1 clocks after the stream, on a wire shared by all levels, so that at level k it has
-// the weight h = 2^(LEVELS - 1 - k). It is used there from bit LEVELS - 1 - k of the stream on; until then the wire
+// the weight h = 2^(LEVELS - 1 - k). There it is used from bit LEVELS - 1 - k of the stream on; until then the wire
 // carries the end of the previous stream.
 `include "faults.vh"
 
@@ -17,7 +17,7 @@ module multiplier_tree #(
   input wire [LEVELS:0] begins,   // start of a stream at each level
   input wire multiplicand,
   input wire [LANES-1:0] in,
-  output wire [LEAVES*LANES-1:0] out   // the lanes of leaf 0 first
+  output wire [LEAVES*LANES-1:0] out   // lanes of leaf 0 first, then of leaf 1, and so on
 );
   localparam ROUNDED = 1 << LEVELS;
   /* verilator lint_off UNUSEDSIGNAL */

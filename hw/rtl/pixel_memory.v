@@ -1,8 +1,8 @@
-// The memory of a chip's pixels, MEMORY_BITS bits each (thesis 7.2.1): one or two read ports and a write port, ALU_BITS
-// adjacent bits wide; and with OWN_PORT a further read port for the scan-out, one bit wide. The number of banks is that
-// of the ALU's places or of the bits cleared in a clock, whichever is larger.
+// The memory of a chip's pixels, MEMORY_BITS bits each (thesis 7.2.1): one or two read ports and a write port, each
+// ALU_BITS adjacent bits wide; with OWN_PORT there is a further read port for the scan-out, one bit wide. The number of
+// banks is the number of places of the ALU or of bits cleared per clock, whichever is larger.
 //
-// Addresses arrive one clock before the control word is at the pixels, for the ports' registers.
+// Addresses arrive one clock before the control word is at the pixels, because the ports register them.
 `include "faults.vh"
 
 module pixel_memory #(
@@ -22,7 +22,7 @@ module pixel_memory #(
   /* verilator lint_on UNUSEDSIGNAL */
   input wire [ADDRESS-1:0] early_w,
   input wire [ADDRESS:0] early_count,           // number of bits to clear from that address on
-  input wire clear,                             // clears at every pixel; nothing else is written then
+  input wire clear,                             // clears at every pixel; nothing else is written in this clock
   input wire [ALU_BITS-1:0] write,              // places to write
   input wire [PIXELS-1:0] may_write,            // pixels to write
   input wire [PIXELS*ALU_BITS-1:0] written,

@@ -1,12 +1,10 @@
-// The whole machine (docs/machines/pixel-planes.md, and docs/machines/pixel-planes.md with degree 2): link,
-// controller, delay of the control word, multiplier trees, a pixel processor with memory at every pixel, the OR of the
-// enable bits, and the scan-out. Pixel (x, y) is number y * WIDTH + x. The machine has a single clock; every output
-// except word_ready is registered.
+// The whole machine (docs/machines/pixel-planes.md): link, controller, delay of the control word, multiplier trees, a
+// pixel processor with memory at every pixel, the OR of the enable bits, and the scan-out. Pixel (x, y) is number y *
+// WIDTH + x. The machine has a single clock; every output except word_ready is registered.
 //
 // The host has words of LINK bits for a frame, and holds `frame` at 1 until the machine requests the words from
-// instruction 0 on. A request issued in a clock reaches the host at the edge that ends it. A word is transferred at an
-// edge at which it is valid and the machine is ready.
-// is valid and the machine ready.
+// instruction 0 on. A request issued in a clock reaches the host at the edge that ends this clock. A word is
+// transferred at an edge at which it is valid and the machine is ready.
 `include "faults.vh"
 
 module pixel_planes #(
@@ -21,7 +19,7 @@ module pixel_planes #(
   parameter FIFO_DEPTH = 16,    // words of the FIFO
   parameter CLEAR_CLOCKS = 1,   // clocks to clear memory
   parameter HAS_OR = 1,         // 0: Programs contain no questions
-  parameter FAN_IN = 64,        // inputs of a gate of that OR; 0: a single gate
+  parameter FAN_IN = 64,        // inputs of a gate of the global OR; 0: a single gate
   parameter SCAN_PIXELS = 1,    // pixels shown per clock; 0: none
   parameter SCAN_SHARED = 0,    // 1: colours are read through the pixels' port
   parameter BUFFERS = 1,        // pictures in memory, 1 or 2
@@ -44,12 +42,12 @@ module pixel_planes #(
   output wire word_ready,
   output wire told,                 // reports the answer to a global_or
   output wire told_any,
-  output wire done,                 // the frame is drawn, and copied with two buffers
+  output wire done,                 // 1: the frame is drawn; with two buffers, also copied
   output wire [31:0] clocks,        // clocks of the frame
 
   output wire video_valid,          // pixels are shown in this clock
-  output wire video_row,            // they are the first of a row
-  output wire video_frame,          // they are the first of a picture
+  output wire video_row,            // 1: these pixels are the first of a row
+  output wire video_frame,          // 1: these pixels are the first of a picture
   output wire [VIDEO-1:0] video,    // pixels from the left, COLOUR_BITS each; 0 beyond the end of a row
   output wire shown                 // a picture has been shown completely
 );

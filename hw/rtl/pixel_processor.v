@@ -41,7 +41,7 @@ module pixel_processor #(
   wire [PIXELS-1:0] first_carry = carry_in == CARRY_KEPT ? carry & ~{PIXELS{`FAULT(`FAULT_CARRY)}}
                                                          : {PIXELS{carry_in == CARRY_ONE}};
   wire [PIXELS-1:0] result;
-  wire [PIXELS-1:0] turned;  // operand x is inverted, since a root subtracts there
+  wire [PIXELS-1:0] turned;  // operand x is inverted, because a root subtracts there
   generate
     if (ROOTS != 0) begin : roots
       reg [PIXELS-1:0] negative;

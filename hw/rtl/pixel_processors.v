@@ -1,6 +1,6 @@
-// The pixel processors and memories, in chips of CHIP pixels (the last may have fewer), which execute one control word
-// per clock; and the port through which the scan-out reads a memory bit of a row of pixels. Pixel (x, y) is number y *
-// WIDTH + x, in chip number / CHIP.
+// The pixel processors and memories, which execute one control word per clock, in chips of CHIP pixels (the last may
+// have fewer), and the port through which the scan-out reads a memory bit of a row of pixels. Pixel (x, y) is number y
+// * WIDTH + x, in chip number / CHIP.
 `include "faults.vh"
 
 module pixel_processors #(
@@ -12,7 +12,7 @@ module pixel_processors #(
   parameter ALU_BITS = 1,
   parameter ROOTS = 1,
   parameter CLEAR_CLOCKS = 1,
-  parameter OWN_PORT = 0,          // separate port for the scan-out; otherwise it shares the pixels'
+  parameter OWN_PORT = 0,          // 1: the scan-out has a separate port; 0: it shares the pixels' port
   parameter ADDRESS = 7,
   parameter SIDE = 5
 ) (
@@ -23,10 +23,11 @@ module pixel_processors #(
   input wire [WIDTH*HEIGHT-1:0] tree,           // bits of F
   output wire [WIDTH*HEIGHT-1:0] enable,
   /* verilator lint_off UNUSEDSIGNAL */
-  input wire [ADDRESS-1:0] shown_address,       // read at an edge through the separate port
+  input wire [ADDRESS-1:0] shown_address,       // address to read at the next edge through the separate port
   input wire [SIDE-1:0] shown_row,
   /* verilator lint_on UNUSEDSIGNAL */
-  output reg [WIDTH-1:0] line                   // valid in the clock after that edge, or after that with a refresh word
+  // Valid in the clock after that edge; with a refresh word, one clock later.
+  output reg [WIDTH-1:0] line
 );
 `include "control_word.vh"
 

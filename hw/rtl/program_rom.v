@@ -1,11 +1,11 @@
-// A host that is a ROM: sends the words of a frame, as written by `csgsim rtl`, whenever the machine requests them. It
-// behaves like the host's end of the link (docs/machines/pixel-planes.md, "Link"): a request names the instruction at
-// which to resume; LATENCY clocks after the edge at which it arrives, the first word is on the link, for WORD_CLOCKS
-// clocks and then until there is room for it.
+// A host that consists of a ROM: it sends the words of a frame, as written by `csgsim rtl`, whenever the machine
+// requests them. It behaves like the host's end of the link (docs/machines/pixel-planes.md, "Link"): a request names
+// the instruction at which to resume; LATENCY clocks after the edge at which the request arrives, the first word is on
+// the link, for WORD_CLOCKS clocks and then until there is room for it.
 //
 // WORDS_FILE contains one word of LINK bits per line, in hexadecimal, in the format of $readmemh. BEGINS_FILE contains,
-// for each of INSTRUCTIONS instructions and one more, the number of the word at which to resume when all earlier
-// instructions are complete.
+// for each of INSTRUCTIONS instructions and for the end of the frame, the number of the word at which to resume when
+// all earlier instructions are complete.
 module program_rom #(
   parameter LINK = 32,
   parameter WORDS = 1,
@@ -48,8 +48,8 @@ module program_rom #(
     end
   endgenerate
 
-  reg [PLACE-1:0] next;     // index of the word on the link, or of the next
-  reg [WAITS-1:0] latent;   // clocks until it is on the link
+  reg [PLACE-1:0] next;     // index of the word on the link or, if there is none, of the next word
+  reg [WAITS-1:0] latent;   // clocks until that word is on the link
   reg [STAYS-1:0] on_link;  // remaining clocks of the word on the link
   reg [31:0] frames;        // number of frames begun by the machine
 

@@ -1,7 +1,7 @@
 // The machine's end of the link: a register that collects words of LINK bits until a command is complete, and holds the
 // command until it is taken (docs/instruction-set.md, "On a link"; docs/machines/pixel-planes.md, "Link"). A word is
-// stored at an edge; a command whose last word arrived at an edge can be taken at the next, at which the next command's
-// first word is also accepted.
+// stored at an edge; a command whose last word arrives at an edge can be taken at the next edge, at which the next
+// command's first word is also accepted.
 `include "faults.vh"
 
 module receiver #(
@@ -29,7 +29,7 @@ module receiver #(
   assign command = gathered[COMMAND_BITS-1:0];
   wire [5:0] number = gathered[5:0];
 
-  // Number of bits known before the width of coefficients or of a constant, and the position of that width.
+  // Number of bits known before the width of the coefficients or of a constant arrives, and the position of that width.
   reg [8:0] fixed;
   reg linear;
   reg constant;
@@ -78,7 +78,7 @@ module receiver #(
     else if (take | take_word) count <= (take ? 9'd0 : count) + (take_word ? EACH[8:0] : 9'd0);
   end
 
-  // Each word has its position; bits beyond the last word are 0.
+  // Each word has a fixed position; bits beyond the last word are 0.
   genvar w;
   generate
     for (w = 0; w < REGISTER / LINK; w = w + 1) begin : place

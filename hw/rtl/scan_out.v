@@ -1,19 +1,20 @@
-// Shows each picture that the controller has finished, once (docs/machines/pixel-planes.md, "Scan-out"; thesis
-// 7.2.1). The colour bits of a row are latched, one bit of all its pixels at a time; then the row is shifted out,
-// PIXELS pixels per clock, while the next is latched. A separate port latches one bit per clock; with a shared port, a
-// refresh word is requested from the controller for each bit, and the bit is latched in the clock in which the word is
-// at the pixels.
+// Shows each picture that the controller has finished, once (docs/machines/pixel-planes.md, "Scan-out"; thesis 7.2.1).
+// The colour bits of a row are latched, one bit of all its pixels at a time; then the row is shifted out, PIXELS pixels
+// per clock, while the next row is latched. A separate port latches one bit per clock. With a shared port, a refresh
+// word is requested from the controller for each bit, and the bit is latched in the clock in which the word is at the
+// pixels.
 //
-// A bit that is read arrives one clock after it counts as latched (pixel_processors.v), and then joins the row, or is
-// shifted out with it if the row is shifted at that edge. Rows are stored as one plane of WIDTH pixels per colour bit.
+// A bit that is read arrives one clock after it counts as latched (pixel_processors.v). It then joins the row; if the
+// row is shifted at that edge, the bit is shifted out with it. Rows are stored as one plane of WIDTH pixels per colour
+// bit.
 `include "faults.vh"
 
 module scan_out #(
   parameter WIDTH = 8,
   parameter HEIGHT = 8,
   parameter PIXELS = 1,        // pixels shown per clock
-  parameter COLOUR_BITS = 24,  // maximum of a picture; further bits are omitted
-  parameter SHARED = 0,        // shares the pixels' port
+  parameter COLOUR_BITS = 24,  // maximum number of colour bits of a picture; further bits are omitted
+  parameter SHARED = 0,        // remaining pixels of the line being shown
   parameter ADDRESS = 7,
   parameter SIDE = 5
 ) (
@@ -28,7 +29,7 @@ module scan_out #(
   output wire refresh,                       // requests a refresh word
   output wire [ADDRESS-1:0] refresh_address,
   output wire [SIDE-1:0] refresh_row,
-  input wire take_refresh,                   // the controller sends the word
+  input wire take_refresh,                   // the controller sends the requested word
   /* verilator lint_off UNUSEDSIGNAL */
   input wire refreshes,                      // a refresh word is at the pixels
   /* verilator lint_on UNUSEDSIGNAL */
@@ -53,11 +54,11 @@ module scan_out #(
   reg [11:0] base;
   reg [5:0] width;
   reg [SIDE-1:0] row;    // row being latched
-  reg [5:0] asked;       // number of its bits that were requested
-  reg [5:0] held;        // number of its bits that were latched
+  reg [5:0] asked;       // number of bits of the row that were requested
+  reg [5:0] held;        // number of bits of the row that were latched
   reg [LEFT-1:0] left;   // clocks until the previous row has been shifted out
 
-  // State at an edge: a picture is begun; a latched row is loaded into the empty shift register; pixels are shown; a
+  // Actions at an edge: a picture begins; a latched row is loaded into the empty shift register; pixels are shown; a
   // bit is latched or requested.
   assign take_picture = picture & ~showing;
   wire active = picture | showing;
@@ -103,7 +104,7 @@ module scan_out #(
     end
   endgenerate
 
-  reg arrives;                 // a bit latched at the previous edge arrives
+  reg arrives;                 // remaining pixels of the line being shown
   reg [5:0] arrives_at;        // its bit number in the colour
   always @(posedge clk) begin
     latched <= latches && held_next == width_here && row_here == LAST_ROW[SIDE-1:0];

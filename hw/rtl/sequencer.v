@@ -1,13 +1,14 @@
 // Computes the control word and coefficient bits of one clock of an instruction from its command; combinational (thesis
 // 7.2.1; hw/isa/opcodes.h defines each instruction, docs/instruction-set.md its clocks).
 //
-// F is compared with a field from its lowest bit, after `shift` bits of fraction. K holds the comparison of the bits
+// F is compared with a field from its lowest bit on, after `shift` bits of fraction. K holds the comparison of the bits
 // processed; it starts with the result for two empty numbers. Beyond the field F is compared with zeros, and its sign
-// decides. Instructions of the table that read two fields with one port latch s first, then combine it with the other.
+// decides. With one port, instructions that read two fields latch a bit of s first, then combine it with the other
+// field.
 //
 // A root of w bits has w turns. In turn k, from 0, the k + 3 bits of the field from 2(w - 1 - k) up are four times the
 // remainder plus two more bits. The turn subtracts 4q + 1, where q is the k-bit partial root stored above them; or, if
-// the remainder was negative, as recorded in G, adds 4q + 3. In both cases the added number begins with a bit 1; a
+// the remainder was negative, as recorded in G, it adds 4q + 3. In both cases the added number begins with a bit 1; a
 // subtraction also has a carry in. The top bit of the result is the sign; its inverse is the next bit of the root.
 `include "faults.vh"
 
@@ -20,10 +21,10 @@ module sequencer #(
 ) (
   input wire [COMMAND_BITS-1:0] command,
   /* verilator lint_off UNUSEDSIGNAL */
-  input wire [SQUARES_BITS-1:0] squares,  // coefficients left by a preceding `squares`, otherwise 0
+  input wire [SQUARES_BITS-1:0] squares,  // coefficients stored by a preceding `squares`, otherwise 0
   /* verilator lint_on UNUSEDSIGNAL */
-  input wire [5:0] at,    // first bit of the clock in the stream or field
-  input wire pass,        // second pass through a stream, or the read after the first
+  input wire [5:0] at,    // first bit of the stream or field in this clock
+  input wire pass,        // second pass through a stream, or second of two reads
   input wire [5:0] turn,  // turn of a root, in which `at` counts from 0
   output reg [CONTROL_BITS-1:0] control,
   output reg first,       // first bit of a stream
@@ -104,7 +105,7 @@ module sequencer #(
   reg [11:0] address_w;
   /* verilator lint_on UNUSEDSIGNAL */
 
-  // Places that have a bit of the target field, and of s of `add`.
+  // Places that have a bit of the target field, and places that have a bit of `s` in `add`.
   wire [ALU_BITS-1:0] in_target;
   wire [ALU_BITS-1:0] in_second;
   genvar i;
@@ -116,10 +117,10 @@ module sequencer #(
     end
   endgenerate
 
-  // Tasks read only signals that the block below also reads, since a simulator does not derive the block's sensitivity
-  // from tasks.
+  // Tasks read only signals that the block below also reads, because a simulator does not derive the block's
+  // sensitivity from tasks.
 
-  // Selects two operands: x is s, y the other field.
+  // Selects two operands: x is s, y is the other field.
   task meet(input [11:0] base_x, input [11:0] base_y);
     begin
       address_x = base_x + at_12;
@@ -146,7 +147,7 @@ module sequencer #(
       active[0] = whole;
       if (whole) begin
         compare(or_equal, begins_field);
-        if (!in_field) y_zero = 1'b1;  // inverted y is 1: the bit of the field is 0
+        if (!in_field) y_zero = 1'b1;  // inverted y is 1: beyond the field its bits count as 0
         if (sign) begin                // a negative F is less than any field
           x_invert[0] = 1'b1;
           y_invert = 1'b0;
@@ -222,7 +223,7 @@ module sequencer #(
         carry_in = CARRY_ONE;
         address_y = base_0 + {6'd0, place};
       end
-      LOAD_LINEAR: begin  // a 1 beyond the field, or a sign, does not fit
+      LOAD_LINEAR: begin  // a 1 beyond the field, or a sign, means that F does not fit
         write = in_field;
         {set_enable, and_enable} = {2{whole && !in_field}};
         x_invert[0] = whole && !in_field;
@@ -236,7 +237,7 @@ module sequencer #(
         end else begin
           write = in_field;
           write_selected = 1'b1;
-          if (whole && !in_field) begin  // inverted carry out of x + K: does not fit
+          if (whole && !in_field) begin  // inverted carry out of x + K: F does not fit
             {set_enable, and_enable} = 2'b11;
             {sum, invert} = 2'b01;
             carry_in = CARRY_KEPT;

@@ -1,7 +1,9 @@
-// The nodes of LANES multiplier trees of degree 2 (docs/machines/pixel-planes.md, "Trees") at one position: both
+// The nodes of LANES multiplier trees of degree 2 (docs/machines/pixel-planes.md, "Trees") at one position. Both
 // streams of each, the value and the slope, pass to the left child one clock later; the right child, h rows or columns
 // further, receives
+//
 //   value + h * (slope + h * C)   and   slope + 2h * C
+//
 // for the coefficient C of the square. h times the slope is the slope DELAY = log2 h clocks later, from registers of
 // the node; h * h * C and 2h * C arrive on wires shared by all nodes of a level.
 `include "faults.vh"
@@ -13,7 +15,7 @@ module square_node #(
   input wire clk,
   input wire reset,
   input wire first,         // first bit of the streams
-  input wire counts,        // the delayed slope belongs to this stream, not to the previous one
+  input wire counts,        // 1: the delayed slope belongs to this stream, not to the previous one
   input wire square,        // h * h * C
   input wire square_slope,  // 2h * C
   input wire [LANES-1:0] value,

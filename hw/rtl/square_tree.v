@@ -1,11 +1,11 @@
-// LANES multiplier trees of degree 2 (docs/machines/pixel-planes.md, "Trees"): from its value and slope, each computes
-// for each leaf i the number value + slope * i + C * i * i, LEVELS clocks later. Nodes are numbered as in
+// LANES multiplier trees of degree 2 (docs/machines/pixel-planes.md, "Trees"): from its value and slope, each tree
+// computes for each leaf i the number value + slope * i + C * i * i, LEVELS clocks later. Nodes are numbered as in
 // multiplier_tree.v.
 //
 // The coefficient C of the square arrives with the streams and passes through registers shared by all nodes of a level.
 // The wire at level k, with h = 2^s and s = LEVELS - 1 - k, carries h * h * C if delayed by k + 2s clocks, and 2h * C
-// if delayed by k + s + 1; it is used from bit 2s of the streams on, or s + 1. Until then it carries the end of the
-// previous streams.
+// if delayed by k + s + 1. It is used from bit 2s of the streams on, or from bit s + 1. Until then it carries the end
+// of the previous streams.
 `include "faults.vh"
 
 module square_tree #(
@@ -20,12 +20,12 @@ module square_tree #(
   input wire square,                  // bit of C
   input wire [LANES-1:0] value,
   input wire [LANES-1:0] slope,
-  output wire [LEAVES*LANES-1:0] out  // the lanes of leaf 0 first
+  output wire [LEAVES*LANES-1:0] out  // lanes of leaf 0 first, then of leaf 1, and so on
 );
   localparam ROUNDED = 1 << LEVELS;
   localparam WIRE = LEVELS > 1 ? 2 * LEVELS - 2 : LEVELS;  // longest delay of C
 
-  wire [WIRE:0] squares;  // C, delayed by the index in clocks
+  wire [WIRE:0] squares;  // C, delayed by as many clocks as the index
   assign squares[0] = square;
   genvar j, k, i;
   generate
@@ -46,8 +46,8 @@ module square_tree #(
   generate
     for (k = 0; k < LEVELS; k = k + 1) begin : level
       localparam S = LEVELS - 1 - k;
-      wire counts;         // the slope's bit is used, from bit S on
-      wire counts_square;  // h * h * C is used, from bit 2S on
+      wire counts;         // 1: the slope's bit is used, from bit S on
+      wire counts_square;  // 1: h * h * C is used, from bit 2S on
       wire counts_slope = ~|begins[k+S:k];
       if (S > 0) begin : late
         assign counts = ~|begins[k+S-1:k];

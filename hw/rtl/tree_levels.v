@@ -1,6 +1,6 @@
 // Start of the streams in a multiplier tree of LEVELS levels: at level k (the root is level 0), k clocks after the
-// root; the last level holds the leaves. MORE further clocks are output, so that a window of wires gives the age of a
-// stream: the stream at level k began less than m clocks ago if one of the m wires from begins[k] on is 1.
+// root; the last level contains the leaves. MORE further clocks are also output, so that adjacent wires show the age of
+// a stream: the stream at level k began less than m clocks ago if one of the m wires from begins[k] on is 1.
 module tree_levels #(
   parameter LEVELS = 3,
   parameter MORE = 0

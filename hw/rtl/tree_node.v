@@ -1,5 +1,5 @@
-// The nodes of LANES multiplier trees (thesis 7.2.1 and fig. 7.1) at one position: each is a one-bit adder that keeps
-// its carry. Streams arrive back to back, least significant bit first, and leave one clock later.
+// The nodes of LANES multiplier trees (thesis 7.2.1 and fig. 7.1) at one position: each is a one-bit adder that stores
+// its carry. Streams arrive without gaps, least significant bit first, and leave one clock later.
 `include "faults.vh"
 
 module tree_node #(

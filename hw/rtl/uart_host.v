@@ -14,7 +14,8 @@ module uart_host #(
   parameter LINK = 32,
   parameter BIT = 104,        // 115,200 bits per second at 12 MHz
   parameter WINDOW = 16,      // words
-  parameter ANSWERS = 64      // capacity for unsent answers: at least the words held by the machine and this module
+  // Capacity for answers not sent yet: at least the words held by the machine and this module.
+  parameter ANSWERS = 64
 ) (
   input wire clk,
   input wire reset,
@@ -94,7 +95,7 @@ module uart_host #(
   reg [31:0] spent;
   reg [COUNT-1:0] acknowledged;
   reg [31:0] number;          // number being sent
-  reg [2:0] bytes;            // bytes of it still to be sent
+  reg [2:0] bytes;            // number of its bytes not sent yet
   reg [7:0] value;
   reg valid;
   wire ready;

@@ -11,9 +11,9 @@ module uart_receiver #(
 );
   localparam [31:0] FULL = BIT - 1;
   localparam [31:0] HALF = BIT / 2 - 1;
-  reg [1:0] settled;        // synchronizer, since the line is asynchronous
+  reg [1:0] settled;        // synchronizer, because the line is asynchronous
   reg [15:0] clocks;        // clocks until the next bit is sampled
-  reg [3:0] bits;           // bits still to be received, including the start bit; 0: none
+  reg [3:0] bits;           // number of bits not received yet, including the start bit; 0 if there are none
   wire now = settled[1];
 
   always @(posedge clk) begin

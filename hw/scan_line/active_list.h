@@ -17,7 +17,7 @@ class ActiveList {
 
   [[nodiscard]] std::size_t primitives() const { return primitives_.size(); }
 
-  /// Advances to that row: adds the buckets up to it, and removes primitives that ended before it. A row that does not
+  /// Advances to `row`: adds the buckets up to it, and removes primitives that ended before it. A row that does not
   /// follow the previous one begins a new field, with an empty list. Returns the number of primitives visited.
   std::size_t advance_to(std::uint32_t row);
 

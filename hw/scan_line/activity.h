@@ -9,7 +9,7 @@
 
 namespace csgsim::scan_line {
 
-/// Activities of the units of a scan-line array. Every clock of the frame is counted under exactly one of them.
+/// Activities of the units of a scan-line array. Each clock of the frame counts for exactly one.
 enum class LineActivity : std::uint8_t {
   sorting,              ///< the host sorts primitives into the buckets of their first lines
   updating,             ///< the host updates the active list for a line
@@ -19,8 +19,8 @@ enum class LineActivity : std::uint8_t {
   sending,              ///< a word is sent
   entering,             ///< a packet enters the chain
   showing,              ///< a pixel is at the refresh port
-  waiting_for_host,     ///< no line has been transferred
-  waiting_for_link,     ///< the link has not begun the previous line of the chain; no packet has arrived over it
+  waiting_for_host,     ///< no line has been transferred by the host
+  waiting_for_link,     ///< the link has not begun the previous line of the chain, or no packet has arrived over it
   waiting_for_entry,    ///< the FIFO of the link is full
   waiting_for_refresh,  ///< a mark waits for the refresh path to become free
   waiting_for_line,     ///< no line is in the shift chain

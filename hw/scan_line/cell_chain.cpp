@@ -36,7 +36,7 @@ void CellChain::on_clock() {
   if (departure.kind == PacketKind::mark) --frame.lines_left;
 }
 
-/// The first frame with lines left, to which the oldest packet in the cells belongs.
+/// The first frame with lines left; the oldest packet in the cells belongs to it.
 CellChain::Frame& CellChain::leaving() {
   const auto found =
       std::find_if(frames_.begin(), frames_.end(), [](const Frame& frame) { return frame.lines_left > 0; });

@@ -16,12 +16,12 @@ namespace csgsim::scan_line {
 
 /// Counts of a chain in one frame.
 struct CellCounts {
-  std::uint64_t fill_clocks = 0;  ///< clocks until a packet first reached the last cell of a line; 0: none did
+  std::uint64_t fill_clocks = 0;  ///< clocks until a packet first reached the last cell of a line; 0 if no packet did
   std::uint64_t busy_cells = 0;   ///< sum of Departure::busy_cells over all packets
 };
 
-/// A whole chain as one module: each clock, a packet's beat enters cell 0 and a pixel leaves at the refresh port. A
-/// packet that leaves the last cell of a line is completed.
+/// A whole chain as one module: each clock, a beat of a packet enters cell 0 and a pixel leaves at the refresh port. A
+/// packet is completed when it leaves the last cell of a line.
 class CellChain final : public systemc::ClockedModule {
  public:
   sc_core::sc_in<Beat> entry{"entry"};
@@ -31,13 +31,13 @@ class CellChain final : public systemc::ClockedModule {
 
   CellChain(sc_core::sc_module_name name, const isa::ArrayShape& cells, const CellShape& shape);
 
-  /// Empties the chain, for lines of that many pixels.
+  /// Empties the chain, for lines of `pixels` pixels.
   void clear(std::uint32_t pixels);
 
   /// Begins a frame of `lines` lines. Lines of earlier frames may still be in the cells.
   void begin(std::size_t lines);
 
-  /// Removes and returns the counts of the oldest frame; all its lines must have left the cells.
+  /// Removes and returns the counts of the oldest frame. All its lines must have left the cells.
   CellCounts take();
 
   [[nodiscard]] const Chain& chain() const { return chain_; }

@@ -20,11 +20,11 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // Bit numbers of the ALU's condition flags.
-constexpr int carry_flag = 0;  // carry out of the processed bits; borrow of a difference
+constexpr int carry_flag = 0;  // carry out of the processed bits, or borrow of a difference
 constexpr int differs_flag = 1;
-constexpr int beyond_flag = 2;    // a bit of x above the target field's width is 1
+constexpr int beyond_flag = 2;    // some bit of x above the target field's width is 1
 constexpr int negative_flag = 3;  // highest bit of the value
-constexpr int x_flag = 4;         // highest bits of the operands
+constexpr int x_flag = 4;         // first of the flags with the highest bits of the operands
 constexpr int y_flag = 5;
 // Flags of a root: the carry as above, and whether the remainder is negative.
 constexpr int remainder_flag = 1;
@@ -36,8 +36,8 @@ void fetch(const FieldPart& part, std::uint64_t* fetched, const Lanes& lanes, Ce
   });
 }
 
-/// The partial root occupies the field's upper bits, which the remainder no longer needs. Bit k of the root is
-/// tried with k + 3 bits of the field.
+/// The partial root occupies the field's upper bits, which the remainder no longer needs. A trial of bit k of the root
+/// uses k + 3 bits of the field.
 void try_root(const Packet& packet, const CellStep& step, const Lanes& lanes, CellRange range) {
   const std::uint32_t bits = packet.accesses.target.field.width / 2U;
   const std::uint32_t length = step.root_bit + 3;
@@ -108,7 +108,7 @@ void run_alu(const Packet& packet, AluBits bits, const Lanes& lanes, CellRange r
   });
 }
 
-/// Results of x - y (F minus the field) for which a comparison holds.
+/// Properties of x - y (F minus the field) for which a comparison holds.
 struct Condition {
   bool where_less = false;
   bool where_equal = false;
@@ -160,7 +160,7 @@ class AluFlags {
     return spread(held);
   }
 
-  /// Whether F fits the target field; x is F.
+  /// Whether F fits the target field. F must be operand x.
   [[nodiscard]] HWY_INLINE Vector fits() const {
     return spread(hn::Xor(hn::Or(bit<x_flag>(now_), bit<beyond_flag>(now_)), set(1)));
   }
@@ -203,7 +203,7 @@ HWY_ATTR HWY_INLINE std::uint64_t combine_enable(const Packet& packet, const Lan
                        [&](Place at, Vector before) HWY_ATTR { return enable(before, spread(any(source.at(at)))); });
 }
 
-/// Keeps cells enabled where F is negative (`negative`) or not negative.
+/// Keeps cells enabled only where F is negative (if `negative`), or only where it is not.
 std::uint64_t keep_where_sign(const Packet& packet, bool negative, const Lanes& lanes, CellRange range) {
   Expression f(packet, range.first);
   const Vector other = negative ? hn::Zero(Tag()) : set(~std::uint64_t{0});
@@ -220,7 +220,7 @@ std::uint64_t compare(const Packet& packet, const Lanes& lanes, CellRange range)
   });
 }
 
-/// Marks F for writing where the comparison holds, and disables cells there if F does not fit.
+/// Marks cells where the comparison holds, so that F is written there, and disables these cells if F does not fit.
 std::uint64_t keep_f(const Packet& packet, const Lanes& lanes, CellRange range) {
   AluFlags found(packet, lanes);
   return change_enable(lanes, range, [&](Place at, Vector before) HWY_ATTR {
@@ -282,7 +282,7 @@ std::uint64_t act(const Packet& packet, const Lanes& lanes, CellRange range) {
   return count_enabled(lanes, range);
 }
 
-/// Writes the part of value(place) where mask(place) is all ones.
+/// Writes the bits of value(place) that belong to the part, where mask(place) is all ones.
 template <class Value>
 HWY_ATTR HWY_INLINE void write_part(const FieldPart& part, const Lanes& lanes, CellRange range,
                                     const std::uint64_t* mask, const Value& value) {

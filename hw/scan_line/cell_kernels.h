@@ -11,7 +11,7 @@
 /// Loops over cells, compiled for each vector instruction set and selected at run time.
 namespace csgsim::scan_line::kernels {
 
-/// Maximum number of lanes of a vector; arrays are padded by that number of lanes behind the last cell.
+/// Maximum number of lanes of a vector. Arrays are padded by as many lanes behind the last cell.
 inline constexpr std::size_t max_lanes = 8;
 
 /// The cells in [first, end).
@@ -25,10 +25,10 @@ struct Lanes {
   std::uint64_t* memory = nullptr;  ///< 64-bit words; word w of all cells precedes word w + 1
   std::size_t stride = 0;           ///< lanes from one word of a cell to the next
   std::uint64_t* enable = nullptr;
-  std::array<std::uint64_t*, 2> fetched{};  ///< fields that were read; a root is computed in the first
+  std::array<std::uint64_t*, 2> fetched{};  ///< fields that were read; a root is computed in the first of them
   std::uint64_t* value = nullptr;           ///< partial result of the ALU
   std::uint64_t* flags = nullptr;           ///< condition flags of the ALU or of a root (cell_kernels.cpp)
-  std::uint64_t* writes = nullptr;          ///< whether F is written
+  std::uint64_t* writes = nullptr;          ///< whether the field is written
 };
 
 /// Executes consecutive steps of the packet in the cells of the range. Returns the number of cells that were enabled in
@@ -38,7 +38,7 @@ std::uint64_t execute(const Packet& packet, std::span<const CellStep> steps, con
 /// Whether any lane is nonzero.
 bool any_ones(std::span<const std::uint64_t> lanes);
 
-/// Sets bit i % 64 of word i / 64 for each nonzero lane i of the range.
+/// For each nonzero lane i of the range, sets bit i % 64 of words[i / 64].
 void add_bits(const std::uint64_t* lanes, CellRange range, std::span<std::uint64_t> words);
 
 }  // namespace csgsim::scan_line::kernels

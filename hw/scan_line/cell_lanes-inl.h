@@ -50,13 +50,13 @@ HWY_INLINE Vector any(Vector value) { return hn::IfThenElseZero(hn::Ne(value, hn
 
 HWY_INLINE Vector select(Vector mask, Vector a, Vector b) { return hn::Xor(b, hn::And(mask, hn::Xor(a, b))); }
 
-/// A vector of cells starting at `first`; `left` cells of the range remain.
+/// A vector of cells starting at `first`; `left` cells of the range remain, including these.
 struct Place {
   std::size_t first;
   std::size_t left;
 
   [[nodiscard]] HWY_INLINE bool whole() const { return left >= hn::Lanes(Tag()); }
-  /// The value with zeros beyond the range.
+  /// The value, with zeros in lanes beyond the range.
   [[nodiscard]] HWY_INLINE Vector inside(Vector value) const {
     return whole() ? value : hn::IfThenElseZero(hn::FirstN(Tag(), left), value);
   }
@@ -79,7 +79,7 @@ HWY_ATTR HWY_INLINE void each(CellRange range, const Body& body) {
     body(Place{first, range.end - first});
 }
 
-/// Values of F in consecutive cells, as the adders compute them.
+/// Values of F in consecutive cells, as computed by the adders.
 class Expression {
  public:
   HWY_INLINE Expression(const Packet& packet, std::uint32_t first)
@@ -119,7 +119,7 @@ class Expression {
   Vector second_;
 };
 
-/// A field that was read; 0 if the packet does not read it.
+/// A field that was read, as an operand; 0 if the packet does not read it.
 class Source {
  public:
   HWY_INLINE Source(const Packet& packet, const Lanes& lanes, std::size_t number)
@@ -132,7 +132,8 @@ class Source {
   const std::uint64_t* fetched_;
 };
 
-/// Operands of the ALU, vector by vector: F, if present, is the first; a constant is the second.
+/// Operands of the ALU, vector by vector. If the packet has F, F is the first operand; a constant is the second
+/// operand.
 class Operands {
  public:
   HWY_INLINE Operands(const Packet& packet, const Lanes& lanes, CellRange range)

@@ -15,7 +15,7 @@ class Ports {
  public:
   explicit Ports(const CellShape& cell) : cell_(cell) {}
 
-  /// Index after the words accessed in the next clock; `done` of `words` words have been accessed.
+  /// Index after the words accessed in the next clock, if `done` of `words` words have been accessed.
   [[nodiscard]] std::uint32_t end(std::uint32_t done, std::uint32_t words) const {
     return cell_.ports == 0 ? words : std::min(words, done + cell_.ports);
   }
@@ -98,7 +98,7 @@ class WorkProgress {
   std::uint32_t taken_ = 0;  ///< bits that the ALU has processed
 };
 
-/// Progress of a root: its bit k is tried by a sum of k + 3 bits.
+/// Progress of a root: bit k is tried with a sum of k + 3 bits.
 class RootProgress {
  public:
   RootProgress(const Packet& packet, const CellShape& cell)

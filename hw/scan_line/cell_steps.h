@@ -12,7 +12,7 @@ namespace csgsim::scan_line {
 /// Part of a field that the ports read or write in one clock.
 struct FieldPart {
   isa::Field bits{};       ///< bits of memory; none if the width is 0
-  std::uint32_t from = 0;  ///< bit of the field that is the lowest of these bits
+  std::uint32_t from = 0;  ///< the bit of the field that corresponds to the lowest of these bits
 
   constexpr bool operator==(const FieldPart&) const = default;
 };
@@ -25,7 +25,7 @@ struct AluBits {
   constexpr bool operator==(const AluBits&) const = default;
 };
 
-/// Operations of a cell in the clock in which a beat is in it, in this order. All cells do the same.
+/// Operations of a cell in the clock in which a beat is in it, in this order. All cells execute the same steps.
 struct CellStep {
   bool clears = false;               ///< memory and enable become 0
   std::array<FieldPart, 2> reads{};  ///< parts of the sources
@@ -40,9 +40,10 @@ struct CellStep {
   constexpr bool operator==(const CellStep&) const = default;
 };
 
-/// Computes the cells' steps for the packet's beats: the ports read the words of its fields, the shifter moves operands
-/// word by word, then the ALU processes their bits, each at its own width per clock. Throws std::logic_error if the
-/// packet has a result before all fields are read, the ALU has finished, or the root is complete.
+/// Computes the steps of the cells for the packet's beats: the ports read the words of its fields, the shifter moves
+/// operands word by word, then the ALU processes their bits, each at its own number of bits per clock. Throws
+/// std::logic_error if the packet has a result before all fields are read, the ALU has finished, or the root is
+/// complete.
 void compute_steps(const Packet& packet, const CellShape& cell, std::vector<CellStep>& steps);
 
 }  // namespace csgsim::scan_line

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t storage_bits = 64;
 
-/// Number of cells that are tested together for an enabled one.
+/// Number of cells that are tested together for enabled cells.
 constexpr std::uint32_t block_cells = 64;
 
 }  // namespace
@@ -59,7 +59,7 @@ std::uint64_t Cells::execute_all(const Packet& packet, std::span<const CellStep>
     return 0;
   }
   std::uint64_t enabled = 0;
-  std::uint32_t first = range.first;  // first cell of the blocks that are executed together
+  std::uint32_t first = range.first;  // first cell of consecutive blocks that are executed together
   for (std::uint32_t block = range.first; block < range.end;) {
     const std::uint32_t next = std::min(range.end, block + block_cells);
     if (!any_enabled({block, next})) {
@@ -89,7 +89,7 @@ void Cells::clear(CellRange range) {
   std::fill_n(&enable_[range.first], count, 0U);
 }
 
-/// A line without colours, whose mark has no field, holds 0.
+/// The mark of a line without colours has no field; its cells hold 0.
 void Cells::hold(const Packet& mark, CellRange range) {
   const bool has_colour = !mark.background && mark.accesses.sources[0].count > 0;
   const auto constant = static_cast<std::uint32_t>(mark.background ? mark.instruction.constant : 0);

@@ -16,7 +16,7 @@ using kernels::CellRange;
 /// The cells of a chain or of a tree. Each has a memory of words with `ports` ports, an enable bit, a shifter, an ALU,
 /// and registers: two fields that were read, the ALU's result, a field to write, and the value held for the refresh.
 /// The memory can write single bits of a word. A root is computed by the ALU in the register of the first field. F
-/// comes from the adders before the cell (words_in); their sums follow from the coefficients.
+/// comes from the adders before the cell (words_in); their sums are computed from the coefficients.
 ///
 /// Cells are independent of each other, so some may be simulated ahead of others; each must execute all steps in order.
 class Cells {
@@ -25,10 +25,11 @@ class Cells {
 
   [[nodiscard]] std::uint32_t count() const { return count_; }
 
-  /// Executes steps of the packet's beats in these cells. Returns the number that were enabled in the acting step.
+  /// Executes steps of the packet's beats in the cells of the range. Returns the number of cells that were enabled in
+  /// the acting step.
   std::uint64_t execute(const Packet& packet, std::span<const CellStep> steps, CellRange range);
 
-  /// Executes all steps of the packet; cells whose memory, enable and hold register would not change may be omitted.
+  /// Executes all steps of the packet. Cells whose memory, enable and hold register would not change may be omitted.
   std::uint64_t execute_all(const Packet& packet, std::span<const CellStep> steps, CellRange range);
 
   [[nodiscard]] bool enabled(std::uint32_t cell) const { return enable_[cell] != 0; }
@@ -58,7 +59,7 @@ class Cells {
   std::size_t cell_words_;
   std::vector<std::uint64_t> memory_;
   std::vector<std::uint64_t> enable_;
-  std::vector<std::uint64_t> fetched_;  ///< the first field of every cell, then the second
+  std::vector<std::uint64_t> fetched_;  ///< the first field of every cell, followed by the second field of every cell
   std::vector<std::uint64_t> value_;
   std::vector<std::uint64_t> flags_;
   std::vector<std::uint64_t> writes_;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t plane_bits = 64;
 
-/// Beat with which the cells of a line begin to hold a pixel of the line.
+/// Beat in which a cell begins to hold a pixel of the line.
 std::uint32_t clearing_beat(const Packet& packet) {
   return packet.kind == PacketKind::clear && !packet.begins_line ? packet.beats - 1 : 0;
 }
@@ -131,13 +131,13 @@ void Chain::take(const Packet& packet) {
   entering.snapshot = packet.keep != Keep::nothing ? take_snapshot(packet.keep) : no_snapshot;
 }
 
-/// A mark reaches the first cell.
+/// Called when a mark reaches the first cell.
 void Chain::hold() {
   if (held_) throw std::logic_error("a mark reached hold registers that the refresh path had not read");
   held_ = true;
 }
 
-/// The oldest packet is the one that has advanced farthest.
+/// Completes the oldest packet, which has advanced farthest, when it leaves the last cell.
 void Chain::depart() {
   if (departed_snapshot_ != no_snapshot) unused_.push_back(departed_snapshot_);
   departed_snapshot_ = no_snapshot;
@@ -170,21 +170,21 @@ Chain::Flight& Chain::flight(std::size_t number) const {
   return flights_[place < flights_.size() ? place : place - flights_.size()];
 }
 
-/// Number of beats of the packet that have been in the cell.
+/// Number of the packet's beats that have been in the cell.
 std::uint32_t Chain::beats_executed(const Flight& flight, std::uint32_t cell) const {
   const std::uint64_t first = flight.entered + clocks_to(cell);
   if (clock_ <= first) return 0;
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(clock_ - first, flight.packet.beats));
 }
 
-/// Number of cells that the beat has been in.
+/// Number of cells that the beat has visited.
 std::uint32_t Chain::cells_reached(const Flight& flight, std::uint32_t beat) const {
   const std::uint64_t entered = flight.entered + beat;
   if (network_ == Network::trees) return clock_ > entered + clocks_to(0) ? pixels_ : 0;
   return clock_ > entered ? static_cast<std::uint32_t>(std::min<std::uint64_t>(clock_ - entered, pixels_)) : 0;
 }
 
-/// Executes all pending beats in the cell and in those before it.
+/// Executes all pending beats in the cell and in the cells before it.
 void Chain::catch_up(std::uint32_t cell) const {
   for (std::size_t i = 0; i < count_; ++i) {
     Flight& one = flight(i);

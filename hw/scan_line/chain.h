@@ -23,50 +23,50 @@ struct Departure {
 };
 
 /// A chain of cells with one hold register each, and the shift chain that returns the colours to the refresh port at
-/// cell 0. In each clock, every beat of a packet is processed by the cell that it is in and then moves to the next.
-/// If the network is trees, a beat moves from level to level, and is then processed by all cells of the line in one
-/// clock.
+/// cell 0. In each clock, every cell processes the beat in it, which then moves to the next cell. If the network is
+/// trees, a beat moves from level to level, and is then processed by all cells of the line in one clock.
 ///
-/// A mark makes each cell hold its colour at its last beat. In the clock after that beat was in the line's last cell,
-/// all hold registers are copied to the shift chain, which has pixel 0 at the port in the next clock, then pixel 1, and
-/// so on.
+/// A mark makes each cell hold its colour at the mark's last beat. In the clock after that beat was in the line's last
+/// cell, all hold registers are copied to the shift chain, which has pixel 0 at the port in the next clock, then pixel
+/// 1, and so on.
 ///
 /// Execution is deferred: a packet is executed in all cells when it leaves the last of them. Reading a cell executes
-/// the pending steps of that cell and of those before it.
+/// the pending steps of that cell and of the cells before it.
 class Chain {
  public:
   Chain(std::uint32_t cells, std::uint32_t memory_bits, const CellShape& shape);
 
-  /// Clocks from the entry to that cell.
+  /// Clocks from the entry to a cell.
   [[nodiscard]] std::uint32_t clocks_to(std::uint32_t cell) const {
     return clocks_to_cell(network_, cells_.count(), cell);
   }
 
-  /// Empties the chain, for lines of that many pixels (1 to the number of cells).
+  /// Empties the chain, for lines of `pixels` pixels (1 to the number of cells).
   void begin(std::uint32_t pixels);
 
-  /// Advances by one clock, in which that beat is in cell 0 or at the root of the tree. Throws std::logic_error for a
-  /// mark that arrives before a hold register or the shift chain is free, and for a beat out of sequence.
+  /// Advances by one clock, in which the beat `entering` is in cell 0 or at the root of the tree. Throws
+  /// std::logic_error for a mark that arrives before a hold register or the shift chain is free, and for a beat out of
+  /// sequence.
   void step(const Beat& entering);
 
   /// Pixel at the refresh port in the next clock.
   [[nodiscard]] RefreshPixel refresh() const;
 
-  /// Packet that left the last cell in the last clock; PacketKind::none if none did.
+  /// The packet that left the last cell in the last clock; PacketKind::none if there was none.
   [[nodiscard]] const Departure& departure() const { return departure_; }
 
-  // State of a cell for waves, as left by the completed clocks.
-  /// Beat in a cell in the next clock; valid for cells that a beat takes clocks to reach.
+  // State of a cell for waves, after the completed clocks.
+  /// Beat in a cell in the next clock; valid only for cells that a beat needs at least one clock to reach.
   [[nodiscard]] Beat beat_in(std::uint32_t cell) const;
-  /// Segment to which the pixel in that cell belongs; none before the first.
+  /// Segment of the pixel in a cell; empty before the first segment.
   [[nodiscard]] std::optional<std::uint32_t> segment_of(std::uint32_t cell) const;
-  /// Words of F received from the last packet that brought some.
+  /// Words of F received from the last packet that has F.
   [[nodiscard]] std::uint64_t sum(std::uint32_t cell) const;
   [[nodiscard]] bool enabled(std::uint32_t cell) const;
   [[nodiscard]] std::uint64_t read(std::uint32_t cell, isa::Field field) const;
-  /// Content of that cell's hold register.
+  /// Content of the cell's hold register.
   [[nodiscard]] std::uint32_t held(std::uint32_t cell) const;
-  /// Content of the shift chain at that cell in the next clock; none if no pixel of the line is left there.
+  /// Content of the shift chain at a cell in the next clock; empty if no pixel of the line is left there.
   [[nodiscard]] std::optional<std::uint32_t> shifting(std::uint32_t cell) const {
     return shifting_ && shifted_ + cell < pixels_ ? std::optional(shift_[shifted_ + cell]) : std::nullopt;
   }
@@ -75,11 +75,11 @@ class Chain {
   /// A packet in the cells.
   struct Flight {
     Packet packet;
-    std::vector<CellStep> steps;            ///< steps of its beats
-    std::uint64_t entered = 0;              ///< clock of its first beat
-    std::vector<std::uint32_t> done_cells;  ///< number of cells that have executed each beat; empty: no beat was
-                                            ///< executed in any
-    std::uint64_t enabled = 0;              ///< number of these cells that were enabled in the acting step
+    std::vector<CellStep> steps;  ///< steps of its beats
+    std::uint64_t entered = 0;    ///< clock of its first beat
+    /// For each beat, the number of cells that have executed it; empty if no beat has been executed.
+    std::vector<std::uint32_t> done_cells;
+    std::uint64_t enabled = 0;  ///< number of these cells that were enabled in the acting step
     std::size_t snapshot = no_snapshot;
   };
 
@@ -102,7 +102,7 @@ class Chain {
 
   Network network_;
   CellShape shape_;
-  mutable Cells cells_;  ///< mutable because reads execute pending steps
+  mutable Cells cells_;  ///< mutable: reads execute pending steps
   std::uint32_t pixels_ = 1;
   std::uint64_t clock_ = 0;
   mutable std::vector<Flight> flights_;  ///< a ring, the oldest first
@@ -113,9 +113,9 @@ class Chain {
   std::optional<std::uint32_t> cleared_;    ///< segment of the clearing packet that left last
   std::vector<std::uint32_t> shift_;
   std::uint32_t shifted_ = 0;  ///< pixels of the line that have left the shift chain
-  bool shifting_ = false;      ///< some pixels have not left
-  bool held_ = false;          ///< a mark has reached the cells, and the shift chain has not taken the line
-  bool transfers_ = false;     ///< the shift chain takes the line in this clock
+  bool shifting_ = false;      ///< whether some pixels have not left the shift chain
+  bool held_ = false;          ///< whether a mark has reached the cells and the shift chain has not taken the line
+  bool transfers_ = false;     ///< whether the shift chain takes the line in this clock
   mutable std::vector<Snapshot> snapshots_;  ///< used and unused
   std::vector<std::size_t> unused_;
   Departure departure_;

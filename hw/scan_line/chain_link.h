@@ -17,9 +17,9 @@
 namespace csgsim::scan_line {
 
 /// The host's end of the link to a chain. Sends each line that it receives: its start, its instructions, and its end. A
-/// word occupies the link for Link::word_clocks clocks and enters the FIFO at the end of the last, or at the first
-/// later edge with room; then the next word follows, immediately that of the next line if available. The frame's first
-/// word starts Link::latency clocks after its line was taken.
+/// word occupies the link for Link::word_clocks clocks and enters the FIFO at the end of the last of these, or at the
+/// first later edge with room. Then the next word follows, also across lines if the next line is available. The frame's
+/// first word starts Link::latency clocks after its line was taken.
 class ChainLink final : public systemc::ClockedModule {
  public:
   sc_core::sc_fifo_in<std::uint32_t> lines{"lines"};
@@ -27,15 +27,15 @@ class ChainLink final : public systemc::ClockedModule {
 
   ChainLink(sc_core::sc_module_name name, const machines::Link& link);
 
-  /// Begins a frame; the chain draws `lines` of its lines. Starts with the next clock.
+  /// Begins a frame with the next clock; the chain draws `lines` of its lines.
   void begin(const PictureLines& frame, std::size_t lines);
 
   [[nodiscard]] const ActivityCounter& counter() const { return counter_; }  ///< counter of the frame that began last
   [[nodiscard]] std::uint64_t sent() const { return sent_; }                 ///< number of words sent
 
-  // Shown in waves.
+  // State for waves.
   [[nodiscard]] std::string_view activity() const { return counter_.now(); }
-  /// Line being sent; none while it waits for one.
+  /// Line being sent; empty while the link waits for a line.
   [[nodiscard]] std::optional<std::uint32_t> line() const {
     return state_ == State::waiting ? std::nullopt : std::optional(line_);
   }
@@ -52,7 +52,7 @@ class ChainLink final : public systemc::ClockedModule {
 
   const machines::Link link_;
   PictureLines frame_;
-  std::size_t lines_left_ = 0;  ///< lines still to be taken
+  std::size_t lines_left_ = 0;  ///< number of lines not yet taken
   State state_ = State::waiting;
   std::uint32_t left_ = 0;     ///< remaining clocks of the latency, or of the word on the link
   std::uint32_t latency_ = 0;  ///< latency of the line that is taken next

@@ -13,15 +13,15 @@ class Kind final : public machines::KindOf<Figures> {
   void complete(Machine& machine) const override;
   void set_picture(Machine& machine, machines::Size size) const override;
   bool keeps_active_list() const override { return true; }
-  /// One region per line; the even lines of an interlaced picture come first.
+  /// One region per line; in an interlaced picture the even lines come first.
   std::vector<isa::Region> regions(const Machine& machine) const override;
   void check(const Program& program, const Machine& machine) const override;
-  /// Clocks for which an instruction's packet occupies a cell, and therefore the entry: its words arrive, or the ports
-  /// of the cell's memory read its fields, and then, not before the last word, write the target.
+  /// Clocks for which an instruction's packet occupies a cell, and therefore the entry: either its words arrive, or the
+  /// ports of the cell's memory read the fields and then write the target, not before the packet's last word.
   std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine) const override;
   machines::FrameTiming time(const Program& program, const Machine& machine, const RunOutcome& outcomes) const override;
-  /// Clocks in which the beats of each packet are at the entry of a chain; the cell of a column processes a beat later
-  /// by one clock per preceding cell.
+  /// Clocks in which the beats of each packet are at the entry of a chain. A cell processes a beat one clock later per
+  /// preceding cell.
   std::optional<Timeline> timeline(const Program& program, const Machine& machine,
                                    const RunOutcome& outcomes) const override;
   Spans at_pixel(const Timeline& timeline, const Program& program, const Machine& machine, std::uint32_t segment,

@@ -16,7 +16,7 @@ namespace csgsim::scan_line {
 
 /// The host of a scan-line array. Sorts the picture's primitives into buckets; then, for each line, updates the active
 /// list, prepares the line's instructions, and transfers the line to the link of its chain as soon as the link has
-/// begun the previous line. The transfer takes one clock. A line is identified by its number in the frame.
+/// begun the previous line. The transfer takes one clock. Lines are identified by their number in the frame.
 class LineHost final : public systemc::ClockedModule {
  public:
   sc_core::sc_vector<sc_core::sc_fifo_out<std::uint32_t>> lines;  ///< transferred lines, one FIFO per chain
@@ -28,9 +28,9 @@ class LineHost final : public systemc::ClockedModule {
 
   [[nodiscard]] const ActivityCounter& counter() const { return counter_; }  ///< counter of the frame that began last
 
-  // Shown in waves.
+  // State for waves.
   [[nodiscard]] std::string_view activity() const { return counter_.now(); }
-  [[nodiscard]] std::uint32_t line() const { return current_line_; }  ///< the number of lines when all are done
+  [[nodiscard]] std::uint32_t line() const { return current_line_; }  ///< the number of lines after the last line
 
  private:
   void on_clock() override;
@@ -42,9 +42,9 @@ class LineHost final : public systemc::ClockedModule {
   ActiveList active_;
   std::uint32_t line_ = 0;
   std::uint32_t current_line_ = 0;  ///< line of the clock that began last
-  std::uint64_t sorting_ = 0;       ///< remaining clocks
-  std::uint64_t updating_ = 0;      ///< remaining clocks for the line
-  std::uint64_t preparing_ = 0;     ///< remaining clocks for the line
+  std::uint64_t sorting_ = 0;       ///< remaining clocks of sorting
+  std::uint64_t updating_ = 0;      ///< remaining clocks of updating for the line
+  std::uint64_t preparing_ = 0;     ///< remaining clocks of preparing for the line
   ActivityCounter counter_;
 };
 

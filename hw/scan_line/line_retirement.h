@@ -11,7 +11,7 @@ namespace csgsim::scan_line {
 
 /// Forwards the reports of a chain's cells to the run listeners. Lines of a frame may enter while lines of the previous
 /// frame are in the cells: the entry queries the listener of the newest frame; the cells report to the listener of the
-/// oldest frame with lines left.
+/// oldest frame that has lines left.
 class LineRetirement final : public sc_core::sc_module, public systemc::RetirementPort {
  public:
   explicit LineRetirement(sc_core::sc_module_name name);
@@ -28,7 +28,7 @@ class LineRetirement final : public sc_core::sc_module, public systemc::Retireme
     systemc::RunListener* listener;
     std::size_t lines_left;
   };
-  std::deque<Frame> frames_;  ///< frames with lines left
+  std::deque<Frame> frames_;  ///< frames that have lines left
 };
 
 }  // namespace csgsim::scan_line

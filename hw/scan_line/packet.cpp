@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t max_word_bits = 64;
 
-/// Holds F of any cell: the words of a packet may have more than 64 bits.
+/// Wide enough for F in any cell: the words of a packet may have more than 64 bits in total.
 __extension__ using Wide = __int128;
 
 std::uint64_t word_of(Wide number, std::uint32_t place, std::uint32_t word_bits) {
@@ -84,14 +84,14 @@ AluFunction function_of(isa::Opcode opcode) {
   return AluFunction::none;
 }
 
-/// Alignment of `bits` bits of an operand that begins at bit `begins` of a word with the field's position in its word.
+/// Aligns an operand of `bits` bits, which begins at bit `begins` of a word, with the field's position in its word.
 Move move_to(isa::Field field, std::uint32_t begins, std::uint32_t bits, const CellShape& cell) {
   const std::uint32_t required = field.base % cell.word_bits;
   return {quotient_up(required + bits, cell.word_bits), begins > required ? begins - required : required - begins};
 }
 
-/// Operands are aligned with the first field, which is the target if present. F is sign-extended as far as it is
-/// used; single bits combined with E, and constants, need no alignment.
+/// Operands are aligned with the first field, which is the target if there is one. F is sign-extended as far as it is
+/// used; constants, and single bits combined with E, need no alignment.
 CellWork work_of(const isa::Instruction& instruction, const CellShape& cell) {
   CellWork work{.function = function_of(instruction.opcode)};
   const isa::Field& place = instruction.fields[0];
@@ -112,7 +112,7 @@ CellWork work_of(const isa::Instruction& instruction, const CellShape& cell) {
   return work;
 }
 
-/// Clocks of an alignment, counted by iteration.
+/// Clocks of an alignment, found by simulating its steps.
 std::uint32_t clocks_of(const Move& move, const CellShape& cell) {
   std::uint32_t clocks = 0;
   for (std::uint32_t moved = 0; cell.shift_bits > 0 && moved < move.distance; moved += cell.shift_bits)

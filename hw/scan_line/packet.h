@@ -16,9 +16,9 @@ struct CellShape {
   std::uint32_t word_bits = 1;   ///< bits of a word of memory and of the adder of the running sum, 1 to 64
   std::uint32_t ports = 0;       ///< words of memory read or written per clock; 0 for any number
   std::uint32_t alu_bits = 0;    ///< bits that the ALU processes per clock, at most a word; 0 for any number
-  std::uint32_t shift_bits = 0;  ///< bits by which the shifter moves a word per clock; 0: no alignment needed
-  std::uint32_t tree_bits = 0;   ///< bits of F that a tree delivers per clock, at most a word; 0 for a chain, which
-                                 ///< delivers a word
+  std::uint32_t shift_bits = 0;  ///< bits by which the shifter moves a word per clock; 0 if shifts take no clocks
+  /// Bits of F that a tree delivers per clock, at most a word; 0 for a chain, which delivers one word.
+  std::uint32_t tree_bits = 0;
 
   constexpr bool operator==(const CellShape&) const = default;
 };
@@ -54,23 +54,23 @@ struct FieldWords {
 
 /// Schedule of a packet's memory accesses in a cell. Reads start with the packet's first word, one word per port and
 /// clock. The cell's work starts in the first clock in which all words of the packet have arrived and all reads are
-/// done. The result is available in the last clock of the work; if something is written, not before the first clock in
+/// done. The result is available in the last clock of the work; if a target is written, not before the first clock in
 /// which the ports are free, and the writes start in that clock. The work of a root consists of its trials, which start
 /// when the ports are free: bit k takes the ALU's clocks for a sum of k + 3 bits.
 struct Accesses {
   std::array<FieldWords, 2> sources{};  ///< read one after the other
   FieldWords target{};                  ///< written
   std::uint32_t work_from = 0;          ///< clock in which work starts, relative to the packet's first word in the cell
-  std::uint32_t result = 0;             ///< clock of the result, likewise
+  std::uint32_t result = 0;             ///< clock of the result, relative to the same word
 
   constexpr bool operator==(const Accesses&) const = default;
 };
 
-/// Alignment of an operand with the other operand or the target: the shifter moves it word by word, each by the
-/// distance, in either direction; bits shifted in come from the adjacent word.
+/// Alignment of an operand with the other operand or the target: the shifter moves it word by word, each word by the
+/// same distance, in either direction; bits shifted in come from the adjacent word.
 struct Move {
   std::uint32_t words = 0;     ///< words of the operand after alignment
-  std::uint32_t distance = 0;  ///< bits, less than a word
+  std::uint32_t distance = 0;  ///< distance in bits, less than a word
 
   constexpr bool operator==(const Move&) const = default;
 };
@@ -78,8 +78,8 @@ struct Move {
 /// Function of the ALU on two operands, x and y.
 enum class AluFunction : std::uint8_t { none, add, subtract, bit_and, bit_or, bit_xor, bit_and_not, bit_not };
 
-/// Work of a cell on a packet's operands once all have arrived, sequentially: the shifter aligns operands, then the ALU
-/// processes them from the lowest bits on. Functions of the sign of F, or of a single bit and E, take no work.
+/// Sequential work of a cell on a packet's operands after all have arrived: the shifter aligns operands, then the ALU
+/// processes them, lowest bits first. Functions of the sign of F, or of a single bit and E, take no work.
 struct CellWork {
   std::array<Move, 2> moves{};
   AluFunction function = AluFunction::none;
@@ -89,14 +89,15 @@ struct CellWork {
 };
 
 /// A unit of work that moves from cell to cell, or from level to level of a tree, one beat per clock. It occupies each
-/// cell for `beats` clocks: in each of the first `words`, one word of F and one of its difference to the next cell
-/// arrive, least significant first, and with squares one of the second difference; then the cell continues with what it
-/// has received.
+/// cell for `beats` clocks. In each of the first `words` clocks, one word of F and one word of its difference to the
+/// next cell arrive, least significant first, and with squares one word of the second difference; then the cell
+/// processes what it has received.
 struct Packet {
   PacketKind kind = PacketKind::none;
-  bool begins_line = false;   ///< clears the cell's memory and enable before the cell acts
-  bool background = false;    ///< a mark for a line that shows the constant
-  Keep keep = Keep::nothing;  ///< snapshot of the cells, taken as the packet leaves them, for run listeners
+  bool begins_line = false;  ///< clears the cell's memory and enable before the cell acts
+  /// Whether this is the mark of a line that shows only the background, which is the instruction's constant.
+  bool background = false;
+  Keep keep = Keep::nothing;  ///< which state of the cells to copy, as the packet leaves them, for run listeners
   std::uint32_t words = 1;
   std::uint32_t beats = 1;
   std::uint32_t segment = 0;
@@ -104,16 +105,16 @@ struct Packet {
   std::int64_t square = 0;  ///< factor of x*x in F
   Accesses accesses{};
   CellWork work{};
-  isa::Instruction instruction{};  ///< instruction; a mark with a background sets only its constant
+  isa::Instruction instruction{};  ///< the instruction; in a mark with `background` only its constant is valid
 
-  /// Whether words of F come with the packet.
+  /// Whether words of F arrive with the packet.
   [[nodiscard]] constexpr bool brings_f() const {
     return kind == PacketKind::instruction && instruction.linear.width > 0;
   }
   constexpr bool operator==(const Packet&) const = default;
 };
 
-/// A beat in a cell, or on its way to one, in a clock.
+/// A beat in a cell, or on its way to a cell, in one clock.
 struct Beat {
   const Packet* packet = nullptr;  ///< valid until the end of the clock; null if there is no beat
   std::uint32_t number = 0;        ///< index of the beat in the packet
@@ -124,8 +125,9 @@ struct Beat {
 
 /// Words that arrive at a cell of a chain with a beat.
 struct BeatWords {
-  std::uint64_t f = 0;   ///< word of F in that cell
-  std::uint64_t a = 0;   ///< word of F's difference to the next cell; without squares A
+  std::uint64_t f = 0;  ///< word of F in that cell
+  /// Word of the difference between F in the next cell and in this cell; A if there are no squares.
+  std::uint64_t a = 0;
   std::uint64_t aa = 0;  ///< word of the second difference
 
   constexpr bool operator==(const BeatWords&) const = default;
@@ -139,21 +141,23 @@ struct RefreshPixel {
   constexpr bool operator==(const RefreshPixel&) const = default;
 };
 
-/// Packet of an instruction. `squares`: coefficients of a preceding instruction `squares`. Since a line is a single
-/// row, number 0, only the factor of x*x matters. The instruction `squares` itself delivers nothing to the cells.
+/// Packet of an instruction. `squares`: coefficients of a preceding instruction `squares`. A line is a single row,
+/// number 0, so only the factor of x*x matters. The instruction `squares` itself delivers nothing to the cells.
 Packet instruction_packet(const isa::Instruction& instruction, const CellShape& cell, const isa::Linear& squares = {});
 Packet clear_packet(std::uint32_t clocks);
 Packet mark_packet(isa::Field colour, const CellShape& cell);
-/// Mark of a line that shows the background, in a field as wide as `colour`.
+/// Mark of a line that shows only the background, in a field as wide as `colour`.
 Packet background_packet(isa::Field colour, std::uint32_t background, const CellShape& cell);
 
-/// Words at cell `x` for the beat, after the preceding cells' adders have processed C, A and the second difference.
+/// Words that arrive at cell `x` with the beat, after the adders of the preceding cells have processed C, A and the
+/// second difference.
 BeatWords words_in(const Beat& beat, std::uint32_t x, const CellShape& cell);
 
-/// The low 64 bits of C + A*x + S*x*x that have arrived at cell `x` with the first `beats` beats of a packet with F.
+/// The low 64 bits of C + A*x + S*x*x, S being the factor of x*x, that have arrived at cell `x` with the first `beats`
+/// beats of a packet with F.
 std::uint64_t sum_in(const Packet& packet, std::uint32_t beats, std::uint32_t x, const CellShape& cell);
 
-/// Bits that the ALU processes per clock; an ideal ALU processes `bits`.
+/// Bits that the ALU processes per clock; `bits` if the ALU has no limit.
 constexpr std::uint32_t alu_width(const CellShape& cell, std::uint32_t bits) {
   if (cell.alu_bits == 0) return bits;
   return cell.alu_bits < cell.word_bits ? cell.alu_bits : cell.word_bits;

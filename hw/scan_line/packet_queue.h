@@ -22,31 +22,31 @@ namespace csgsim::scan_line {
 struct EntryCounts {
   std::uint64_t packets = 0;      ///< packets of instructions
   std::uint64_t max_packets = 0;  ///< maximum number of packets of a line
-  std::uint64_t late_lines = 0;  ///< lines whose mark entered later after the previous mark than the refresh allows per
-                                 ///< line
+  /// Number of lines whose mark entered later after the previous mark than the refresh allows.
+  std::uint64_t late_lines = 0;
 };
 
-/// The entry of a chain. Its receiver assembles a command from the link while the previous packet enters; in the first
-/// clock in which no packet is entering, it takes the command, and its packet enters, one beat per clock. A mark waits
-/// until the previous mark is far enough ahead that the refresh path will be free (mark_spacing), and stalls the
+/// The entry of a chain. Its receiver assembles a command from the link while the previous packet enters. In the first
+/// clock in which no packet is entering, the entry takes the command, and its packet enters, one beat per clock. A mark
+/// waits until the previous mark is far enough ahead that the refresh path will be free (mark_spacing), and stalls the
 /// packets behind it.
 class PacketQueue final : public systemc::ClockedModule {
  public:
   sc_core::sc_fifo_in<isa::LinkWord> link{"link"};
   sc_core::sc_out<Beat> entry{"entry"};
-  sc_core::sc_out<bool> busy{"busy"};  ///< a line's mark has not entered yet
+  sc_core::sc_out<bool> busy{"busy"};  ///< whether some line's mark has not entered yet
   sc_core::sc_fifo_out<EntryAccount> accounts{"accounts"};
   sc_core::sc_port<systemc::RetirementPort> retirement{"retirement"};
 
-  sc_core::sc_out<std::uint64_t> through{"through"};  ///< number of frames all of whose marks have entered this chain,
-                                                      ///< if it has any
+  /// Number of frames all of whose marks in this chain have entered.
+  sc_core::sc_out<std::uint64_t> through{"through"};
 
   PacketQueue(sc_core::sc_module_name name, const machines::Machine& machine, std::uint32_t chain);
 
-  /// Declares that no mark is in the cells.
+  /// Called when no mark is in the cells.
   void clear() { marked_ = false; }
 
-  /// Starts with the next clock. All marks of the previous frame must have entered.
+  /// Begins a frame with the next clock. All marks of the previous frame must have entered.
   void begin(const PictureLines& frame);
 
   /// Whether all marks of the frame have entered.
@@ -73,15 +73,16 @@ class PacketQueue final : public systemc::ClockedModule {
   PictureLines frame_;
   std::uint64_t budget_ = 0;
   std::size_t line_ = 0;
-  std::uint32_t index_ = 0;        ///< index of the instruction in its line
-  isa::Linear squares_;            ///< coefficients of the preceding `squares` instruction, if any
-  bool begins_line_ = false;       ///< the next packet is the line's first, and clears
-  std::array<Packet, 2> packets_;  ///< used alternately: a packet has left the entry when the next but one arrives
+  std::uint32_t index_ = 0;   ///< index of the instruction in its line
+  isa::Linear squares_;       ///< coefficients of the preceding `squares` instruction, if any
+  bool begins_line_ = false;  ///< whether the next packet is the line's first, which clears
+  /// Used alternately: a packet has left the entry when the packet after the next arrives.
+  std::array<Packet, 2> packets_;
   std::size_t packet_ = 0;         ///< index of the packet that arrived last
   std::optional<Beat> beat_;       ///< the beat that enters next
   std::uint64_t line_clocks_ = 0;  ///< clocks since the last mark was in cell 0, or the frame began
   std::uint64_t mark_clocks_ = 0;  ///< clocks since the last mark was in cell 0, of this or an earlier frame
-  bool marked_ = false;            ///< whether there was such a mark
+  bool marked_ = false;            ///< whether any mark has been in cell 0
   std::uint64_t frames_through_ = 0;
   EntryCounts counts_;
   ActivityCounter counter_;

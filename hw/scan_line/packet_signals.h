@@ -13,7 +13,7 @@ namespace csgsim::scan_line {
 
 /// Counts of a packet queue for one packet or mark.
 struct EntryAccount {
-  std::uint64_t clocks = 0;  ///< clocks in which its words were entering
+  std::uint64_t clocks = 0;  ///< clocks in which the packet's words were entering
 };
 
 // Required by sc_signal; never called (hw/systemc/wire.h).

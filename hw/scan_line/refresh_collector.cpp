@@ -41,7 +41,7 @@ void RefreshCollector::on_clock() {
   }
 }
 
-/// The signal `entering` refers to the newest frame only.
+/// The signal `entering` refers only to the newest frame.
 void RefreshCollector::count(PendingFrame& frame, bool is_last) {
   frame.periods.edge();
   if (is_last) {
@@ -54,7 +54,7 @@ void RefreshCollector::count(PendingFrame& frame, bool is_last) {
   }
 }
 
-/// A pixel belongs to the oldest frame for which that chain has lines to show.
+/// A pixel belongs to the oldest frame of which that chain still has lines to show.
 void RefreshCollector::poll(std::size_t chain) {
   const RefreshPixel& pixel = refresh[chain].read();
   bool is_taken = !pixel.valid;

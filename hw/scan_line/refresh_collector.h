@@ -17,29 +17,33 @@ namespace csgsim::scan_line {
 /// A frame as received from the refresh ports.
 struct ShownFrame {
   std::uint64_t clocks = 0;  ///< clocks from the first in which the host works until the last pixel was at its port
-  std::uint64_t drain_clocks = 0;                 ///< the part of these after the last mark entered
-  std::size_t last_chain = 0;                     ///< chain whose last pixel arrived last; the lowest such number
-  std::vector<LineClocks> chains;                 ///< clocks of each chain's refresh port
-  std::vector<std::vector<std::uint32_t>> lines;  ///< pixels of each line from left to right, in the frame's line order
+  std::uint64_t drain_clocks = 0;  ///< part of `clocks` after the last mark entered
+  /// Chain whose last pixel arrived last; among several, the lowest number.
+  std::size_t last_chain = 0;
+  std::vector<LineClocks> chains;  ///< clocks of each chain's refresh port, by activity
+  /// Pixels of each line from left to right; lines in the frame's order.
+  std::vector<std::vector<std::uint32_t>> lines;
 };
 
 /// The screen's end of all chains: collects the output of their refresh ports, and counts the frames' clocks. A frame
-/// may begin while pixels of earlier frames are still to come.
+/// may begin before all pixels of earlier frames have arrived.
 class RefreshCollector final : public systemc::ClockedModule {
  public:
   sc_core::sc_vector<sc_core::sc_in<RefreshPixel>> refresh;  ///< one per chain
-  sc_core::sc_vector<sc_core::sc_in<bool>> entering;         ///< a line of that chain has not entered completely
-  sc_core::sc_out<std::uint64_t> frames{"frames"};           ///< number of complete frames
+  /// Per chain, whether some of its lines have not entered completely.
+  sc_core::sc_vector<sc_core::sc_in<bool>> entering;
+  sc_core::sc_out<std::uint64_t> frames{"frames"};  ///< number of complete frames
 
   RefreshCollector(sc_core::sc_module_name name, std::uint32_t chains);
 
-  /// Begins a frame of the same width as those with pixels still to come. All marks of the previous frame have entered.
+  /// Begins a frame. Its width must equal that of frames whose pixels have not all arrived. All marks of the previous
+  /// frame have entered.
   void begin(const PictureLines& frame);
 
   /// Removes and returns the oldest complete frame.
   ShownFrame take();
 
-  /// Shown in waves: the line whose pixels are at the chain's port or come next.
+  /// For waves: the line of the pixel at the chain's port or, if there is none, of the next pixel.
   [[nodiscard]] std::size_t line_of(std::size_t chain) const;
 
  private:
@@ -47,10 +51,10 @@ class RefreshCollector final : public systemc::ClockedModule {
     ShownFrame shown;
     std::size_t pixels = 0;  ///< pixels of a line
     Periods periods{};
-    std::vector<std::size_t> line_of_chain;  ///< line of each chain whose pixels come next
+    std::vector<std::size_t> line_of_chain;  ///< for each chain, the line of its next pixel
     std::size_t missing_lines = 0;
     std::uint64_t last_pixel = 0;  ///< clock in which it arrived
-    bool entering_marks = true;    ///< marks of the frame were still to enter at the last edge
+    bool entering_marks = true;    ///< whether marks of the frame had not entered at the last edge
   };
 
   void on_clock() override;

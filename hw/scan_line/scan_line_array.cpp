@@ -220,7 +220,7 @@ ScanLineArray::Entered ScanLineArray::entered() const {
   return entered;
 }
 
-/// Combines the counts of the units; takes those of the chains.
+/// Combines the counts of all units, and removes those that the chains have stored.
 LineAccount ScanLineArray::make_account(const Entered& entered, const ShownFrame& shown) {
   const std::size_t last = shown.last_chain;
   const std::size_t lines = shown.lines.size();

@@ -30,14 +30,15 @@ class ScanLineArray final : public sc_core::sc_module, public systemc::ClockedMa
   /// Draws a frame of at least one line.
   systemc::RunReport run(const isa::Program& program, systemc::RunListener& listener) override;
 
-  /// A frame begins when all marks of the previous frame have entered; the previous frame is shown while it drains.
+  /// A frame begins when all marks of the previous frame have entered; the last lines of the previous frame are still
+  /// shown at that time.
   std::vector<systemc::RunReport> run_sequence(std::span<const isa::Program> programs,
                                                std::span<systemc::RunListener* const> listeners) override;
 
   [[nodiscard]] std::vector<wave::Tap> taps(const isa::Program& program, const wave::Request& request) const override;
 
  private:
-  /// Counts of host, links and entries for a frame all of whose marks have entered.
+  /// Counts of host, links and entries for a frame after all its marks have entered.
   struct EnteredLines {
     ActivityCounter link;
     std::uint64_t words = 0;
@@ -87,7 +88,7 @@ class ScanLineArray final : public sc_core::sc_module, public systemc::ClockedMa
   sc_core::sc_vector<LineRetirement> retirements_;
 
   std::deque<Showing> showing_;  ///< the oldest first
-  std::uint64_t shown_ = 0;      ///< number of frames, over all runs
+  std::uint64_t shown_ = 0;      ///< number of frames shown, over all runs
 };
 
 }  // namespace csgsim::scan_line

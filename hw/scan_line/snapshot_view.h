@@ -8,11 +8,11 @@
 
 namespace csgsim::scan_line {
 
-/// View of a line as a packet left it, each cell at its own clock: the state of each cell at the instruction boundary.
+/// View of a line as a packet left it: the state of each cell at the instruction boundary, each at its own clock.
 /// Throws std::logic_error for data that the snapshot does not contain.
 class SnapshotView final : public systemc::PixelView {
  public:
-  /// Null if nothing was kept; the snapshot must outlive the view.
+  /// `snapshot` is null if no state was kept; it must outlive the view.
   explicit SnapshotView(const Snapshot* snapshot) : snapshot_(std::shared_ptr<void>(), snapshot) {}
   explicit SnapshotView(std::shared_ptr<const Snapshot> snapshot) : snapshot_(std::move(snapshot)) {}
 

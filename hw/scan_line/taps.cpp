@@ -41,8 +41,8 @@ bool brings_words(const Beat& beat) {
   return beat.packet != nullptr && beat.packet->brings_f() && beat.number < beat.packet->words;
 }
 
-/// Taps of the instruction to whose packet the beat belongs, `.packet` and `.beat`; with a shape, also the words that
-/// arrive at the cell: `.a`, `.f` and, for degree 2, `.aa`.
+/// Taps of the instruction to whose packet the beat belongs, and `.packet` and `.beat`; with a shape, also the words
+/// that arrive at the cell: `.a`, `.f` and, for degree 2, `.aa`.
 std::vector<Tap> packet_taps(const std::string& part, const ReadBeat& beat, std::uint32_t cell,
                              const isa::Program& program, std::optional<WordShape> shape) {
   std::vector<Tap> taps =

@@ -32,23 +32,23 @@ struct ChainParts {
   std::size_t number = 0;
 };
 
-/// Form of the words of a packet.
+/// Form of a packet's words.
 struct WordShape {
   CellShape cell{};
   unsigned degree = 1;   ///< degree of the expressions
-  bool in_cells = true;  ///< whether words of difference and sum reach the cells; trees deliver the value instead
+  bool in_cells = true;  ///< whether words of difference and sum reach the cells (trees deliver the value instead)
 };
 
 /// Taps `host.activity` and `.line`, the row of the picture.
 std::vector<wave::Tap> host_taps(const LineHost& host, const isa::Program& program);
 
-/// Taps `link.activity`, `.line` and `.fill` of the FIFO behind it; `entry.activity` and the packet at the entry;
-/// `refresh.line` and `.colour` at the port. `suffix` is appended to the names of the units.
+/// Taps `link.activity`, `.line` and the fill of the FIFO behind it, `.fill`; `entry.activity` and the packet at the
+/// entry; `refresh.line` and `.colour` at the port. `suffix` is appended to the names of the units.
 std::vector<wave::Tap> chain_taps(const std::string& suffix, const ChainParts& parts, const isa::Program& program,
                                   WordShape shape);
 
-/// Taps of the cell of a probed pixel while it processes the pixel's line: the packet in it, `.sum` of the received
-/// words of F, `.enable`, and one tap per field. Throws InputError for a pixel that no line holds.
+/// Taps of the cell of a probed pixel while it processes the pixel's line: the packet in the cell, the sum of the
+/// received words of F `.sum`, `.enable`, and one tap per field. Throws InputError for a pixel that is in no line.
 std::vector<wave::Tap> cell_taps(wave::Pixel pixel, std::span<const ChainParts> chains, const isa::Program& program,
                                  WordShape shape);
 

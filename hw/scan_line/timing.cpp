@@ -25,7 +25,7 @@ using machines::Machine;
 /// Number of a clock edge, counted from 1.
 using Edge = std::uint64_t;
 
-/// Number of identical frames after which the interval between frames is taken as constant. With one chain it is
+/// Number of identical frames after which the interval between frames is assumed to be constant. With one chain it is
 /// constant from the second frame on.
 constexpr unsigned frames_to_settle = 8;
 
@@ -36,8 +36,8 @@ std::uint64_t memory_words(isa::Field field, const Figures& figures) {
   return quotient_up(field.end(), word) - field.base / word;
 }
 
-/// Clocks of all trials of a root: each shifts two bits of the field into the remainder, which has one bit more than
-/// the partial root, and a sign.
+/// Clocks of all trials of a root: each trial shifts two bits of the field into the remainder, which has one bit more
+/// than the partial root, and a sign bit.
 std::uint64_t trial_clocks(isa::Field field, const Figures& figures) {
   const std::uint32_t word = std::max(figures.word_bits, 1U);
   const std::uint32_t width = figures.alu_bits == 0 ? word : std::min(figures.alu_bits, word);
@@ -46,7 +46,7 @@ std::uint64_t trial_clocks(isa::Field field, const Figures& figures) {
   return clocks;
 }
 
-/// Clocks of a packet of `words` words that reads `read` words of memory, works `work` clocks on them, and writes
+/// Clocks of a packet of `words` words that reads `read` words of memory, processes them for `work` clocks, and writes
 /// `written` words.
 std::uint64_t occupied_clocks(std::uint64_t words, std::uint64_t read, std::uint64_t work, std::uint64_t written,
                               const Figures& figures) {
@@ -73,8 +73,9 @@ std::uint64_t alu_clocks(std::uint64_t bits, const Figures& figures) {
   return width == 0 ? 1 : quotient_up(bits, width);
 }
 
-/// Clocks of shifter and ALU for the value of a linear expression: it is compared with a field, or with the width of
-/// the field that it is written to; or a field is added to it, and only bits within the field's width are used.
+/// Clocks of shifter and ALU for the value of a linear expression. The value is compared with a field, or with the
+/// width of the field to which it is written; or a field is added to it, and only bits within the field's width are
+/// used.
 std::uint64_t linear_work(const isa::Instruction& instruction, const Figures& figures) {
   const isa::Field& field = instruction.fields[0];
   if (field.width == 0) return 0;
@@ -85,7 +86,7 @@ std::uint64_t linear_work(const isa::Instruction& instruction, const Figures& fi
   return shift_clocks(linear.shift, used, field, figures) + alu_clocks(is_sum ? field.width : value, figures);
 }
 
-/// Clocks of shifter and ALU with fields only: the others are aligned with the first.
+/// Clocks of shifter and ALU for an instruction with fields only: the other fields are aligned with the first.
 std::uint64_t field_work(const isa::Instruction& instruction, const Figures& figures) {
   const auto& [first, second, third] = instruction.fields;
   std::uint64_t clocks = 0;
@@ -110,7 +111,7 @@ std::uint64_t work_clocks(const isa::Instruction& instruction, const Figures& fi
 
 /// Number of primitives that the host visits for each line.
 std::vector<std::uint64_t> active_visits(const isa::Program& program) {
-  // Per row: primitives that begin at or above it, and primitives that end above it.
+  // Per row: number of primitives that begin in it or above it, and number of primitives that end above it.
   std::vector<std::uint64_t> started(program.shape.height + 1);
   std::vector<std::uint64_t> ended(program.shape.height + 1);
   for (const isa::RowExtent& extent : program.extents) {
@@ -170,7 +171,8 @@ class ChainTiming {
   /// Edge from which the host can transfer the next line.
   [[nodiscard]] Edge free_from() const { return lines_ == 0 ? 1 : taken_ + 1; }
 
-  /// `costs`: costs of the line's instructions. Records the packets of line `number` in `timeline`, unless it is null.
+  /// `costs`: costs of the line's instructions. Records the packets of line `number` in `timeline`, unless that is
+  /// null.
   void draw(const isa::Segment& line, std::span<const Cost> costs, Edge handed_over, machines::Timeline* timeline,
             std::size_t number) {
     const Edge idle_from = lines_ == 0 ? 1 : sent_;
@@ -198,15 +200,14 @@ class ChainTiming {
   [[nodiscard]] std::uint64_t lines() const { return lines_; }
   [[nodiscard]] std::uint64_t words() const { return words_; }
   [[nodiscard]] std::uint64_t late_lines() const { return late_lines_; }
-  [[nodiscard]] Edge mark() const { return mark_; }  ///< edge at which the mark's last beat is at the entry
-  /// Clocks from that edge through the cells and the shift chain.
+  [[nodiscard]] Edge mark() const { return mark_; }  ///< edge at which the last beat of the mark is at the entry
+  /// Clocks from mark() until the last colour has passed the cells and the shift chain.
   [[nodiscard]] std::uint64_t drain() const { return through_cells_ + pixels_; }
   /// Edge from which the next mark may enter.
   [[nodiscard]] Edge mark_from() const { return mark_from_; }
   [[nodiscard]] Edge first_packet() const {
     return first_packet_;
-  }  ///< edge at which the first packet's last beat
-     ///< entered
+  }  ///< edge at which the last beat of the first packet entered
   [[nodiscard]] const LineClocks& entry() const { return entry_; }
 
   /// Clocks of the link in a frame of `clocks` clocks.
@@ -235,7 +236,7 @@ class ChainTiming {
   /// edge is there in clock n - 1.
   [[nodiscard]] machines::ClockSpan entering(std::uint64_t beats) const { return {entered_ - beats, entered_}; }
 
-  /// If no packet clears, the line's first packet does.
+  /// Span of the first beat of a packet: if no packet clears, the line's first packet clears in its first beat.
   static machines::ClockSpan first_beat(const machines::ClockSpan& packet) { return {packet.begin, packet.begin + 1}; }
 
   [[nodiscard]] std::uint64_t words_of(const isa::Command& command) const {
@@ -282,7 +283,7 @@ class ChainTiming {
   const Machine& machine_;
   const Figures& figures_;
   std::uint32_t pixels_;
-  std::uint64_t through_cells_;  ///< clocks in which a beat reaches, and is in, the line's last cell
+  std::uint64_t through_cells_;  ///< clocks from the entry until a beat has passed the line's last cell
   std::uint64_t budget_;
   isa::Field colour_;
 
@@ -302,10 +303,11 @@ class ChainTiming {
   LineClocks entry_;
 };
 
-/// Per chain, the edge, counted from the start of the frame, from which its next mark may enter.
+/// Per chain: the edge from which its next mark may enter, counted from the start of the frame.
 using MarkEdges = std::vector<Edge>;
 
-/// Computes the timing of a frame. `marks`: edges left by the previous frame; replaced by those that this frame leaves.
+/// Computes the timing of a frame. `marks`: edges that the previous frame determined; replaced by those that this frame
+/// determines.
 LineTiming time_frame(const isa::Program& program, const Machine& machine, std::span<const Cost> costs,
                       MarkEdges& marks, machines::Timeline* timeline = nullptr) {
   const Figures& figures = machines::own<Figures>(machine);
@@ -438,8 +440,8 @@ std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeli
                                                 const Machine& machine, std::uint32_t segment, std::uint32_t x,
                                                 std::uint32_t /*y*/) const {
   const std::uint32_t cell = x - program.segments[segment].region.x;
-  return machines::later(timeline.issued[segment],
-                         clocks_to_cell(figures_of(machine).network, machine.array.width, cell));
+  return machines::shifted(timeline.issued[segment],
+                           clocks_to_cell(figures_of(machine).network, machine.array.width, cell));
 }
 
 }  // namespace csgsim::scan_line

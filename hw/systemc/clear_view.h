@@ -8,7 +8,7 @@
 
 namespace csgsim::systemc {
 
-/// Pixels without any drawing: memory and enable are 0.
+/// Pixels that were cleared and not drawn: memory and enable are 0.
 class ClearView final : public PixelView {
  public:
   void read_field(isa::Field /*field*/, std::uint32_t /*width*/, std::uint32_t /*height*/,

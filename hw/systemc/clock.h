@@ -7,7 +7,7 @@
 namespace csgsim::systemc {
 
 /// Clock of a machine whose parts all act on rising edges; the first edge comes one period after the start. The level
-/// of the wire is not modelled, so that a period takes one kernel event.
+/// of the wire is not modelled, so a period takes only one kernel event.
 class Clock final : public sc_core::sc_module, public sc_core::sc_signal_in_if<bool> {
  public:
   Clock(sc_core::sc_module_name name, const sc_core::sc_time& period);

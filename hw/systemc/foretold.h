@@ -12,12 +12,12 @@
 
 namespace csgsim::systemc {
 
-/// Results of an earlier run of the same Program. With them a machine with only some pixels behaves at these like the
-/// whole machine. The referenced data must outlive that machine.
+/// Results of an earlier run of the same Program. A machine with only some pixels needs them to behave at these pixels
+/// like the whole machine. The referenced data must outlive that machine.
 struct EarlierRun {
   std::vector<array::Place> pixels;       ///< pixels of the array that are built
-  std::vector<bool> answers;              ///< whether any pixel is enabled, for each question in order
-  std::span<const machines::Skip> skips;  ///< the questions followed by skipped instructions
+  std::vector<bool> answers;              ///< for each global-OR test in order, whether any pixel was enabled
+  std::span<const machines::Skip> skips;  ///< the global-OR tests that caused skips
   const machines::Timeline* timeline = nullptr;
   std::span<const std::uint32_t> picture;  ///< colour of every pixel of the array after drawing, in row order
 };

@@ -7,7 +7,7 @@
 
 namespace csgsim::systemc {
 
-/// Forwards to a listener until it throws: the machine then completes its run without it.
+/// Forwards calls to a listener until it throws. The machine then completes its run without the listener.
 class GuardedListener final : public RunListener {
  public:
   /// The listener must outlive this object.

@@ -40,7 +40,8 @@ sc_core::sc_time period_of(const machines::Machine& machine) {
   return {1.0 / static_cast<double>(machine.clock_hz), sc_core::SC_SEC};
 }
 
-/// Caches the last result: many modules call this at the same time stamp, and the division would dominate their cost.
+/// Caches the last result: many modules call this function at the same time, and the division would dominate their
+/// cost.
 std::uint64_t edges(const sc_core::sc_time& period) {
   static std::uint64_t cached_at = 0;
   static std::uint64_t cached_period = 1;

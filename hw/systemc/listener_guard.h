@@ -7,14 +7,14 @@
 
 namespace csgsim::systemc {
 
-/// Keeps a listener's exception away from the kernel: the machine completes its run, and then the exception is
+/// Keeps a listener's exception away from the SystemC kernel: the machine completes its run, and then the exception is
 /// rethrown.
 class ListenerGuard {
  public:
   /// Discards a stored exception.
   void begin() { thrown_ = nullptr; }
 
-  /// Calls the listener, unless a call has thrown.
+  /// Calls the listener, unless an earlier call has thrown.
   template <class Call>
   void run(const Call& call) {
     if (thrown_) return;

@@ -18,7 +18,7 @@ struct Maker {
   std::unique_ptr<ClockedMachine> (*make)(const machines::Machine& machine);
   /// Makes a machine with stepped multiplier trees; null if the kind has none.
   std::unique_ptr<ClockedMachine> (*make_stepped)(const machines::Machine& machine) = nullptr;
-  /// Makes a machine with only the foretold pixels; null if waves need the whole machine.
+  /// Makes a machine with only the pixels of an earlier run; null if waves need the whole machine.
   std::unique_ptr<ClockedMachine> (*make_probed)(const machines::Machine& machine, const EarlierRun& foretold,
                                                  EvaluatorForm form) = nullptr;
 };

@@ -14,12 +14,12 @@ namespace csgsim::systemc {
 /// Port through which modules report executed instructions.
 class RetirementPort : virtual public sc_core::sc_interface, public RunListener {};
 
-/// Forwards these reports to the listener of the run. Takes no clock.
+/// Forwards reports of executed instructions to the listener of the run. Takes no clock.
 class Retirement final : public sc_core::sc_module, public RetirementPort {
  public:
   explicit Retirement(sc_core::sc_module_name name);
 
-  /// The listener must outlive the run.
+  /// Begins a run; the listener must outlive it.
   void begin(RunListener& listener);
 
   /// Rethrows the listener's exception, if any, after the machine has completed its run.

@@ -10,7 +10,6 @@
 #include "hw/isa/instruction.h"
 #include "hw/machines/run_outcome.h"
 
-// Interface through which a SystemC machine reports the progress of a run.
 namespace csgsim::systemc {
 
 /// An instruction that the pixels of a segment have just executed.
@@ -20,14 +19,14 @@ struct Retired {
   std::uint64_t clocks = 0;                          ///< clocks of the unit that issues instructions
   std::uint64_t enabled_pixels = 0;                  ///< pixels with E = 1 when the instruction began
   std::uint64_t skipped = 0;                         ///< number of instructions skipped after it
-  std::optional<machines::PixelClocks> at_pixels{};  ///< present if the clocks differ between pixels
+  std::optional<machines::PixelClocks> at_pixels{};  ///< set if the clocks differ between pixels
 };
 
 /// The part of the pixels' state that a view must provide.
 enum class Keep : std::uint8_t { nothing, enable, all };
 
-/// The pixels of a region after an instruction; (0, 0) is the array's corner. Valid only during the call that passes
-/// it. Reading state that RunListener::required_after did not request may throw std::logic_error.
+/// The pixels of a region after an instruction; (0, 0) is the region's top left pixel. Valid only during the call to
+/// which it is passed. Reading state that RunListener::required_after did not request may throw std::logic_error.
 class PixelView {
  public:
   virtual ~PixelView() = default;
@@ -49,14 +48,14 @@ class RunListener {
  public:
   virtual ~RunListener() = default;
 
-  /// The state that the view after that instruction must provide, queried before the instruction is sent. Machines may
-  /// provide more.
+  /// The state that the view after the given instruction must provide; queried before the instruction is sent. Machines
+  /// may provide more.
   [[nodiscard]] virtual Keep required_after(std::uint32_t /*segment*/, std::uint32_t /*index*/) {
     return Keep::nothing;
   }
   virtual void after_instruction(const Retired& /*retired*/, const PixelView& /*pixels*/) {}
 
-  /// Called once per segment, even without instructions. The view provides everything.
+  /// Called once per segment, even without instructions. The view provides all state.
   virtual void after_segment(std::uint32_t /*segment*/, const PixelView& /*pixels*/) {}
 };
 

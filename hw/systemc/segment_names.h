@@ -11,7 +11,7 @@
 
 namespace csgsim::systemc {
 
-/// Finds the segment of the Program for a region, for reports only: no hardware reads it.
+/// Finds the segment of the Program that has a given region. Used for reports only: no hardware reads it.
 class SegmentNames {
  public:
   void begin(std::span<const isa::Segment> segments) {

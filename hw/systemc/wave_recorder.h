@@ -15,13 +15,13 @@
 namespace csgsim::systemc {
 
 /// Samples the taps of a wave in the middle of each clock of its windows, when all wires have settled. It is not part
-/// of the machine and costs nothing outside the windows.
+/// of the machine and takes no time outside the windows.
 class WaveRecorder final : public sc_core::sc_module {
  public:
   /// `period`: period of the machine's clock.
   WaveRecorder(sc_core::sc_module_name name, const sc_core::sc_time& period);
 
-  /// Records the run that begins now. `first_clock`: number, within the frame, of the clock that the next rising edge
+  /// Records the run that begins now. `first_clock`: number within the frame of the clock that the next rising edge
   /// begins. `stops`: whether the simulation stops after the last window (systemc::stop).
   void arm(std::unique_ptr<wave::Writer> writer, std::vector<wave::Window> windows, std::uint64_t first_clock,
            bool stops);
@@ -29,7 +29,7 @@ class WaveRecorder final : public sc_core::sc_module {
   /// Wall time spent on sampling and writing since arm().
   [[nodiscard]] std::chrono::duration<double> writing() const { return writing_; }
 
-  /// Ends the file. Returns whether a window was reached. Rethrows an exception of the writer during the run.
+  /// Ends the file. Returns whether a window was reached. Rethrows an exception that the writer threw during the run.
   bool finish();
 
  private:

@@ -6,8 +6,9 @@
 
 namespace csgsim::systemc {
 
-/// Constrains templates to the given value types. SystemC requires `operator<<` and `sc_trace` for values on wires and
-/// in FIFOs, in their namespace, but they are never called: waves use taps (hw/wave).
+/// Whether a type is one of the given types; constrains templates of operators. SystemC requires `operator<<` and
+/// `sc_trace` for values on wires and in FIFOs, in their namespace, but they are never called: waves use taps
+/// (hw/wave).
 template <class Value, class... Values>
 concept OneOf = (std::same_as<Value, Values> || ...);
 

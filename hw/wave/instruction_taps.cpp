@@ -16,7 +16,7 @@ namespace csgsim::wave {
 
 namespace {
 
-/// Texts for the instruction at a place; the disassembly is cached while the instruction stays the same.
+/// Texts of the current instruction. Its disassembly is cached while the instruction stays the same.
 class Words {
  public:
   Words(const isa::Program& program, std::function<Number()> at)

@@ -9,15 +9,15 @@
 
 namespace csgsim::wave {
 
-/// A long text that is passed on in pieces of about 64 KiB.
+/// A long text that is written in pieces of about 64 KiB.
 class Pieces {
  public:
   explicit Pieces(std::function<void(std::string_view)> write) : write_(std::move(write)) {}
 
-  /// Text not yet passed on; callers append to it.
+  /// Text not written yet; callers append to it.
   std::string text;
 
-  /// Passes the text on if it is long enough.
+  /// Writes the text if it is long enough.
   void pass() {
     if (text.size() >= piece_bytes) pass_all();
   }

@@ -12,11 +12,11 @@
 
 namespace csgsim::wave {
 
-/// Name of the part for a probed pixel.
+/// Name of the part under which a probed pixel's taps are listed.
 std::string part_of(Pixel pixel);
 
 /// One tap `PART.FIELD` per named field of a pixel's memory: fields of one bit as bits, depths as numbers, others in
-/// hexadecimal. `read` returns the value of a field, or nothing if it is not available.
+/// hexadecimal. `read` returns the value of a field; empty if it is not available.
 std::vector<Tap> field_taps(const std::string& part, const isa::Program& program,
                             const std::function<Number(isa::Field)>& read);
 

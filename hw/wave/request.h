@@ -40,9 +40,9 @@ struct Window {
 
 /// The parts of a run to record.
 struct Request {
-  std::vector<Window> windows;  ///< in order, not empty, with gaps between them
+  std::vector<Window> windows;  ///< in ascending order, none empty, with gaps between them
   std::vector<Pixel> pixels;
-  std::vector<TreeLevel> tree_levels;           ///< levels to show for each of the pixels
+  std::vector<TreeLevel> tree_levels;           ///< levels to show for each pixel
   std::function<void(std::string_view)> write;  ///< receives the file's text piece by piece
 };
 

@@ -12,13 +12,13 @@
 
 namespace csgsim::wave {
 
-/// The segment that contains the pixel. Throws InputError if there is none.
+/// Number of the segment that contains the pixel. Throws InputError if there is none.
 std::uint32_t segment_of(Pixel pixel, const isa::Program& program);
 
 /// Top left corner of a segment's region, as `x,y`.
 std::string place_of(const isa::Segment& segment);
 
-/// Throws InputError if tree levels are requested; for machines without multiplier trees.
+/// Throws InputError if tree levels are requested. Called for machines without multiplier trees.
 void check_no_trees(const Request& request);
 
 }  // namespace csgsim::wave

@@ -9,23 +9,23 @@
 #include <string_view>
 #include <vector>
 
-// Taps: the signals of a machine that waves show.
 namespace csgsim::wave {
 
 /// How a viewer shows a tap.
 enum class Show : std::uint8_t { bits, number, hexadecimal, text };
 
-/// Value of a wire or register in a clock; empty if it carries nothing.
+/// Value of a wire or register in a clock; empty if there is no valid value.
 using Number = std::optional<std::uint64_t>;
 
 /// A signal of a machine. The sampled object must outlive the tap.
 struct Tap {
-  std::string name;  ///< words of letters, digits and `_`, joined by dots: the last word names the signal, the words
-                     ///< before it name the part
+  /// Words of letters, digits and `_`, joined by dots; the last word names the signal, the words before it name the
+  /// part.
+  std::string name;
   Show show = Show::bits;
-  unsigned width = 1;                 ///< bits, at most 64; 0 for a text
+  unsigned width = 1;                 ///< number of bits, at most 64; 0 for a text
   std::function<Number()> number;     ///< null for a text
-  std::function<std::string()> text;  ///< null for a number; returns an empty string for no value
+  std::function<std::string()> text;  ///< null for a number; returns an empty string if there is no valid value
 };
 
 inline Tap bit(std::string name, std::function<Number()> number) {
@@ -47,7 +47,7 @@ inline Tap text(std::string name, std::function<std::string()> text) {
 /// Appends `more` to `taps`.
 void add(std::vector<Tap> more, std::vector<Tap>& taps);
 
-/// A valid word for a tap's name: other characters become `_`.
+/// The name as a valid word of a tap's name: other characters become `_`.
 std::string identifier(std::string_view name);
 
 }  // namespace csgsim::wave

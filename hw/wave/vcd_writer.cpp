@@ -11,10 +11,10 @@ namespace csgsim::wave {
 
 namespace {
 
-constexpr std::string_view clock_code = "!";    // variable `clock`
-constexpr std::string_view number_code = "\"";  // variable `clock_number`
+constexpr std::string_view clock_code = "!";    // code of variable `clock`
+constexpr std::string_view number_code = "\"";  // code of variable `clock_number`
 
-/// The n-th short code of printable characters after those two.
+/// The n-th shortest code of printable characters after these two.
 std::string make_code(std::size_t n) {
   constexpr std::size_t characters = 94;
   std::string code;

@@ -16,11 +16,11 @@ namespace csgsim::wave {
 
 /// Writes the taps in each clock as a value change dump (IEEE 1364-2005, 18.2), with the variables `clock` and
 /// `clock_number`. Texts are variables of the type `string`, which GTKWave, Surfer and vcd2fst support; blanks in them
-/// are written `\x20`. A missing value is `z` for a number and `-` for a text. Clock n begins at time (n + 1) * period,
-/// where `clock` rises.
+/// are written as `\x20`. A missing value is `z` for a number and `-` for a text. Clock n begins at time (n + 1) *
+/// period, where `clock` rises.
 class VcdWriter final : public Writer {
  public:
-  /// `top`: outermost scope. `write` receives the text piece by piece.
+  /// `top`: name of the outermost scope. `write` receives the text piece by piece.
   VcdWriter(std::string_view top, std::vector<Tap> taps, std::uint64_t period_ps,
             std::function<void(std::string_view)> write);
 
@@ -34,7 +34,7 @@ class VcdWriter final : public Writer {
   void show_unknown(std::size_t tap);
   void put_time(std::uint64_t time);
 
-  /// The last value of a tap in the file.
+  /// The last value of a tap written to the file.
   struct Shown {
     enum class State : std::uint8_t { unknown, value };
 
@@ -48,7 +48,7 @@ class VcdWriter final : public Writer {
   std::vector<Shown> shown_;
   std::uint64_t period_;  ///< picoseconds
   Pieces out_;
-  std::uint64_t next_ = 0;  ///< clock after the last sample
+  std::uint64_t next_ = 0;  ///< clock number after the last sample
   bool begun_ = false;
 };
 

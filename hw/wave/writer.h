@@ -11,7 +11,7 @@ class Writer {
  public:
   virtual ~Writer() = default;
 
-  /// Writes the taps' current values for that clock. Clocks are in ascending order; omitted clocks are unknown.
+  /// Writes the current values of the taps for `clock`. Clocks must be in ascending order; omitted clocks are unknown.
   virtual void sample(std::uint64_t clock) = 0;
 
   /// Ends the file after the last clock.

@@ -38,7 +38,7 @@ constexpr const char* png = ".png";
 constexpr const char* exr = ".exr";
 
 void write(OutputFile& file, const char* usual_ending, const pictures::Raster& raster) {
-  file.write(pictures::encode(named(file.asked(), usual_ending), raster));
+  file.write(pictures::encode(named(file.requested(), usual_ending), raster));
 }
 
 }  // namespace
@@ -114,7 +114,7 @@ nlohmann::ordered_json colour_json(std::uint32_t primitive) {
 }  // namespace
 
 void write_owner(OutputFile& file, const Frame& frame) {
-  if (has_legend(file.asked())) return write_owner_colours(file, frame);
+  if (has_legend(file.requested())) return write_owner_colours(file, frame);
   std::vector<float> pixels;
   pixels.reserve(frame.owner.size());
   for (const std::uint32_t owner : frame.owner) pixels.push_back(owner == no_owner ? -1.0F : static_cast<float>(owner));

@@ -51,7 +51,7 @@ class TemporaryFolder {
 }  // namespace
 
 WaveFile::WaveFile(OutputFile& file, bool is_fst) : file_(file) {
-  if (is_fst) dump_.emplace(file.asked());
+  if (is_fst) dump_.emplace(file.requested());
 }
 
 void WaveFile::write(std::string_view text) {
@@ -66,18 +66,18 @@ void WaveFile::finish() {
   if (!dump_) return;
   dump_->rewind();
   const BlockedSignals held;  // a signal must not leave the temporary folder behind
-  const TemporaryFolder folder(file_.asked());
+  const TemporaryFolder folder(file_.requested());
   const std::string made = (folder.path() / "wave.fst").native();
   const std::array<std::string, 3> words{"vcd2fst", "-", made};
   const std::optional<system::ChildEnd> ended = system::run_child(words, *dump_, limits);
   if (!ended) {
-    throw InputError(file_.asked().native() +
+    throw InputError(file_.requested().native() +
                      ": cannot run vcd2fst; install it (package gtkwave) or choose a name that ends in .vcd");
   }
   std::ifstream fst(made, std::ios::binary);
   const std::string content((std::istreambuf_iterator<char>(fst)), std::istreambuf_iterator<char>());
   if (!system::is_done(*ended) || content.empty()) {
-    throw InputError(fmt::format("{}: vcd2fst failed ({}); choose a name that ends in .vcd", file_.asked().native(),
+    throw InputError(fmt::format("{}: vcd2fst failed ({}); choose a name that ends in .vcd", file_.requested().native(),
                                  system::why_failed(*ended, limits)));
   }
   file_.write(content);

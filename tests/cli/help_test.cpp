@@ -125,7 +125,7 @@ TEST_CASE("errors for unknown machines and effects and settings and fields have 
   misused("render " + model("old_example003") + " --set effects.shadow.on=true",
           "there is no effect 'shadow'; did you mean shadows? The effects are ");
   misused("render " + model("old_example003") + " --set effects.transparency.method=screendor",
-          "did you mean screen-door? it takes layers, screen-door");
+          "did you mean screen-door? it must be one of layers, screen-door");
   const Outcome field = run("wave " + std::string(CSGSIM_SOURCE_DIR) +
                             "/traces/thesis_fig_2_3.csgt --pixel 1,1 --at Z3 -o " + (Folder() / "w.vcd"));
   CHECK(field.code == 2);

@@ -145,7 +145,7 @@ TEST_CASE("rejects a tree with exponentially many products before it fills memor
   text += "cube(size = [1, 1, 1], center = true);" + std::string(8'000, '}') + "\n";
   write(folder / "deep.csg", text);
   fails(run_words({"compile", "deep.csg", "-o", "d.csgt", "--size", "16x16"}, folder.path()), 1,
-        {"from this primitive on, comparing primitives with others takes more work than", "deep.csg:"});
+        {"from this primitive on, comparing primitives with others needs more work than", "deep.csg:"});
 }
 
 TEST_CASE("--limit limits the work of compiling in every command") {
@@ -163,8 +163,8 @@ TEST_CASE("--limit limits the work of compiling in every command") {
                      folder.path());
   };
   fails(compiled("1", "false"), 1,
-        {"balls.csg:", "broadcasting the model takes more work than the limit of 1 million steps"});
-  fails(compiled("100", "true"), 1, {"balls.csg:", "finding where shadows fall takes more work than the limit"});
+        {"balls.csg:", "broadcasting the model needs more work than the limit of 1 million steps"});
+  fails(compiled("100", "true"), 1, {"balls.csg:", "finding where shadows fall needs more work than the limit"});
   CHECK_FALSE(std::filesystem::exists(folder / "b.csgt"));
   CHECK(compiled("100", "false").code == 0);
 }

@@ -71,7 +71,7 @@ TEST_CASE("reports a wrong --set in one line with the nearest parameter or key")
           "'alu.bit' is neither a machine parameter nor a scene key; the nearest known is 'alu.bits'");
   misused(render + "--set ambience.intensity=1", "the nearest known is 'ambient.intensity'");
   misused(render + "--set ambient.intensty=1", "ambient.intensity");
-  misused(render + "--set alu.bits=99", "alu.bits is 99; it takes");
+  misused(render + "--set alu.bits=99", "alu.bits is 99; it must be");
   misused(render + "--set alu.bits=wide", "alu.bits is a string; make it an integer");
   misused(render + "--set alu.bits", "changes no parameter; write KEY=VALUE");
   misused(render + "--set divider.kind=host",

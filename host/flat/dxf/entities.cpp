@@ -24,12 +24,12 @@ constexpr double max_turns = 2;
 /// Maximum magnitude of an angle.
 constexpr double max_degrees = 1e6;
 
-/// Angle from `start` to `stop`, plus whole turns if `stop` is less than `start`.
+/// Angle from `start` to `stop`, with whole turns added if `stop` is less than `start`.
 double sweep(double start, double stop, double turn) {
   const double most = max_degrees * turn / full_turn;
   const double angle = stop < start ? stop - start + turn * std::ceil((start - stop) / turn) : stop - start;
   if (!(std::abs(start) <= most) || !(angle <= max_turns * turn)) {
-    throw InputError("an arc exceeds two turns, or starts beyond a million degrees");
+    throw InputError("an arc exceeds two turns, or starts beyond a million degrees; correct its angles");
   }
   return angle;
 }
@@ -50,7 +50,7 @@ void draw_polyline(const Entity& entity, const model::FacetControl& /*facets*/, 
   if (closed && count > 0) draw_segment({point(entity, count - 1), point(entity, 0)});
 }
 
-/// Draws a part of a circle that starts at an angle, in `count` steps.
+/// Draws a part of a circle, starting at the angle `from`, in `count` steps.
 void draw_part(const Entity& entity, double from, double degrees, std::uint32_t count, const Draw& draw_segment) {
   const glm::dvec2 centre = point(entity, 0);
   const auto corner = [&](std::uint32_t i) {
@@ -69,7 +69,8 @@ void draw_arc(const Entity& entity, const model::FacetControl& facets, const Dra
   draw_part(entity, entity.start, degrees, steps(entity.size, degrees, full_turn, facets), draw_segment);
 }
 
-/// OpenSCAD treats the end of the major axis as a point, so it moves and scales it as such, and scales the ratio too.
+/// OpenSCAD treats the end of the major axis as a point, so it translates and scales it as such, and also scales the
+/// ratio.
 void draw_ellipse(const Entity& entity, const model::FacetControl& facets, const Draw& draw_segment) {
   const glm::dvec2 centre = point(entity, 0);
   const glm::dvec2 major = point(entity, 1);
@@ -98,7 +99,7 @@ const std::map<std::string, Function>& functions() {
 
 glm::dvec2 point(const Entity& entity, std::size_t index) {
   if (index >= entity.xs.size() || index >= entity.ys.size()) {
-    throw InputError("a " + entity.type + " lacks a point (groups 10, 20 or 11, 21)");
+    throw InputError("a " + entity.type + " lacks a point (groups 10, 20 or 11, 21); add it");
   }
   return {entity.xs[index], entity.ys[index]};
 }

@@ -13,7 +13,7 @@
 
 namespace csgsim::flat::dxf {
 
-/// The groups of an entity; the meaning of a number depends on the entity's type.
+/// The groups of an entity. The meaning of each number depends on the entity's type.
 struct Entity {
   std::string type;
   std::size_t line = 0;    ///< line number in the file
@@ -21,7 +21,7 @@ struct Entity {
   std::string name;        ///< group 2: name of a block or section
   std::vector<double> xs;  ///< groups 10 and 11
   std::vector<double> ys;  ///< groups 20 and 21
-  double size = 0;         ///< group 40: radius, or ratio of an ellipse's radii
+  double size = 0;         ///< group 40: radius, or ratio of the radii of an ellipse
   double first = 0;        ///< group 41: start of an ellipse in radians, or scale along x
   double second = 0;       ///< group 42: end of an ellipse in radians, scale along y, or the last bulge
   double start = 0;        ///< group 50: start of an arc, or a rotation, in degrees

@@ -85,8 +85,9 @@ class Tracer {
   const std::vector<Segment>& segments_;
   std::vector<bool> used_;
   std::vector<std::vector<std::uint32_t>> at_;  ///< segments of each vertex
-  std::vector<std::size_t> first_;              ///< index into at_; all segments before it are used
-  std::vector<std::uint32_t> left_;             ///< number of unused segments of each vertex
+  /// Per vertex, an index into its segments in at_; all segments before it are used.
+  std::vector<std::size_t> first_;
+  std::vector<std::uint32_t> left_;  ///< number of unused segments of each vertex
   std::set<std::uint32_t> loose_;
 };
 
@@ -102,7 +103,7 @@ std::int64_t steps(double coordinate) {
 std::uint32_t Segments::vertex(const glm::dvec2& point) {
   const std::int64_t x = steps(point.x);
   const std::int64_t y = steps(point.y);
-  // Nearest cells first: the cell itself, its edge neighbours, then its diagonal neighbours.
+  // Nearest cells first: the cell itself, then those that share an edge, then those that share a corner.
   constexpr std::array<std::array<int, 2>, 9> around{
       {{0, 0}, {-1, 0}, {0, -1}, {0, 1}, {1, 0}, {-1, -1}, {-1, 1}, {1, -1}, {1, 1}}};
   for (const auto& [right, up] : around) {
@@ -120,14 +121,14 @@ void Segments::add(const glm::dvec2& from, const glm::dvec2& to) {
   const std::uint32_t end = vertex(to);
   if (start == end) return;
   if (segments_.size() == max_segments) {
-    throw InputError("the drawing has more than " + std::to_string(max_segments) + " segments");
+    throw InputError("the drawing has more than " + std::to_string(max_segments) + " segments; simplify it");
   }
   segments_.push_back({start, end});
 }
 
 glm::dvec2 Segments::snap(const glm::dvec2& point) { return vertices_[vertex(point)]; }
 
-/// Whether OpenSCAD would reverse a chain, as it does with closed chains in a drawing without open ones. The sides at
+/// Whether OpenSCAD would reverse a chain, as it does with closed chains in a drawing without open chains. The sides at
 /// the first corner with minimum x decide; OpenSCAD measures their angles from the y axis.
 bool Segments::is_turned(const std::vector<std::uint32_t>& chain) const {
   const auto at = [&](std::size_t i) { return vertices_[chain[i]]; };
@@ -146,7 +147,7 @@ std::vector<Outline> Segments::outlines() const {
   std::vector<std::vector<std::uint32_t>> chains = tracer.open();
   const bool turns = chains.empty();
   for (std::vector<std::uint32_t>& chain : tracer.closed()) {
-    // Both ends are the same vertex, unless several segments meet there, so one of them is dropped.
+    // Both ends are the same vertex, unless several segments meet there, so one of the two is dropped.
     chain.erase(turns && is_turned(chain) ? chain.end() - 1 : chain.begin());
     chains.push_back(std::move(chain));
   }

@@ -16,13 +16,13 @@ namespace csgsim::flat::dxf {
 /// Segments with ends on a grid of 1/1024, as in OpenSCAD: ends at most one step apart in both directions coincide.
 class Segments {
  public:
-  /// Throws InputError for too many segments or coordinates that are too large.
+  /// Adds a segment. Throws InputError for too many segments or coordinates that are too large.
   void add(const glm::dvec2& from, const glm::dvec2& to);
 
   /// The grid point of a segment end; later ends near it snap to the same point.
   glm::dvec2 snap(const glm::dvec2& point);
 
-  /// The outlines that the segments form, each segment used once: first the open chains, then the closed ones.
+  /// The outlines that the segments form; each segment is used once. Open chains come first, then closed chains.
   [[nodiscard]] std::vector<Outline> outlines() const;
 
  private:

@@ -20,7 +20,7 @@ class Tags {
  public:
   explicit Tags(std::string_view bytes) : rest_(bytes) {}
 
-  /// The next group; nothing at the end of the file. Throws InputError for a code that is not a number.
+  /// The next group; empty at the end of the file. Throws InputError for a code that is not a number.
   std::optional<Tag> next();
 
  private:
@@ -30,7 +30,7 @@ class Tags {
   std::size_t line_ = 0;
 };
 
-/// Both throw InputError for a value that is not a number, or not finite.
+/// Both functions throw InputError for a value that is not a number or not finite.
 double real(const Tag& tag);
 int integer(const Tag& tag);
 

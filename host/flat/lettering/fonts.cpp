@@ -32,7 +32,7 @@ using Names = std::vector<std::string>;
 struct FontFile {
   std::string path;
   int index = 0;
-  std::string replacement;  ///< family of the font, if it is none of the requested ones
+  std::string replacement;  ///< family of the font, if it is not one of the requested families
 };
 
 FcConfig* configuration() {
@@ -46,7 +46,7 @@ FT_Library library() {
     FT_Library made = nullptr;
     return FT_Init_FreeType(&made) == 0 ? made : nullptr;
   }();
-  if (opened == nullptr) throw std::runtime_error("FreeType cannot be initialized");
+  if (opened == nullptr) throw std::runtime_error("FreeType cannot be initialized; check its installation");
   return opened;
 }
 
@@ -75,7 +75,7 @@ bool is_generic(const std::string& family) {
   return std::find(generic.begin(), generic.end(), plain(family)) != generic.end();
 }
 
-/// The first family of the selected font, if none of the requested families matches.
+/// The first family of the selected font; empty if one of the requested families matches.
 std::string replacement(const Names& requested, const Names& found) {
   const auto is_found = [&](const std::string& one) {
     return std::any_of(found.begin(), found.end(),
@@ -130,13 +130,13 @@ void select_characters(FT_Face face) {
   for (const auto& [platform, encoding] : others) {
     if (select(face, platform, encoding)) return;
   }
-  throw std::runtime_error("font " + font_name(face) + " has no character table in a known encoding");
+  throw std::runtime_error("font " + font_name(face) + " has no character table in a known encoding; use another font");
 }
 
 FT_Face open(const FontFile& file) {
   FT_Face face = nullptr;
   if (FT_New_Face(library(), file.path.c_str(), file.index, &face) != 0) {
-    throw std::runtime_error("font " + file.path + " cannot be read");
+    throw std::runtime_error("font " + file.path + " cannot be read; install it again, or use another font");
   }
   select_characters(face);
   return face;

@@ -10,14 +10,14 @@
 namespace csgsim::flat::lettering {
 
 /// The font that fontconfig selects for a pattern; it stays open until the process ends. An empty pattern selects
-/// Liberation Sans. Throws std::runtime_error if no font is found or it cannot be read.
+/// Liberation Sans. Throws std::runtime_error if no font is found or the font cannot be read.
 FT_Face find_font(const std::string& pattern);
 
-/// The family of the selected font if it differs from all families in the pattern. Empty if it does not differ, if the
-/// pattern names no family, or only generic ones such as `sans`. Throws as find_font() does.
+/// The family of the selected font if it differs from all families in the pattern. Empty if it does not differ, or if
+/// the pattern names no family or only generic families such as `sans`. Throws as find_font() does.
 std::string find_replacement(const std::string& pattern);
 
-/// The font's name for messages; a damaged font may have none.
+/// The font's name for messages; empty if a damaged font has none.
 std::string font_name(FT_Face face);
 
 /// Whether the font's characters are in Unicode's private use area from 0xf000, as in old symbol fonts.

@@ -16,7 +16,7 @@ namespace csgsim::flat::lettering {
 
 namespace {
 
-// OpenSCAD's constants. All glyphs are drawn at one size, in 1/64 points at 100 dots per inch. Dividing by
+// OpenSCAD's constants. All glyphs are drawn at one size, in 1/64 points at 100 dots per inch. Division by
 // outline_scale gives the outlines of text of size 1; positions have a divisor that is 1.024 times as large.
 constexpr double outline_scale = 1e5;
 constexpr double place_scale = 1.024e5;
@@ -96,7 +96,7 @@ glm::dvec2 alignment(const Text& text, const Extent& extent) {
 std::vector<Area> draw_letters(const Text& text, std::uint32_t sides_per_curve, std::size_t max_corners) {
   const FT_Face face = find_font(text.font);
   if (FT_Set_Char_Size(face, 0, static_cast<FT_F26Dot6>(outline_scale), dots_an_inch, dots_an_inch) != 0) {
-    throw std::runtime_error("font " + font_name(face) + " cannot be scaled");
+    throw std::runtime_error("font " + font_name(face) + " cannot be scaled; use another font");
   }
   Drawn drawn = draw_line(text, face, sides_per_curve, max_corners);
   const glm::dvec2 shift = alignment(text, drawn.extent);
@@ -110,7 +110,7 @@ std::vector<Area> draw_letters(const Text& text, std::uint32_t sides_per_curve, 
   return letters;
 }
 
-/// Fonts stay open between calls, and must not be used by two threads at once.
+/// Fonts stay open between calls, and two threads must not use them at once.
 std::mutex& fonts_in_use() {
   static std::mutex mutex;
   return mutex;
@@ -138,7 +138,7 @@ std::string replacement(const std::string& font) {
 
 }  // namespace csgsim::flat::lettering
 
-// Has to match module_symbol.
+// The name must match module_symbol.
 extern "C" [[gnu::visibility("default")]] const csgsim::flat::lettering::Module csgsim_text_2;
 const csgsim::flat::lettering::Module csgsim_text_2{csgsim::flat::lettering::draw,
                                                     csgsim::flat::lettering::replacement};

@@ -8,7 +8,7 @@ namespace csgsim::flat::lettering {
 
 namespace {
 
-/// Collects the outlines that FreeType's callbacks pass.
+/// Collects the outlines that FreeType passes to the callbacks.
 struct Pen {
   Area area;
   std::uint32_t sides_per_curve = 1;

@@ -9,7 +9,7 @@
 
 namespace csgsim::flat::lettering {
 
-/// The outlines of a FreeType glyph, in units of 1/64 pixel, with every curve divided into `sides_per_curve` sides.
+/// The outlines of a FreeType glyph, in units of 1/64 pixel. Every curve is divided into `sides_per_curve` sides.
 Area outlines(FT_Outline& outline, std::uint32_t sides_per_curve);
 
 }  // namespace csgsim::flat::lettering

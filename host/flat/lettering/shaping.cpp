@@ -32,7 +32,7 @@ bool has_no_script(hb_script_t script) {
          script == HB_SCRIPT_INVALID;
 }
 
-/// The common script of all characters that have one; invalid if there is none or there are several.
+/// The script shared by all characters that have one; invalid if there is none or there are several.
 hb_script_t common_script(std::span<const hb_codepoint_t> text) {
   hb_script_t common = HB_SCRIPT_INVALID;
   for (const hb_codepoint_t character : text) {

@@ -13,7 +13,7 @@ namespace csgsim::flat::lettering {
 
 struct Glyph {
   std::uint32_t index = 0;       ///< glyph index in the font
-  hb_glyph_position_t position;  ///< uses the font's units at its size
+  hb_glyph_position_t position;  ///< in the font's units at its size
 };
 
 /// Glyphs in typesetting order: from left to right or from top to bottom.
@@ -22,7 +22,7 @@ struct Line {
   std::vector<Glyph> glyphs;
 };
 
-/// Selects and positions the glyphs of a text. The face's size has to be set.
+/// Selects and positions the glyphs of a text. The face's size must be set.
 Line shape(const Text& text, FT_Face face);
 
 }  // namespace csgsim::flat::lettering

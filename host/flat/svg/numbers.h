@@ -7,12 +7,12 @@
 
 namespace csgsim::flat::svg {
 
-/// Reads the lists of numbers in SVG attributes from front to back. A failed read consumes nothing.
+/// Reads the lists of numbers in SVG attributes from front to back. A read that fails consumes nothing.
 class Numbers {
  public:
   explicit Numbers(std::string_view text) : rest_(text) {}
 
-  /// Skips white space, including one comma.
+  /// Skips white space and at most one comma.
   void skip_separators();
 
   [[nodiscard]] bool at_end() const { return rest_.empty(); }
@@ -20,13 +20,13 @@ class Numbers {
 
   std::optional<double> number();
 
-  /// Reads 0 or 1, which need not be separated from the next character.
+  /// Reads 0 or 1; no separator is needed after it.
   std::optional<bool> flag();
 
   /// Reads one letter of the alphabet.
   std::optional<char> letter();
 
-  /// Reads letters up to the next other character.
+  /// Reads letters up to the next character that is not a letter.
   std::string_view word();
 
   bool take(char character);
@@ -35,7 +35,7 @@ class Numbers {
   std::string_view rest_;
 };
 
-/// Parses a text that has to be a number and nothing else.
+/// Parses a text that consists of one number.
 std::optional<double> whole_number(std::string_view text);
 
 }  // namespace csgsim::flat::svg

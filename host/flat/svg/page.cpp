@@ -34,7 +34,8 @@ std::optional<ViewBox> read_view_box(std::string_view text) {
   }
   rest.skip_separators();
   if (!rest.at_end() || found[2] < 0 || found[3] < 0) return std::nullopt;
-  if (found[2] == 0 || found[3] == 0) throw InputError("the viewBox of the svg has no size");
+  if (found[2] == 0 || found[3] == 0)
+    throw InputError("the viewBox of the svg has no size; set its width and height above 0");
   return ViewBox{{found[0], found[1]}, {found[2], found[3]}};
 }
 
@@ -62,7 +63,7 @@ double millimetres(std::string_view text, double box, double dpi) {
 struct Alignment {
   bool stretch = false;   ///< scale both axes independently
   bool slice = false;     ///< fill the page
-  glm::dvec2 place{0.5};  ///< fraction of the remaining space before the drawing, for each axis
+  glm::dvec2 place{0.5};  ///< per axis, the fraction of the remaining space that is before the drawing
 };
 
 Alignment read_alignment(std::string_view text) {

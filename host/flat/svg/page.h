@@ -11,7 +11,7 @@ namespace csgsim::flat::svg {
 struct Page {
   glm::dvec2 scale{1};   ///< millimetres per user unit
   glm::dvec2 origin{0};  ///< lower corner of the drawing, in user units
-  glm::dvec2 margin{0};  ///< offset by the alignment
+  glm::dvec2 margin{0};  ///< additional offset from the alignment
   double height = 0;
 };
 

@@ -25,7 +25,7 @@ constexpr std::uint32_t corners_of_ellipses = 40;
 /// A subpath is closed if its ends are closer than this.
 constexpr double closed_within = 0.1;
 
-/// Number of operands of a command; nothing if the command is unknown.
+/// Number of operands of a command; empty if the command is unknown.
 std::optional<std::size_t> operands(char command) {
   switch (command) {
     case 'm':
@@ -77,10 +77,11 @@ class Path {
 void Path::check_corners() {
   corners_ = 0;
   for (const Outline& outline : done_) corners_ += outline.size();
-  if (corners_ > max_corners_) throw InputError("a path has more than " + std::to_string(max_corners_) + " corners");
+  if (corners_ > max_corners_)
+    throw InputError("a path has more than " + std::to_string(max_corners_) + " corners; simplify it");
 }
 
-/// Finishes the current subpath; an open one becomes a line as wide as its stroke.
+/// Finishes the current subpath. An open subpath becomes a line as wide as its stroke.
 void Path::end_subpath() {
   if (current_.empty()) return;
   if (glm::distance(current_.front(), current_.back()) > closed_within) {
@@ -160,7 +161,7 @@ void Path::act(char command, bool relative, std::span<const double> numbers) {
   }
   if (command != 'c' && command != 's' && command != 'q' && command != 't') last_ = Curve::none;
   if (current_.size() > max_corners_)
-    throw InputError("a path has more than " + std::to_string(max_corners_) + " corners");
+    throw InputError("a path has more than " + std::to_string(max_corners_) + " corners; simplify it");
 }
 
 std::vector<Outline> Path::finish() {

@@ -12,8 +12,8 @@
 namespace csgsim::flat::svg {
 
 /// The outlines of a path's data, as in OpenSCAD: a curve has 20 sides, an arc one side per 18 degrees plus four. A
-/// subpath whose ends are more than 0.1 apart is drawn as its stroke, except for the last one if any subpath is closed.
-/// Throws InputError for invalid data.
+/// subpath whose ends are more than 0.1 apart is drawn as its stroke; the last subpath is an exception if any subpath
+/// is closed. Throws InputError for invalid data.
 std::vector<Outline> read_path(std::string_view data, const Stroke& stroke, std::size_t max_corners);
 
 /// An ellipse with 40 corners.

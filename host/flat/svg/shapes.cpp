@@ -16,7 +16,7 @@ namespace {
 /// Strokes thinner than this, or with an invalid width, are 1 wide.
 constexpr double min_stroke_width = 0.01;
 
-/// Smaller corner radii count as 0.
+/// Smaller corner radii are treated as 0.
 constexpr double min_corner_radius = 1e-8;
 
 struct Element {
@@ -69,7 +69,8 @@ Outline points(pugi::xml_node node) {
     if (x && rest.at_end()) break;
     const std::optional<double> y = rest.number();
     rest.skip_separators();
-    if (!x || !y) throw InputError("points of a " + std::string(node.name()) + " are not pairs of numbers");
+    if (!x || !y)
+      throw InputError("points of a " + std::string(node.name()) + " are not pairs of numbers; correct them");
     outline.emplace_back(*x, *y);
   }
   return outline;

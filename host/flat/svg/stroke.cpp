@@ -26,7 +26,8 @@ constexpr std::array end_types{ClipperLib::etOpenButt, ClipperLib::etOpenRound, 
 constexpr std::array join_kinds{ClipperLib::jtSquare, ClipperLib::jtRound, ClipperLib::jtMiter};
 
 ClipperLib::cInt units(double coordinate) {
-  if (!(std::abs(coordinate) * scale <= largest)) throw InputError("a line of the drawing is too far from the origin");
+  if (!(std::abs(coordinate) * scale <= largest))
+    throw InputError("a line of the drawing is too far from the origin; move it closer");
   return static_cast<ClipperLib::cInt>(coordinate * scale);
 }
 
@@ -34,7 +35,8 @@ void check_corners(const Outline& line, const Stroke& stroke, double radius, std
   const bool round = stroke.cap == Cap::round || stroke.join == Join::round;
   const double around = round && radius > 1 ? std::numbers::pi / std::acos(1 - arc_tolerance / radius) : 4;
   if (around * static_cast<double>(line.size()) > static_cast<double>(max_corners)) {
-    throw InputError("a line of the drawing has too many corners or too wide a stroke");
+    throw InputError(
+        "a line of the drawing has too many corners or too wide a stroke; simplify it, or make the stroke narrower");
   }
 }
 
@@ -42,7 +44,7 @@ void check_corners(const Outline& line, const Stroke& stroke, double radius, std
 
 std::vector<Outline> stroked(const Outline& line, const Stroke& stroke, std::size_t max_corners) {
   const double radius = stroke.width * scale / 2;
-  if (!(radius <= largest)) throw InputError("a stroke of the drawing is too wide");
+  if (!(radius <= largest)) throw InputError("a stroke of the drawing is too wide; make it narrower");
   check_corners(line, stroke, radius, max_corners);
   ClipperLib::Path path;
   for (const glm::dvec2& corner : line) path.emplace_back(units(corner.x), units(corner.y));

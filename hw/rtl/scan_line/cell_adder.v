@@ -1,6 +1,6 @@
 `include "faults.vh"
 
-// Adds two numbers word by word, lowest word first; the carry is kept between words.
+// Adds two numbers word by word, lowest word first; the carry is stored between words.
 module cell_adder #(
   parameter WORD_BITS = 32
 ) (

@@ -1,7 +1,7 @@
 `include "faults.vh"
 
 // The ALU of a cell: processes the next `count` bits of two operands, starting at bit `low` of two groups of LANES
-// bits, and combines the results with those of earlier bits. Results are kept while it is idle.
+// bits, and combines the results with those of earlier bits. The results are kept while the ALU is idle.
 module cell_alu #(
   parameter LANES = 32,
   parameter ROOTS = 0,
@@ -11,7 +11,7 @@ module cell_alu #(
   input wire clk,
   input wire reset,
   input wire work,
-  input wire begins,                 // first clock of an operation
+  input wire begins,                 // number of these bits within the field
   input wire [2:0] operation,
   input wire [LANE-1:0] low,
   input wire [COUNT-1:0] count,

@@ -1,18 +1,18 @@
 // The control word that passes from cell to cell with a beat, from bit 0 up. Each comment gives the width in bits and
 // the meaning. Needs the parameters WORD_BITS, WORDS, PORTS, ALU_BITS, SHIFT_BITS and ROOTS.
 //
-// Operands are aligned to words as their fields are in memory, and F as it arrived without whole words of fraction: bit
-// b of word w is bit w * WORD_BITS + b of the operand. The ALU processes LANES bits per clock from any bit on; it
-// therefore reads two groups of LANES bits, the one in which they begin and the next.
+// Operands have the same alignment to words as their fields in memory; F is aligned as it arrived, without whole words
+// of fraction. Bit b of word w is bit w * WORD_BITS + b of the operand. The ALU processes LANES bits per clock,
+// starting at any bit; it therefore reads two groups of LANES bits, the group in which they begin and the next.
 
 /* verilator lint_off UNUSEDPARAM */
 localparam LANES = ALU_BITS < WORD_BITS ? ALU_BITS : WORD_BITS;
 localparam STEP = SHIFT_BITS < WORD_BITS ? SHIFT_BITS : WORD_BITS;
 localparam F_WORDS = (2 * WORD_BITS + 60) / WORD_BITS;         // words that 62 bits can span
 localparam SHORT_WORDS = (2 * WORD_BITS + 30) / WORD_BITS;     // words that 32 bits can span
-localparam X_WORDS = WORDS < F_WORDS ? WORDS : F_WORDS;        // words of the first field, and of the written value
+localparam X_WORDS = WORDS < F_WORDS ? WORDS : F_WORDS;        // words of the first field, and of the value to write
 localparam COLOUR_WORDS = WORDS < SHORT_WORDS ? WORDS : SHORT_WORDS;
-localparam Y_WORDS = ROOTS != 0 ? X_WORDS : COLOUR_WORDS;      // words of the second field; of a partial root
+localparam Y_WORDS = ROOTS != 0 ? X_WORDS : COLOUR_WORDS;      // words of the second field or of a partial root
 localparam GROUPS = (F_WORDS * WORD_BITS + LANES - 1) / LANES;
 
 localparam ADDRESS = WORDS > 1 ? $clog2(WORDS) : 1;
@@ -54,7 +54,7 @@ localparam CC_STORE = CC_FUNCTION + 3;                         // 1: the value r
 localparam CC_GROUP = CC_STORE + 1;                            // group in which the bits begin
 localparam CC_LOW = CC_GROUP + GROUP;                          // first bit within the group
 localparam CC_COUNT = CC_LOW + LANE;                           // number of bits
-localparam CC_MEETING = CC_COUNT + COUNT;                       // number of these within the field
+localparam CC_MEETING = CC_COUNT + COUNT;                       // number of these bits within the field
 // Fields of root trials.
 localparam CC_TRY = CC_MEETING + COUNT;                         // 1: the ALU tries a bit of a root
 localparam CC_TRY_FIRST = CC_TRY + 1;                          // 1: the bits include bit 0 of the trial
@@ -70,7 +70,7 @@ localparam PORT_WRITE = 2;                                     // 1: writes a wo
 localparam PORT_INDEX = 3;                                     // index of the word in its operand
 localparam PORT_ADDRESS = PORT_INDEX + INDEX;                  // address of the word in memory
 localparam PORT_LOW = PORT_ADDRESS + ADDRESS;                  // lowest bit read or written
-localparam PORT_HIGH = PORT_LOW + BIT;                         // highest bit; at port 0 also the sign of F when tested
+localparam PORT_HIGH = PORT_LOW + BIT;                         // 1: the word above is cleared
 localparam PORT_BITS = PORT_HIGH + BIT;
 localparam CONTROL_BITS = CC_PORT + PORTS * PORT_BITS;
 

@@ -1,7 +1,7 @@
 `include "faults.vh"
 
-// The memory of a cell. In a clock, each port reads a word or writes bits of one. A read returns the content before the
-// edge. No two ports write the same word.
+// The memory of a cell. In a clock, each port reads a word or writes bits of a word. A read returns the content before
+// the edge. No two ports may write the same word.
 module cell_memory #(
   parameter WORD_BITS = 32,
   parameter WORDS = 3,
@@ -11,7 +11,7 @@ module cell_memory #(
 ) (
   input wire clk,
   /* verilator lint_off UNUSEDSIGNAL */
-  input wire clear,                          // clears all words, if they are cleared at once
+  input wire clear,                          // clears all words; used if CLEARS_AT_ONCE is 1
   /* verilator lint_on UNUSEDSIGNAL */
   input wire [PORTS*ADDRESS-1:0] address,
   input wire [PORTS*WORD_BITS-1:0] mask,     // bits to write

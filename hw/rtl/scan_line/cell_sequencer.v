@@ -1,11 +1,11 @@
 `include "faults.vh"
 
 // Computes the control word of a beat that enters, and steps through the accesses, moves and bits of its packet. A
-// chain has one, since all cells get the same packets. Inputs are as in hw/scan_line/packet.h; a field is given by its
-// first bit, its width, the first memory word that contains it, and the number of these words.
+// chain has only one sequencer, because all cells get the same packets. Inputs are as in hw/scan_line/packet.h; a field
+// is given by its first bit, its width, the first memory word that contains it, and the number of these words.
 //
-// Beat r / PORTS reads word r of the fields to read; word w of the target is written w / PORTS beats after the beat
-// of the result. From `work_from` on the shifter and the ALU work, one operation per clock.
+// Beat r / PORTS reads word r of the fields to read; word w of the target is written w / PORTS beats after the beat of
+// the result. From beat `work_from` on the shifter and the ALU work, one operation per clock.
 module cell_sequencer #(
   parameter WORD_BITS = 32,
   parameter WORDS = 3,
@@ -28,7 +28,7 @@ module cell_sequencer #(
   input wire [63:0] target,
   input wire [15:0] work_from,
   input wire [15:0] result,
-  input wire [31:0] first_move,        // distance in bits 0 to 15, number of words from bit 16 on
+  input wire [31:0] first_move,        // highest bit; at port 0, in a test of F's sign, the sign bit of F
   input wire [31:0] second_move,
   input wire [2:0] operation,
   input wire [15:0] work_bits,
@@ -109,7 +109,7 @@ module cell_sequencer #(
   wire moves = works && (moves_first || moves_second);
   wire [15:0] distance = moves_first ? first_move[0 +: 16] : second_move[0 +: 16];
   wire [15:0] move_words = moves_first ? first_move[16 +: 16] : second_move[16 +: 16];
-  wire meets_first = first_base == met_base;   // the first field is the one to align with
+  wire meets_first = first_base == met_base;   // the operands are aligned with the first field
   wire [1:0] moved_operand = moves_first && is_linear ? MOVE_F : moves_first && !meets_first ? MOVE_X : MOVE_Y;
   wire [15:0] moved_from = moved_operand == MOVE_F ? f_place : moved_operand == MOVE_X ? first_place : second_place;
   wire left = moved_from < place;
@@ -196,7 +196,7 @@ module cell_sequencer #(
       wire [15:0] read_index = is_of_first ? r : r - first_count;
       wire [15:0] read_address = read_index + (is_of_first ? first_word : second_word);
       wire [15:0] read_end = (is_of_first ? first_base + first_width : second_base + second_width) - {15'd0, is_root};
-      // Writes, and the constant's words if only these are written or held.
+      // Writes, and the constant's words if these are only written or held.
       wire [15:0] w = (number - result) * EACH + HERE;
       wire writes = is_instruction && number >= result && w < target_count;
       wire sets = writes && opcode == SET_CONSTANT;

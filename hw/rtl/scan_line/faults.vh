@@ -6,7 +6,7 @@
 `define CELL_FAULT(NUMBER) 1'b0
 `endif
 
-`define FAULT_SUM_CARRY 1           // a word of the running sum starts with the previous packet's carry
+`define FAULT_SUM_CARRY 1           // a word of the running sum starts with the carry of the previous packet
 `define FAULT_WORD_CARRY 2          // the carry between words of the running sum is lost
 `define FAULT_SECOND_DIFFERENCE 3   // the second difference is not added
 `define FAULT_READ_MASK 4           // a port also reads the bit above the field
@@ -16,8 +16,8 @@
 `define FAULT_X_KEPT 8              // x keeps the words read by the previous packet
 `define FAULT_Y_WORD 9              // the second word of y also overwrites the first
 `define FAULT_F_WORD 10             // the last word of F is not kept
-`define FAULT_SHIFT_BESIDE 11       // bits from the word beside a right-shifted word are lost
-`define FAULT_SHIFT_LEFT 12         // bits from the word beside a left-shifted word are lost
+`define FAULT_SHIFT_BESIDE 11       // bits that come from the adjacent word in a right shift are lost
+`define FAULT_SHIFT_LEFT 12         // bits that come from the adjacent word in a left shift are lost
 `define FAULT_MOVE_ABOVE 13         // bits that a move leaves above y are not cleared
 `define FAULT_ALU_CARRY 14          // the carry between clocks is lost
 `define FAULT_ALU_DIFFERS 15        // only the last bits of a difference are compared
@@ -28,9 +28,9 @@
 `define FAULT_WRITES 20             // words written after the clock of the result are written everywhere
 `define FAULT_KEEP_MIN 21           // keep_min also writes where F is equal
 `define FAULT_HOLD 22               // colours are held only where enabled
-`define FAULT_TRANSFER 23           // the shift chain takes the colours one clock too early
+`define FAULT_TRANSFER 23           // the shift chain loads the colours one clock too early
 `define FAULT_SHIFT_CHAIN 24        // colours are inverted at each cell
-`define FAULT_COLOUR_PLACE 25       // a line is shown with the position of the next line's colour
+`define FAULT_COLOUR_PLACE 25       // a line is shown with the colour position of the next line
 `define FAULT_MOVE_ORDER 26         // words shifted left are shifted in ascending order
 `define FAULT_CONSTANT 27           // a constant's second word equals its first
 `define FAULT_ALU_BEGIN 28          // the ALU starts one bit too low

@@ -10,7 +10,7 @@ module refresh_path #(
   input wire reset,
   input wire [15:0] pixels,
   input wire holds,                        // the mark's last beat enters cell 0
-  input wire background,                   // the mark carries the colour
+  input wire background,                   // 1: the mark contains the colour
   input wire [47:0] colour_field,          // otherwise position of the colour: first bit, width, word of the first bit
   input wire [COLOUR_BITS-1:0] first,      // colour in the shift chain at cell 0
   output wire transfers,
@@ -22,7 +22,8 @@ module refresh_path #(
   wire [15:0] width = colour_field[16 +: 16];
   wire [15:0] place = base - colour_field[32 +: 16] * WORD;
 
-  reg [15:0] to_come;                        // clocks until the mark has been in all cells; 0: no mark in the cells
+  // Clocks until the mark has been in all cells; 0 if no mark is in the cells.
+  reg [15:0] to_come;
   reg [15:0] left;                         // remaining pixels of the shown line
   reg transfers_next;
   reg [15:0] held_place;

@@ -1,7 +1,8 @@
 `include "faults.vh"
 
-// The cell of a pixel (thesis 7.2.2): memory, E, an adder of a word for the running sum, a shifter, an ALU, and
-// registers for F and for two fields read. Each clock it executes the control word of its beat and passes the beat on.
+// The cell of a pixel (thesis 7.2.2): memory, E, an adder of one word for the running sum, a shifter, an ALU, and
+// registers for F and for the two fields read. Each clock it executes the control word of its beat and passes the beat
+// on.
 module scan_line_cell #(
   parameter WORD_BITS = 32,
   parameter WORDS = 3,
@@ -14,8 +15,8 @@ module scan_line_cell #(
 ) (
   input wire clk,
   input wire reset,
-  // The beat in the cell: control word, a word of F, of its difference to the next cell and of the second difference,
-  // and words of the constant.
+  // The beat in the cell: its control word; one word each of F, of the difference to the next cell and of the second
+  // difference; and words of the constant.
   input wire [CONTROL_BITS-1:0] control,
   input wire [WORD_BITS-1:0] f,
   input wire [WORD_BITS-1:0] a,

@@ -52,8 +52,8 @@ std::vector<BitWork> bits_of(Sequencer sequencer, const isa::Instruction& instru
     const BitStep step = sequencer.issue();
     const ArrayStep& pixels = step.pixels;
     RC_ASSERT(pixels.function == AluFunction::idle ||
-              pixels.first + worked_bits(pixels) <= unsigned{step.root.token.bits});
-    for (unsigned bit = 0; bit < worked_bits(pixels); ++bit) {
+              pixels.first + processed_bits(pixels) <= unsigned{step.root.token.bits});
+    for (unsigned bit = 0; bit < processed_bits(pixels); ++bit) {
       const AluFunction function = function_of_bit(pixels, bit);
       if (function == AluFunction::idle) continue;
       const bool reads = info(function).reads_y;

@@ -17,7 +17,7 @@ TEST_CASE("Work accepts charges up to its limit and names the activity that exce
   work.charge(500'000, "counting");
   CHECK(work.done() == 2'500'000);
   CHECK(testing::error_of([&] { work.charge(1, "folding paper"); }) ==
-        "folding paper takes more work than the limit of 2.5 million steps; use fewer or coarser parts in "
+        "folding paper needs more work than the limit of 2.5 million steps; use fewer or coarser parts in "
         "the model, or raise --limit");
 }
 

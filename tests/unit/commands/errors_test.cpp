@@ -18,7 +18,7 @@ TEST_CASE("an invalid command in a .jan file is rejected with its position and a
   CHECK(fault_of("A = block 1 2 3 4") == "a.jan:1:17: expected the end of the line, found `4`");
   CHECK(fault_of("A = block 1 2 $") ==
         "a.jan:1:15: expected a name, a number or one of = + - * ( ), found `$`; a comment begins with #");
-  CHECK(fault_of("A = block 1 2 1e999") == "a.jan:1:15: number out of range: 1e999 is more than a double holds");
+  CHECK(fault_of("A = block 1 2 1e999") == "a.jan:1:15: number out of range: 1e999 exceeds the range of doubles");
   CHECK(fault_of("jump A 1") ==
         "a.jan:1:1: there is no command jump; a line is `NAME = ...`, or move, rotate, scale, colour, facets or "
         "tolerance with arguments");
@@ -30,8 +30,9 @@ TEST_CASE("an invalid command in a .jan file is rejected with its position and a
   CHECK(fault_of("A = block 1 1 1\nrotate A") ==
         "a.jan:2:9: expected x, y or z and degrees, found the end of the line");
   CHECK(fault_of("A = block 1 1 1\nscale A 0") == "a.jan:2:9: a scale of 0 removes the solid; use another number");
-  CHECK(fault_of("A = block 1 1 1\ncolour A 1 2 0") == "a.jan:2:10: a colour is red, green and blue, each from 0 to 1");
-  CHECK(fault_of("facets 2.5") == "a.jan:1:8: a circle has 3 to 100000 facets");
+  CHECK(fault_of("A = block 1 1 1\ncolour A 1 2 0") ==
+        "a.jan:2:10: a colour must be red, green and blue, each from 0 to 1");
+  CHECK(fault_of("facets 2.5") == "a.jan:1:8: a circle must have 3 to 100000 facets");
   CHECK(fault_of("tolerance 0") == "a.jan:1:11: a tolerance in model units must be above 0");
 }
 
@@ -48,7 +49,7 @@ TEST_CASE("an invalid expression in a .jan file is rejected with its position") 
 }
 
 TEST_CASE("an invalid curve or sweep in a .jan file is rejected with its position") {
-  CHECK(fault_of("c = curve degree 4 points (0)") == "a.jan:1:18: a degree is 0 (constant), 1, 2 or 3");
+  CHECK(fault_of("c = curve degree 4 points (0)") == "a.jan:1:18: a degree must be 0 (constant), 1, 2 or 3");
   CHECK(
       fault_of("c = curve points (0 0) (1)") ==
       "a.jan:1:24: this point has a different number of coordinates (1) than those before it (2); use the same number");
@@ -58,12 +59,12 @@ TEST_CASE("an invalid curve or sweep in a .jan file is rejected with its positio
   CHECK(fault_of(curves + "S = sweep contour c") ==
         "a.jan:3:1: a sweep needs a contour and a trajectory: S = sweep contour CURVE trajectory CURVE");
   CHECK(fault_of(curves + "S = sweep contour t trajectory t") ==
-        "a.jan:3:19: the points of a contour have 2 numbers, but those of t have 3");
+        "a.jan:3:19: the points of a contour must have 2 numbers, but those of t have 3");
   CHECK(fault_of(curves + "S = sweep contour c trajectory t scale t") ==
-        "a.jan:3:40: the points of a scale have 1 or 2 numbers, but those of t have 3");
+        "a.jan:3:40: the points of a scale must have 1 or 2 numbers, but those of t have 3");
   CHECK(fault_of(curves + "r = curve points (0 0 0) (0 0 5) (0 0 1)\nS = sweep contour c trajectory r") ==
         "a.jan:4:1: sweep: the trajectory reverses at the end of its segment 1; move that point");
-  CHECK(fault_of("P = patch width 3 points (0 0 0)") == "a.jan:1:17: a row of a patch has at least 4 points");
+  CHECK(fault_of("P = patch width 3 points (0 0 0)") == "a.jan:1:17: a row of a patch must have at least 4 points");
 }
 
 TEST_CASE("a .jan file whose model grows exponentially is rejected in little time") {

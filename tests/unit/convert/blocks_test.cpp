@@ -240,5 +240,5 @@ TEST_CASE("converting to blocks counts work for each face of a body and ray of i
   const Work little(100);
   CHECK(testing::error_of([&] {
           convert::blocks(read::read_csg_text("cube([4,4,4]);", "m.csg"), 1024, {}, little);
-        }).find("converting the model to blocks takes more work") == 0);
+        }).find("converting the model to blocks needs more work") == 0);
 }

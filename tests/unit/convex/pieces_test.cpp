@@ -141,6 +141,6 @@ TEST_CASE("rejects a model with more pieces than the limit and suggests a fix") 
   const TestModel model("difference(){" + box(0, 0, 0, 4, 4, 4) + ball(2, 2, 2, 1, 20) + "}");
   CHECK(convex::pieces(model.scene, model.positive, 400).size() == 182);
   CHECK(testing::error_of([&] { (void)convex::pieces(model.scene, model.positive, 100); }) ==
-        "the model needs more than 100 convex pieces; give the subtracted solids fewer facets ($fn), or subtract "
-        "less");
+        "the model needs more than 100 convex pieces; use fewer facets ($fn) for the subtracted solids, or "
+        "subtract fewer");
 }

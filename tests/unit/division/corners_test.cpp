@@ -22,7 +22,7 @@ std::vector<Tested> side_of(const std::vector<Plane>& planes, bool forward) {
 }
 
 Known known(const Plane& plane, bool forward, std::int64_t z_low, std::int64_t z_high) {
-  return division::known_between(side_of({plane}, forward)[0], z_low, z_high);
+  return division::classify_between(side_of({plane}, forward)[0], z_low, z_high);
 }
 
 }  // namespace

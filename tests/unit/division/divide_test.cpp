@@ -108,8 +108,10 @@ TEST_CASE("the divider rejects a tree with more pending results than stack bits"
   model.nodes = {{}, {}, {}, {2, division::Operator::unite}, {2, division::Operator::intersect}};
   CHECK_FALSE(testing::ModelDivider(model).divide(top_left).instructions.empty());
   model.fields.stack_bits = 0;
-  CHECK_THROWS_WITH_AS(static_cast<void>(testing::ModelDivider(model).divide(top_left)),
-                       "a square's tree has 1 pending results, but pixel memory has 0 bits for them", InputError);
+  CHECK_THROWS_WITH_AS(
+      static_cast<void>(testing::ModelDivider(model).divide(top_left)),
+      "a square's tree needs 1 bits for intermediate results, but pixel memory has 0; increase array.memory_bits",
+      InputError);
 }
 
 TEST_CASE("a group of squares keeps the primitives in it and their deciding half-spaces") {

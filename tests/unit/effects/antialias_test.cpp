@@ -321,6 +321,6 @@ TEST_CASE("the anti-aliased picture is the same if drawn line by line") {
 }
 
 TEST_CASE("anti-aliasing rejects a number of samples that is not a supported power of two") {
-  CHECK(testing::error_of([] { testing::scene_of(called(3)); }).find("take 2, 4, 8 or 16") != std::string::npos);
-  CHECK(testing::error_of([] { testing::scene_of(called(12)); }).find("take 2, 4, 8 or 16") != std::string::npos);
+  CHECK(testing::error_of([] { testing::scene_of(called(3)); }).find("use 2, 4, 8 or 16") != std::string::npos);
+  CHECK(testing::error_of([] { testing::scene_of(called(12)); }).find("use 2, 4, 8 or 16") != std::string::npos);
 }

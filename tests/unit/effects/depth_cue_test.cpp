@@ -131,7 +131,7 @@ TEST_CASE("a depth cue with an empty range is rejected") {
       testing::compile_text(testing::random_model(7, 3), random_view(projection, "[effects.depth_cue]\n" + settings));
     });
   };
-  CHECK(error(view::Projection::orthographic, "near = 90\nfar = 80").find("take far above near") != std::string::npos);
-  CHECK(error(view::Projection::perspective, "near = -1\nfar = 80").find("take near above 0") != std::string::npos);
+  CHECK(error(view::Projection::orthographic, "near = 90\nfar = 80").find("set far above near") != std::string::npos);
+  CHECK(error(view::Projection::perspective, "near = -1\nfar = 80").find("set near above 0") != std::string::npos);
   CHECK(error(view::Projection::orthographic, "near = -1\nfar = 80").empty());
 }

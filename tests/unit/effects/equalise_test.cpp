@@ -135,6 +135,6 @@ TEST_CASE("equalisation rejects a machine without a global OR of the whole pictu
   setup.has_global_or = false;
   CHECK(error().find("with a global OR over the whole picture, which  does not have") != std::string::npos);
   setup.machine = "scan-line";
-  CHECK(error().find("which scan-line does not have; take a machine that has one, such as pixel-planes-4") !=
+  CHECK(error().find("which scan-line does not have; use a machine that has one, such as pixel-planes-4") !=
         std::string::npos);
 }

@@ -326,5 +326,5 @@ TEST_CASE("invalid settings of shadows are rejected") {
         std::string::npos);
   CHECK(testing::error_of([] {
           testing::scene_of(shadows + "from_line = 3\nto_line = 2\n");
-        }).find("must not precede from_line") != std::string::npos);
+        }).find("to_line precedes from_line") != std::string::npos);
 }

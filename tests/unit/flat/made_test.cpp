@@ -64,7 +64,7 @@ TEST_CASE("a polygon may touch itself") {
 TEST_CASE("a polygon path with a nonexistent point is rejected") {
   const std::vector<glm::dvec2> points{{0, 0}, {4, 0}, {4, 4}};
   CHECK_THROWS_WITH_AS(flat::polygon(points, std::array{Path{0, 1, 2}, Path{0, 3, 1}}),
-                       "paths[1][1] of polygon() is 3, but there are 3 points, numbered from 0", InputError);
+                       "paths[1][1] of polygon() is 3, but there are 3 points; count them from 0", InputError);
 }
 
 TEST_CASE("coordinates beyond the range of Clipper are rejected") {

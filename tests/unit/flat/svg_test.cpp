@@ -55,21 +55,24 @@ TEST_CASE("an SVG arc without radius is a line and one to its own start is empty
 
 TEST_CASE("invalid SVG is rejected with its line number") {
   CHECK(message("") == "line 1: invalid XML: No document element found");
-  CHECK(message("<html/>") == "line 1: not an SVG file: the outermost element is not svg");
+  CHECK(message("<html/>") == "line 1: not an SVG file: the outermost element is not svg; save it as SVG");
   CHECK(message("<svg>\n<g>\n</svg>") == "line 3: invalid XML: Start-end tags mismatch");
   CHECK(message("<svg>\n<path d='M0 0 L1,x'/></svg>") == "line 2: invalid path data at \"x\"");
   CHECK(message("<svg><path d='0 0'/></svg>") == "line 1: invalid path data at \"0 0\"");
   CHECK(message("<svg><path d='M0 0a1 1 0 2 0 1 1'/></svg>") == "line 1: invalid path data at \"2 0 1 1\"");
   CHECK(message("<svg><g><path transform='turn(3)'/></g></svg>") ==
         "line 1: transform=\"turn(3)\" is not a list of matrix(), translate(), scale(), rotate(), skewX(), skewY()");
-  CHECK(message("<svg viewBox='0 0 0 1'/>") == "line 1: the viewBox of the svg has no size");
-  CHECK(message("<svg><polygon points='1 2 x'/></svg>") == "line 1: points of a polygon are not pairs of numbers");
+  CHECK(message("<svg viewBox='0 0 0 1'/>") ==
+        "line 1: the viewBox of the svg has no size; set its width and height above 0");
+  CHECK(message("<svg><polygon points='1 2 x'/></svg>") ==
+        "line 1: points of a polygon are not pairs of numbers; correct them");
   CHECK(message("<svg><rect width='1e300' height='1e300'/></svg>") ==
         "a coordinate of a 2-D shape is not a number or exceeds 1e12; scale the shape down");
   CHECK(message("<svg><line x2='1' stroke-width='1e14' stroke-linecap='round'/></svg>") ==
-        "line 1: a stroke of the drawing is too wide");
+        "line 1: a stroke of the drawing is too wide; make it narrower");
   CHECK(message("<svg><line x2='1' stroke-width='1e10' stroke-linecap='round'/></svg>") ==
-        "line 1: a line of the drawing has too many corners or too wide a stroke");
+        "line 1: a line of the drawing has too many corners or too wide a stroke; simplify it, or make the stroke "
+        "narrower");
   CHECK_THROWS_AS(flat::read_svg("<svg/>", {.dpi = 0}), InputError);
 }
 
@@ -78,7 +81,7 @@ TEST_CASE("deep nesting in SVG is rejected and entities are not expanded") {
   for (int i = 0; i < 100'000; ++i) deep += "<g>";
   CHECK(message(deep).starts_with("line 1: invalid XML"));
   for (int i = 0; i < 100'000; ++i) deep += "</g>";
-  CHECK(message(deep + "</svg>") == "line 1: elements are nested more than 1000 deep");
+  CHECK(message(deep + "</svg>") == "line 1: elements are nested more than 1000 deep; ungroup some");
   const std::string bomb = "<!DOCTYPE svg [<!ENTITY a 'M0 0'><!ENTITY b '&a;&a;&a;&a;'>]><svg><path d='&b;'/></svg>";
   CHECK(message(bomb) == "line 1: invalid path data at \"&b;\"");
 }

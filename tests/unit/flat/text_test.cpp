@@ -79,9 +79,9 @@ TEST_CASE("invalid UTF-8 bytes are visible in text") {
 TEST_CASE("a bitmap font is rejected with its name if it has one") {
   const std::string folder = CSGSIM_SOURCE_DIR "/tests/support/fonts/";
   CHECK_THROWS_WITH_AS(flat::text({.text = "x", .font = ":file=" + folder + "small.bdf"}),
-                       "font Small cannot be scaled", InputError);
+                       "font Small cannot be scaled; use another font", InputError);
   CHECK_THROWS_WITH_AS(flat::text({.text = "x", .font = ":file=" + folder + "nameless.bdf"}),
-                       "font without a name cannot be scaled", InputError);
+                       "font without a name cannot be scaled; use another font", InputError);
 }
 
 TEST_CASE("invalid parameters of text are rejected") {

@@ -206,7 +206,7 @@ TEST_CASE("each error in a binary Program has a specific message") {
   bytes = encode(sample_program());
   bytes.insert(bytes.end() - checksum_size, std::byte{0});
   seal(bytes);
-  CHECK(contains(current_error(), "1 bytes left over"));
+  CHECK(contains(current_error(), "1 bytes after its end"));
 
   bytes = encode(sample_program());
   bytes[bytes.size() - checksum_size - 1] = std::byte{0x80 | opcode_table.size()};  // opcode of the last instruction

@@ -66,7 +66,7 @@ TEST_CASE("squares must come before a linear expression of their width") {
         "t:3:1: squares come before squares, which has no linear expression; put an instruction that has one right "
         "after them");
   CHECK(error_of("squares x*x (w35)\nedge_negative x (w34)") ==
-        "t:3:1: squares of 35 bits come before a linear expression of 34; give them the same width");
+        "t:3:1: squares of 35 bits come before a linear expression of 34; make them equally wide");
   CHECK(
       contains(error_of("squares x*x (w35)\n.segment width=1 height=1\nedge_negative x (w35)"), "t:3:1: squares are"));
 }
@@ -100,7 +100,7 @@ TEST_CASE("squares and linear expression must stay below 2^62 in sum over the se
 TEST_CASE("squares have 1 to 62 bits and no shift and no field") {
   const auto refusal_of = [](const Instruction& instruction) { return refusal([&] { validate(instruction, 128); }); };
   CHECK(refusal_of(squares({1, 2, 3, 62, 0})).empty());
-  CHECK(contains(refusal_of(squares({1, 2, 3, 63, 0})), "squares are 63 bits wide; give them 1 to 62"));
+  CHECK(contains(refusal_of(squares({1, 2, 3, 63, 0})), "squares are 63 bits wide; use 1 to 62"));
   CHECK(contains(refusal_of(squares({1, 2, 3, 0, 0})), "0 bits wide"));
   CHECK(contains(refusal_of(squares({1, 2, 3, 20, 1})), "no shift"));
   CHECK_FALSE(refusal_of({Opcode::squares, {{{0, 1}}}, {1, 2, 3, 20, 0}, 0, {}}).empty());
@@ -112,14 +112,14 @@ TEST_CASE("wide fields are allowed only where F is loaded or added and for roots
   CHECK(error_of("linear_minus [67+:61], x (w62)").empty());
   CHECK(error_of("root [0+:61]").empty());
   CHECK(error_of("root [0+:3]").empty());
-  CHECK(contains(error_of("load_linear [0+:62], x (w62)"), "F has 62 bits and meets a field of 62"));
+  CHECK(contains(error_of("load_linear [0+:62], x (w62)"), "F has 62 bits and is combined with a field of 62"));
   CHECK(contains(error_of("load_linear [0+:63], x (w62)"), "63 bits wide; a field has 1 to 62 bits"));
   CHECK(contains(error_of("load_linear [68+:61], x (w62)"), "outside the 128 memory bits"));
   for (const char* other : {"keep_max [0+:33], x (w62)", "linear_ge [0+:33], x (w62)", "set_constant [0+:33], 1",
                             "copy [0+:33], [40+:33]", "bit_not [0+:33], [40+:33]"})
     CHECK(contains(error_of(other), "33 bits wide; a field has 1 to 32 bits"));
-  CHECK(contains(error_of("root [0+:40]"), "40 bits wide; give it an odd number of bits, at least 3"));
-  CHECK(contains(error_of("root [0+:1]"), "1 bits wide; give it an odd number"));
+  CHECK(contains(error_of("root [0+:40]"), "40 bits wide; use an odd number of bits, at least 3"));
+  CHECK(contains(error_of("root [0+:1]"), "1 bits wide; use an odd number"));
   CHECK(contains(error_of("root [0+:63]"), "63 bits wide; a field has 1 to 62 bits"));
 }
 

@@ -71,14 +71,14 @@ TEST_CASE("syntax errors in the text of a Program have a position") {
 }
 
 TEST_CASE("values of the wrong kind or out of range in a Program's text have a position") {
-  CHECK(error_of(array + ".model unions=\"1\"").starts_with("t:2:8: unions takes a number"));
-  CHECK(error_of(array + ".model unions=-1").starts_with("t:2:8: unions takes a whole number"));
+  CHECK(error_of(array + ".model unions=\"1\"").starts_with("t:2:8: unions must be a number"));
+  CHECK(error_of(array + ".model unions=-1").starts_with("t:2:8: unions must be a whole number"));
   CHECK(error_of(array + ".compile z_bits=4294967296")
-            .starts_with("t:2:10: z_bits takes a whole number of 0 to 4294967295"));
-  CHECK(error_of(array + ".model file=gear").starts_with("t:2:8: file takes a string"));
-  CHECK(error_of(array + ".compile effects=\"a\"").starts_with("t:2:10: effects takes a list"));
-  CHECK(error_of(array + ".depth perspective=1").starts_with("t:2:8: perspective takes true or false"));
-  CHECK(error_of(array + ".depth near=1e999").starts_with("t:2:8: near takes a number that a double holds"));
+            .starts_with("t:2:10: z_bits must be a whole number from 0 to 4294967295"));
+  CHECK(error_of(array + ".model file=gear").starts_with("t:2:8: file must be a string"));
+  CHECK(error_of(array + ".compile effects=\"a\"").starts_with("t:2:10: effects must be a list"));
+  CHECK(error_of(array + ".depth perspective=1").starts_with("t:2:8: perspective must be true or false"));
+  CHECK(error_of(array + ".depth near=1e999").starts_with("t:2:8: near must be a number in the range of doubles"));
   CHECK(error_of(array + ".depth near=nan").starts_with("t:2:1: depth runs from"));
   CHECK(error_of(array + ".model unions=1 unions=2").starts_with("t:2:17: unions is given twice"));
   CHECK(error_in_line_5("set_constant Z1, 18446744073709551616")
@@ -99,18 +99,19 @@ TEST_CASE("a colour field must match the displayed colour declared before it") {
   const std::string field = ".field colour [8+:6] colour";
   CHECK(error_of(array + field)
             .starts_with(
-                "t:2:1: field [8+:6] has the role colour, but the frame shows nothing; show it by .frame colour_base=8 "
-                "colour_bits=6"));
+                "t:2:1: field [8+:6] has the role colour, but the frame displays nothing; write .frame colour_base=8 "
+                "colour_bits=6 before this field"));
   CHECK(error_of(array + ".frame colour_base=8 colour_bits=7\n" + field)
-            .starts_with("t:3:1: field [8+:6] has the role colour, but the frame shows [8+:7]"));
+            .starts_with("t:3:1: field [8+:6] has the role colour, but the frame displays [8+:7]"));
   CHECK(error_of(array + ".frame colour_base=8 colour_bits=6\n" + field).empty());
-  CHECK(error_of(array + ".frame colour_base=30 colour_bits=6").starts_with("t:2:1: the colour shown: field [30+:6]"));
+  CHECK(
+      error_of(array + ".frame colour_base=30 colour_bits=6").starts_with("t:2:1: the displayed field: field [30+:6]"));
 }
 
 TEST_CASE("rejects an extent whose rows are reversed or outside the picture") {
   CHECK(error_of(array + ".extent first=2 last=1").starts_with("t:2:1: the extent from row 2 to row 1"));
   CHECK(error_of(array + ".extent first=2 last=8").starts_with("t:2:1: the extent from row 2 to row 8"));
-  CHECK(error_of(array + ".extent last=65536").starts_with("t:2:9: last takes a whole number of 0 to 65535"));
+  CHECK(error_of(array + ".extent last=65536").starts_with("t:2:9: last must be a whole number from 0 to 65535"));
   CHECK(error_of(array + ".extent last=7").empty());
 }
 
@@ -131,17 +132,18 @@ TEST_CASE("invalid skips are reported with their position") {
   CHECK(error_in_line_5("enable_all\n  skip_if_none 2").starts_with("t:6:3: skip_if_none 2 leaves the segment"));
   CHECK(error_in_line_5("skip_if_none 18446744073709551615").starts_with("t:5:1: skip_if_none 18446744073709551615"));
   const std::string end = ".segment width=8 height=8\nenable_all\nenable_all";
-  CHECK(error_in_line_5("skip_if_none 1\n" + end).starts_with("t:5:1: skip_if_none 1 leaves the segment, which has 0"));
+  CHECK(error_in_line_5("skip_if_none 1\n" + end)
+            .starts_with("t:5:1: skip_if_none 1 skips past the end of the segment, which has 0"));
 }
 
 TEST_CASE("preparation counts beyond the limit are rejected and so is their sum") {
   constexpr const char* most = "281474976710656";
   const std::string segment = ".segment width=8 height=8\n";
   CHECK(error_of(array + ".prepare boxes=281474976710657\n" + segment) ==
-        std::string("t:2:1: boxes=281474976710657 exceeds the limit for a frame, ") + most);
+        std::string("t:2:1: boxes=281474976710657 exceeds the limit of a frame, ") + most);
   CHECK_NOTHROW(parse(array + ".prepare boxes=" + most + "\n" + segment, "t"));
   CHECK(error_of(array + ".prepare boxes=" + most + "\n" + segment + ".prepare boxes=1\n") ==
-        std::string("t: sum of all .prepare: boxes=281474976710657 exceeds the limit for a frame, ") + most);
+        std::string("t: sum of all .prepare: boxes=281474976710657 exceeds the limit of a frame, ") + most);
 }
 
 TEST_CASE("directives in the text of a Program must be in order") {

@@ -151,7 +151,8 @@ TEST_CASE("a skip omits at least one instruction and stays in its segment") {
   for (const std::uint64_t count : {last + 1, std::size_t{0xffffffffU}}) {
     instructions[0] = skip(count);
     CHECK(refusal_of(program).starts_with("segment 0, instruction 0: skip_if_none " + std::to_string(count) +
-                                          " leaves the segment, which has " + std::to_string(last) + " more"));
+                                          " skips past the end of the segment, which has " + std::to_string(last) +
+                                          " more"));
   }
   instructions[0] = skip(1);
   instructions[last] = skip(1);

@@ -208,7 +208,7 @@ TEST_CASE("global_or.present accepts only 0 and 1") {
                                            "my.toml", kinds::all());
   CHECK_FALSE(machines::own<pixel_planes::Figures>(without).has_global_or);
   CHECK(message_of_change("[global_or.present]\nvalue = 1", "[global_or.present]\nvalue = 2")
-            .ends_with("global_or.present is 2; it takes 0 to 1 lines"));
+            .ends_with("global_or.present is 2; it must be 0 to 1 lines"));
 }
 
 TEST_CASE("rejects an unknown machine and suggests the nearest name") {
@@ -247,10 +247,10 @@ TEST_CASE("a wrong type in a machine file is rejected with its place") {
 
 TEST_CASE("out-of-range values and wrong units in a machine file are rejected with a place") {
   const std::string big = changed("value = 72", "value = 4097");
-  CHECK(message(big) == testing::place_in(big, "4097") + ": array.memory_bits is 4097; it takes 1 to 4096 bits");
-  CHECK(message_of_change("value = 512", "value = 0").ends_with("array.width is 0; it takes 1 to 16384 pixels"));
+  CHECK(message(big) == testing::place_in(big, "4097") + ": array.memory_bits is 4097; it must be 1 to 4096 bits");
+  CHECK(message_of_change("value = 512", "value = 0").ends_with("array.width is 0; it must be 1 to 16384 pixels"));
   CHECK(message_of_change("[alu.bits]\nvalue = 1", "[alu.bits]\nvalue = 33")
-            .ends_with("alu.bits is 33; it takes 1 to 32 bits"));
+            .ends_with("alu.bits is 33; it must be 1 to 32 bits"));
   CHECK(message_of_change("[memory.writes]\nvalue = 1", "[memory.writes]\nvalue = 2")
             .ends_with("memory.writes is 2; the simulator supports only 1"));
   const std::string unit = changed("unit = \"Hz\"", "unit = \"MHz\"");
@@ -283,8 +283,8 @@ TEST_CASE("the error for an unknown kind or order lists the valid names") {
   CHECK(message(kind) == testing::place_in(kind, "\"frame\"") + ": unknown kind 'frame'; the kinds are " + names);
   std::string order = description_of("pixel-square");
   order.replace(order.find("value = \"rows\""), 14, "value = \"columns\"");
-  CHECK(message(order) ==
-        testing::place_in(order, "\"columns\"") + ": divider.order is 'columns'; it takes rows, serpentine, morton");
+  CHECK(message(order) == testing::place_in(order, "\"columns\"") +
+                              ": divider.order is 'columns'; it must be one of rows, serpentine, morton");
 }
 
 TEST_CASE("a scan-line machine whose picture is wider than its chain is rejected") {

@@ -164,7 +164,7 @@ TEST_CASE("a screen that leaves no clock or a display model that does not fit is
   // A screen turn fetches 48 colour bits in two clocks, ten times a second.
   CHECK(refusal(whole_picture(machine), machine) == "");
   machine.clock_hz = 20;
-  CHECK(refusal(whole_picture(machine), machine).starts_with("the screen takes 10 turns a second of 2 clocks each"));
+  CHECK(refusal(whole_picture(machine), machine).starts_with("the screen takes 10 turns per second of 2 clocks each"));
 
   const Machine dividing_machine = make_machine(2, dividing());
   isa::Program program = whole_picture(dividing_machine);

@@ -91,7 +91,8 @@ TEST_CASE("a screen must leave a clock for drawing") {
   const Figures figures{.refresh_rate = 60, .refresh_bits = 8, .refresh_clocks = 10};
   const isa::FrameHeader header = isa::frame_header(make_program(4, 2, 3));
   CHECK_NOTHROW(check_screen(header, make_machine(figures, 1801)));
-  CHECK(testing::error_of([&] { check_screen(header, make_machine(figures, 1800)); }) ==
-        "the screen takes 180 turns a second of 10 clocks each, but the frame buffer has 1800 clocks a second, which "
-        "leaves none for drawing; increase refresh.bits, or set frame_buffer.pictures to 2");
+  CHECK(
+      testing::error_of([&] { check_screen(header, make_machine(figures, 1800)); }) ==
+      "the screen takes 180 turns per second of 10 clocks each, but the frame buffer has 1800 clocks per second, which "
+      "leaves none for drawing; increase refresh.bits, or set frame_buffer.pictures to 2");
 }

@@ -54,9 +54,9 @@ TEST_CASE("a model with 100000 open braces is accepted and one more rejected") {
   const std::size_t limit = 100'000;
   CHECK(read(repeat("group(){", limit) + "cube(1);" + repeat("}", limit)).nodes.size() == 1);
   CHECK(error_of(repeat("group(){", limit + 1)) ==
-        fmt::format("m.csg:1:{}: braces nested more than 100000 deep", 8 * limit + 8));
+        fmt::format("m.csg:1:{}: braces are nested more than 100000 deep; split the model", 8 * limit + 8));
   CHECK(error_of(repeat("%group(){", limit + 1)) ==
-        fmt::format("m.csg:1:{}: braces nested more than 100000 deep", 9 * limit + 9));
+        fmt::format("m.csg:1:{}: braces are nested more than 100000 deep; split the model", 9 * limit + 9));
 }
 
 constexpr bool sanitized = CSGSIM_ADDRESS_SANITIZER == 1;  // under this sanitizer it takes minutes
@@ -73,15 +73,15 @@ TEST_CASE("100 MB of repeated text are rejected in one line quickly and in littl
       {"", "(", "m.csg:1:1: expected a node such as cube(...), or `}`, found `(`"},
       {"", "}", "m.csg:1:1: unmatched `}`; remove it"},
       {"cube(", "(", "m.csg:1:6: expected `name = value`, a value or `)` in cube(...), found `(`"},
-      {"cube(", "[", "m.csg:1:14: vectors nested more than 8 deep; no node takes that"},
-      {"cube(", "[],", "m.csg:1:12000006: more than 4000000 values in one node"},
-      {"cube(", "1,", "m.csg:1:8000006: more than 4000000 values in one node"},
-      {"cube(", "size=1,", "m.csg:1:28000011: more than 4000000 values in one node"},
+      {"cube(", "[", "m.csg:1:14: vectors are nested more than 8 deep; no node needs this"},
+      {"cube(", "[],", "m.csg:1:12000006: more than 4000000 values in one node; split the node"},
+      {"cube(", "1,", "m.csg:1:8000006: more than 4000000 values in one node; split the node"},
+      {"cube(", "size=1,", "m.csg:1:28000011: more than 4000000 values in one node; split the node"},
       {"cube(", "1",
        "m.csg:1:6: number out of range: 1111111111111111111111111111111111111111... exceeds the range of doubles"},
       {"", "a",
        "m.csg:1:104857601: expected `(` after aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa..., found the end of the file"},
-      {"", "group(){", "m.csg:1:800008: braces nested more than 100000 deep"},
+      {"", "group(){", "m.csg:1:800008: braces are nested more than 100000 deep; split the model"},
       {"", "group(){}", "m.csg:1:36000001: more than 4000000 nodes; split the model"},
       {"", "*group(){}", "m.csg:1:40000002: more than 4000000 nodes; split the model"},
       {"", "cube(1);", "m.csg:1:8000001: more than 1000000 solids; split the model"},

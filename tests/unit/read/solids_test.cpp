@@ -108,7 +108,8 @@ TEST_CASE("an ill-typed argument is reported at its value") {
 
 TEST_CASE("an unknown argument is rejected with the nearest known one") {
   CHECK(error_of("cube(1, centre = true);") == "m.csg:1:9: cube() has no argument centre; did you mean center?");
-  CHECK(error_of("cube(1, wobbliness = 1);") == "m.csg:1:9: cube() has no argument wobbliness; it takes size, center");
+  CHECK(error_of("cube(1, wobbliness = 1);") ==
+        "m.csg:1:9: cube() has no argument wobbliness; its arguments are size, center");
   CHECK(error_of("group(x = 1);") == "m.csg:1:7: group() has no argument x; remove it");
 }
 
@@ -117,8 +118,8 @@ TEST_CASE("repeated and surplus arguments are rejected") {
   CHECK(error_of("cube(1, convexity = 2, convexity = 2);") ==
         "m.csg:1:24: convexity is given twice in cube(...); remove one");
   CHECK(error_of("cube(1, true, 3);") ==
-        "m.csg:1:15: cube() takes at most 2 arguments without a name; name it or remove it");
-  CHECK(error_of("group(1);") == "m.csg:1:7: group() takes at most 0 arguments without a name; name it or remove it");
+        "m.csg:1:15: cube() accepts at most 2 unnamed arguments; name this one or remove it");
+  CHECK(error_of("group(1);") == "m.csg:1:7: group() accepts at most 0 unnamed arguments; name this one or remove it");
   CHECK(error_of("sphere(r = 1, d = 2);") == "m.csg:1:1: r and d are both given; remove one");
   CHECK(error_of("cylinder(h = 1, r = 1, r1 = 1, r2 = 1);") == "m.csg:1:1: r, r1 and r2 are all given; remove r");
 }

@@ -112,7 +112,8 @@ TEST_CASE("an error for OpenSCAD source refers the user to OpenSCAD") {
 
 TEST_CASE("vectors nested beyond a limit are rejected") {
   CHECK(error_of("cube([[[[[[[[1]]]]]]]]);") == "m.csg:1:6: size of cube() must be a vector of 3 numbers");
-  CHECK(error_of("cube([[[[[[[[[1]]]]]]]]]);") == "m.csg:1:14: vectors nested more than 8 deep; no node takes that");
+  CHECK(error_of("cube([[[[[[[[[1]]]]]]]]]);") ==
+        "m.csg:1:14: vectors are nested more than 8 deep; no node needs this");
 }
 
 TEST_CASE("strings with escapes are read") {

@@ -60,7 +60,7 @@ TEST_CASE("an extrusion's slices beyond the piece limit are rejected before they
 
 TEST_CASE("areas with too many crossing sides are rejected before they are combined") {
   CHECK(refusal("square(size = [1, 1], center = false);\n" + crossing_polygon(3000), 100'000'000) ==
-        "m.csg:2:1: polygon(): combining 2-D shapes takes more work than the limit of 100 million steps; use fewer or "
+        "m.csg:2:1: polygon(): combining 2-D shapes needs more work than the limit of 100 million steps; use fewer or "
         "coarser parts in the model, or raise --limit");
   CHECK(read_within(crossing_polygon(100)).primitives.size() > 100);
 }
@@ -80,7 +80,7 @@ TEST_CASE("the work limit of 2-D and 3-D operations is reported at their node") 
 TEST_CASE("statements count as work and the error names the one beyond the limit") {
   const std::string cubes = "cube(1);\ncube(1);\ncube(1);";
   CHECK(refusal(cubes, 6'000) == "");
-  CHECK(refusal(cubes, 5'999).find("m.csg:3:1: reading statements takes more work than the limit") == 0);
+  CHECK(refusal(cubes, 5'999).find("m.csg:3:1: reading statements needs more work than the limit") == 0);
 }
 
 TEST_CASE("reading a model takes the same number of steps each time") {
@@ -123,6 +123,6 @@ TEST_CASE("a mesh whose check alone exceeds the work limit is rejected beforehan
   const std::string tetrahedron =
       "polyhedron(points = [[0,0,0],[9,0,0],[0,9,0],[2,2,9],[2,2,3]], faces = "
       "[[0,2,1],[0,1,4],[1,3,4],[1,2,3],[0,4,2],[2,4,3]], convexity = 2);";
-  CHECK(refusal(tetrahedron, 10'000).find("m.csg:1:1: checking a mesh of 6 faces takes more work than") == 0);
+  CHECK(refusal(tetrahedron, 10'000).find("m.csg:1:1: checking a mesh of 6 faces needs more work than") == 0);
   CHECK(refusal(tetrahedron, 100'000) == "");
 }

@@ -99,7 +99,7 @@ TEST_CASE("an error in a scene file is reported with its place and the nearest k
 TEST_CASE("conflicting values in a scene file are reported at their table") {
   CHECK(error_in("\n[[lights]]\nintensity = 1\n").starts_with("s.toml:2:1: a directional light"));
   CHECK(error_in("[[materials]]\nto_line = 4\n").find("add from_line") != std::string::npos);
-  CHECK(error_in("[[materials]]\nfrom_line = 4\nto_line = 3\n").find("precede from_line") != std::string::npos);
+  CHECK(error_in("[[materials]]\nfrom_line = 4\nto_line = 3\n").find("precedes from_line") != std::string::npos);
   CHECK(error_in("[camera]\nnear = 1\n").find("perspective") != std::string::npos);
   CHECK(error_in("[[effects.cuts]]\nhatch = 9\n").find("add normal") != std::string::npos);
   CHECK(error_in("[[effects.cuts]]\nnormal = [1, 0, 0]\nhatch = 1\n").find("hatch = 4") != std::string::npos);

@@ -124,7 +124,7 @@ TEST_CASE("an error in a processor file is reported with its place and a fix") {
         "my.toml:1:1: key 'clock.frequency' is missing; add a table [clock.frequency] with value, unit, provenance and "
         "source");
   text = changed("value = 8_000_000", "value = 0");
-  CHECK(message(text) == testing::place_in(text, "0\n") + ": clock.frequency is 0; it takes 1 to 10000000000 Hz");
+  CHECK(message(text) == testing::place_in(text, "0\n") + ": clock.frequency is 0; it must be 1 to 10000000000 Hz");
   text = changed("provenance = \"published\"", "provenance = \"fitted\"");
   CHECK(message(text).find("provenance 'fitted' of price.load; write 'published' or 'assumed'") != std::string::npos);
   text = changed("unit = \"clocks\"", "unit = \"seconds\"");

@@ -281,11 +281,11 @@ TEST_CASE("more pieces or parts of faces than the limits allow are rejected") {
   solids::Limits limits;
   limits.max_pieces = 10;
   CHECK(testing::error_of([&] { convex_pieces(mesh, limits); }) ==
-        "the solid needs more than 10 convex pieces; give it fewer faces, or divide it");
+        "the solid needs more than 10 convex pieces; use fewer faces, or divide the solid");
   limits = {};
   limits.max_fragments = 100;
   CHECK(testing::error_of([&] { convex_pieces(mesh, limits); }) ==
-        "the solid's faces are cut into more than 100 parts; give it fewer faces, or divide it");
+        "the solid's faces are cut into more than 100 parts; use fewer faces, or divide the solid");
 }
 
 TEST_CASE("gathering the faces of a mesh by planes counts as work") {

@@ -255,6 +255,6 @@ TEST_CASE("a surface at its limits on levels and elements and work is accepted")
   const Work counting(1'000'000'000);
   CHECK(subdividing({0.01, sides, 12, counting}, 0) == "");
   CHECK(subdividing({0.01, sides, 12, Work(counting.done())}, 0) == "");
-  CHECK(subdividing({0.01, sides, 12, Work(counting.done() - 1)}, 0).find("subdividing a surface takes more work") ==
+  CHECK(subdividing({0.01, sides, 12, Work(counting.done() - 1)}, 0).find("subdividing a surface needs more work") ==
         0);
 }
