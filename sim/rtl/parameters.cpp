@@ -17,7 +17,7 @@ namespace {
 
 void refuse_other_kind(const machines::Machine& machine) {
   if (machine.kind == &pixel_planes::kind) return;
-  throw InputError(fmt::format("{} is of the kind {}, which has no Verilog; take a machine of the kind {}, such as {}",
+  throw InputError(fmt::format("{} is of the kind {}, which has no Verilog; use a machine of the kind {}, such as {}",
                                machine.name, machine.kind->name, pixel_planes::kind.name, "pixel-planes-4"));
 }
 

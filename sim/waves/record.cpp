@@ -71,7 +71,7 @@ Recording record(const isa::Program& program, const machines::Machine& machine, 
       .reached = false, .taps = hardware->taps(program, request), .top = wave::identifier(machine.kind->name)};
   if (recording.taps.empty()) {
     throw InputError("machines of the kind " + std::string(machine.kind->name) +
-                     " have no waveforms; take another --machine");
+                     " have no waveforms; use another --machine");
   }
   const std::uint64_t first = hardware->skip_to(program, {request.windows.front().begin, request.windows.back().end});
   const auto picoseconds = static_cast<std::uint64_t>(std::llround(period.to_seconds() * 1e12));

@@ -226,7 +226,7 @@ void add_convert(CommandLine& line) {
   command.flag("--ascii", options->ascii, "Write STL as text");
   command
       .option("--resolution", options->resolution,
-              "Cells along each side of a block model, a power of two; 64 if not given")
+              "Cells along each side of a block model, a power of two; default: 64")
       .between(convert::min_cells, convert::max_cells);
   command.option("--threads", options->threads, "Threads that build a mesh; the mesh does not depend on their number")
       .between(1U, max_threads);

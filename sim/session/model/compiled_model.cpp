@@ -92,9 +92,8 @@ CompiledModel compile(ModelFile file, const ModelRequest& request, const machine
 /// Warns if the near plane is so close that few depth steps remain for distant surfaces.
 void warn_of_coarse_depth(const view::View& view) {
   if (view.depth_step <= (view.depth.far - view.depth.near) / 4.0) return;
-  report_line(
-      fmt::format("warning: at the far end one step of depth is {:.3g} model units; move --near away from the eye",
-                  view.depth_step));
+  report_line(fmt::format("warning: one depth step at the far end is {:.3g} model units; move --near away from the eye",
+                          view.depth_step));
 }
 
 /// Warns, once per message, about the substitute for layers that do not fit into memory.
@@ -103,7 +102,7 @@ void warn_of_pattern(const emit::NoRoom& layers, const ModelRequest& request, co
   static std::set<std::string> reported;
   const std::string line = fmt::format(
       "{}: warning: transparent parts are drawn by a screen-door pattern: layers would need {} memory bits per pixel, "
-      "and the machine has {}; take --memory-bits {}, or choose the pattern with --set "
+      "and the machine has {}; use --memory-bits {}, or choose the pattern with --set "
       "effects.transparency.method=screen-door",
       shown_name(request.model), layers.needed, machine.array.memory_bits, layers.needed);
   const std::lock_guard lock(mutex);

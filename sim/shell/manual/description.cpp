@@ -42,7 +42,7 @@ OptionHelp help_of_option(const Option& option) {
           .meaning = option.meaning,
           .words = option.offered,
           .range = option.range,
-          .usual = option.usual,
+          .usual = option.is_required ? std::string() : option.usual,
           .is_needed = option.is_required,
           .takes_several = option.takes == Takes::texts};
 }

@@ -50,11 +50,11 @@ std::string breakable(std::string list) {
 
 std::string meaning_of(const OptionHelp& option) {
   std::string text = option.meaning;
-  if (!option.words.empty()) text += fmt::format(". Words: {}", fmt::join(option.words, ", "));
+  if (!option.words.empty()) text += fmt::format(". Values: {}", fmt::join(option.words, ", "));
   std::string remarks;
   const auto remark = [&](const std::string& one) { remarks += (remarks.empty() ? "" : "; ") + one; };
   if (!option.range.empty()) remark(option.range);
-  if (!option.usual.empty()) remark(breakable(option.usual) + " if not given");
+  if (!option.usual.empty()) remark("default: " + breakable(option.usual));
   if (option.is_needed) remark("required");
   return remarks.empty() ? text : text + " [" + remarks + "]";
 }

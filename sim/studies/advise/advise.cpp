@@ -266,9 +266,8 @@ extern const StudyRow advise_row{
     .example =
         "  csgsim advise carburettor.csg --camera 220,-255,135,2,0,5 --max-bits 64 --max-wrong-pixels 10 --min-fps 20\n"
         "  csgsim advise carburettor.csg --alu-bits 1,2,4,8 --min-colour-bits 12 -o carburettor-advice\n"
-        "Lists are separated by commas, ranges are written 3..8; every combination is measured. Results are "
-        "kept in\n"
-        "advise.csv; after an interruption, the same command resumes, and changed requirements need no new =>"
+        "Lists are separated by commas, ranges are written 3..8; every combination is measured. Results are kept\n"
+        "in advise.csv; after an interruption, the same command resumes. Changed requirements need no new "
         "measurements.",
     .plots = "a plot (.png, .svg) of frame rate against memory",
     .folder = Folder::optional,

@@ -69,8 +69,7 @@ void SweepOptions::add_to(session::OptionList& command) {
       .check(is_axis_list("memory-bits"));
   view.add_view_to(command);
   command.remove("--curves");
-  command
-      .option("--curves", curves, "Ways to draw spheres, cylinders and cones, separated by commas: facets, exact, auto")
+  command.option("--curves", curves, "Ways to draw spheres, cylinders and cones, separated by commas")
       .list_of(names_of(emit::curve_choices), "way");
   command.flag("--no-draw", no_draw, "Count only; do not draw pictures to check that they are identical");
 }

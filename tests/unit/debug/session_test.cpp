@@ -154,8 +154,7 @@ TEST_CASE("errors show the column and suggest the nearest name") {
       {"break",
        "test:1:6: expected a place to stop: i123, clock N, primitive P, or a condition such as Z2[100,20] < 5000"},
       {"step 3 4", "test:1:8: unexpected text; end the line here or start a comment with #"},
-      {"print [20+:5][0,0]",
-       "test:1:7: no such field; a pixel has 24 bits of memory, and a field takes 1 to 32 of them"},
+      {"print [20+:5][0,0]", "test:1:7: no such field; a pixel has 24 bits of memory, and a field has 1 to 32 bits"},
   }};
   for (const auto& [line, error] : lines) CHECK(debug.error(line) == error);
   CHECK(debug("   # a comment") == "");

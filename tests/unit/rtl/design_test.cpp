@@ -61,7 +61,7 @@ TEST_CASE("figures of a machine file become parameters of the Verilog") {
 TEST_CASE("rejects figures that the Verilog lacks and suggests a fix") {
   CHECK(refusal("pixel-planes-4") == "");
   CHECK(refusal("scan-line") ==
-        "scan-line is of the kind scan-line, which has no Verilog; take a machine of the kind frame-buffer, "
+        "scan-line is of the kind scan-line, which has no Verilog; use a machine of the kind frame-buffer, "
         "such as pixel-planes-4");
   CHECK(refusal("pixel-planes-4+alu.bits=2+evaluator.bits=2")
             .ends_with("evaluator.bits is 2, but the Verilog supports only 1; add --set evaluator.bits=1"));
