@@ -12,7 +12,7 @@ namespace csgsim::app {
 /// Reads lines from a terminal, with editing, history (arrow keys) and completion (tab key).
 class Terminal {
  public:
-  /// `words` are the completions on offer.
+  /// `words` are offered as completions.
   Terminal(std::string prompt, std::vector<std::string> words);
   ~Terminal();
   Terminal(const Terminal&) = delete;

@@ -46,7 +46,7 @@ const isa::Instruction& instruction_at(engine::Place place, const isa::Program& 
 
 }  // namespace
 
-FieldMeaning meaning_of(isa::Field field, const isa::Program& program) {
+FieldMeaning field_meaning(isa::Field field, const isa::Program& program) {
   using enum isa::FieldRole;
   const auto named = std::ranges::find(program.facts->fields, field, &isa::NamedField::field);
   if (named == program.facts->fields.end()) return {};
@@ -56,7 +56,7 @@ FieldMeaning meaning_of(isa::Field field, const isa::Program& program) {
 }
 
 std::string value_text(isa::Field field, std::uint32_t value, const isa::Program& program) {
-  const FieldMeaning meaning = meaning_of(field, program);
+  const FieldMeaning meaning = field_meaning(field, program);
   std::string text = fmt::format("{}", value);
   if (field.width > 4) text += fmt::format(" ({:#x})", value);
   if (meaning.is_depth && value == (std::uint64_t{1} << field.width) - 1) text += ", nothing";
@@ -71,7 +71,7 @@ std::string place_text(const engine::Run& run, const isa::Program& program) {
   if (numbers.count() == 0) return "the Program has no instructions\n";
   if (!next) return fmt::format("at the end, after i{}\n", numbers.count() - 1);
   return fmt::format("i{} of {}: {}\n", numbers.of(*next), numbers.count(),
-                     isa::text_of(instruction_at(*next, program), program.facts->fields));
+                     isa::to_text(instruction_at(*next, program), program.facts->fields));
 }
 
 std::string where_text(const engine::Run& run, const isa::Program& program, Clocks& clocks) {
@@ -92,7 +92,7 @@ std::string list_text(std::uint64_t number, const isa::Program& program) {
   for (std::uint64_t i = number - std::min(number, around); i < end; ++i) {
     const isa::Instruction& one = instruction_at(numbers.place(i), program);
     text += fmt::format("{} {:<8} {:<54}  ; {}\n", i == number ? '>' : ' ', fmt::format("i{}", i),
-                        isa::text_of(one, program.facts->fields), isa::text_of(one.origin, *program.facts));
+                        isa::to_text(one, program.facts->fields), isa::to_text(one.origin, *program.facts));
   }
   return text.empty() ? "no instructions\n" : text;
 }

@@ -11,10 +11,10 @@
 
 namespace csgsim::debug {
 
-/// Watches a run for one stop, and computes how far the run can go without a check.
+/// Watches a run for one stop, and computes how far the run can advance before the stop must be checked.
 class Stop {
  public:
-  /// Starts watching at the run's place. All arguments but the target have to outlive it. Throws InputError for a
+  /// Starts watching at the run's place. All arguments but the target must outlive this object. Throws InputError for a
   /// target that the Program does not have, or a clock of a machine without a timeline.
   Stop(const Target& target, const isa::Program& program, const engine::Numbers& numbers, const engine::Run& run,
        Clocks& clocks);

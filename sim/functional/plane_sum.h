@@ -18,7 +18,7 @@ class PlaneSum {
 
   /// c is the sum at the tile's first pixel.
   PlaneSum(const isa::Linear& linear, const TileShape& shape)
-      : a_(linear.a), b_(linear.b), c_(linear.c), huge_(is_huge(linear)) {
+      : a_(linear.a), b_(linear.b), c_(linear.c), huge_(exceeds_limit(linear)) {
     if (huge_) {
       may_wrap_ = true;
       return;
@@ -35,13 +35,14 @@ class PlaneSum {
     narrow_ = linear.shift <= narrow_bits && spread_ + (std::int64_t{1} << linear.shift) < std::int64_t{1} << 30U;
   }
 
-  /// Whether the coefficients are so great that corners outside the picture may exceed 64 bits; then only first_sum may
-  /// be called.
-  [[nodiscard]] bool huge() const { return huge_; }
+  /// Whether the coefficients are so large that sums at corners outside the picture may exceed 64 bits; then only
+  /// first_sum may be called.
+  [[nodiscard]] bool is_huge() const { return huge_; }
   /// Whether the sum may exceed its width at some pixel of the tile.
   [[nodiscard]] bool may_wrap() const { return may_wrap_; }
-  /// Whether the sums of a block minus that at its first pixel, plus a fraction, have fewer than 31 bits.
-  [[nodiscard]] bool narrow() const { return narrow_; }
+  /// Whether, in every block, the differences of sums from that at the block's first pixel, plus a fraction, fit 31
+  /// bits.
+  [[nodiscard]] bool is_narrow() const { return narrow_; }
 
   /// Minimum and maximum over the pixels of the tile.
   [[nodiscard]] std::int64_t least() const { return least_; }
@@ -55,7 +56,7 @@ class PlaneSum {
                           static_cast<std::uint64_t>(low < 0 ? ~low : low));
   }
   /// Whether the sum is constant.
-  [[nodiscard]] bool flat() const { return a_ == 0 && b_ == 0; }
+  [[nodiscard]] bool is_flat() const { return a_ == 0 && b_ == 0; }
 
   /// The sum at the block's first pixel, modulo 2^64.
   [[nodiscard]] std::int64_t first_sum(unsigned block) const {
@@ -75,7 +76,7 @@ class PlaneSum {
  private:
   static constexpr std::int64_t below(std::int64_t value) { return value < 0 ? value : 0; }
   static constexpr std::int64_t above(std::int64_t value) { return value > 0 ? value : 0; }
-  static constexpr bool is_huge(const isa::Linear& linear) {
+  static constexpr bool exceeds_limit(const isa::Linear& linear) {
     constexpr std::int64_t most = std::int64_t{1} << 45U;
     return linear.a > most || linear.a < -most || linear.b > most || linear.b < -most;
   }

@@ -27,7 +27,7 @@ FunctionalRun::FunctionalRun(const isa::Program& program, const machines::Machin
 
 Instructions FunctionalRun::instructions() const { return program_.segments[place_.segment].instructions; }
 
-bool FunctionalRun::finished() const {
+bool FunctionalRun::is_finished() const {
   return program_.segments.empty() || (end_notified_ && place_.segment + 1 == program_.segments.size());
 }
 
@@ -38,7 +38,7 @@ void FunctionalRun::notify_end(Observers observers) {
 }
 
 void FunctionalRun::advance(std::uint64_t number, Observers observers) {
-  while (!finished()) {
+  while (!is_finished()) {
     const std::uint64_t next = numbers_.of(place_);
     if (place_.index < instructions().size()) {
       if (next >= number) return;
@@ -46,7 +46,7 @@ void FunctionalRun::advance(std::uint64_t number, Observers observers) {
       continue;
     }
     notify_end(observers);
-    if (finished() || next >= number) return;
+    if (is_finished() || next >= number) return;
     place_ = {place_.segment + 1, 0};
     end_notified_ = false;
     tiles_.begin(program_.segments[place_.segment].region);
@@ -56,7 +56,7 @@ void FunctionalRun::advance(std::uint64_t number, Observers observers) {
 void FunctionalRun::execute_stretch(std::uint64_t most, Observers observers) {
   end_if_interrupted();
   const Instructions left = instructions().subspan(place_.index);
-  if (met_.asks()) most = 1;
+  if (met_.is_needed()) most = 1;
   const Instructions within = left.first(static_cast<std::size_t>(std::min<std::uint64_t>(most, left.size())));
   const Stretch stretch(within, observers);
   const Instructions executed = stretch.instructions();
@@ -102,9 +102,9 @@ void FunctionalRun::restore(const engine::RunState& state) {
     tiles_.execute(Stretch({squares, 1}, {}));
 }
 
-/// The clocks of the current instruction that depend on pixels.
+/// The clocks of the current instruction at the pixels, if they depend on the pixels.
 std::optional<machines::PixelClocks> FunctionalRun::at_pixels() const {
-  if (!met_.asks()) return std::nullopt;
+  if (!met_.is_needed()) return std::nullopt;
   const isa::Segment& segment = program_.segments[place_.segment];
   return machine_.kind->clocks_at_pixels(segment, place_.index, machine_, &met_.met(place_.segment));
 }

@@ -148,7 +148,8 @@ std::uint64_t Tile::execute_linear(const Instruction& instruction, LinearKind ki
   if (is_linear) {
     const auto& [a, b, c, width, shift] = instruction.linear;
     task.linear = {a, b, c + a * x_ + b * y_, width, shift};
-    if (field.width > 0) task.lanes = &memory_.lanes(field, kind == LinearKind::load ? written() : read());
+    if (field.width > 0)
+      task.lanes = &memory_.lanes(field, kind == LinearKind::load ? blocks_to_overwrite() : blocks_to_update());
     result = run_linear(pixels(), task, enabled_);
   } else {
     result = execute_quadratic(instruction, squares, kind);
@@ -161,7 +162,7 @@ LinearResult Tile::execute_quadratic(const Instruction& instruction, const isa::
   const isa::Linear& linear = instruction.linear;
   QuadraticTask task{kind, QuadraticSum(squares, linear).from(x_, y_), linear.width, linear.shift, nullptr, {}};
   const Field field = instruction.fields[0];
-  const Worked worked = kind == LinearKind::load ? written() : read();
+  const Worked worked = kind == LinearKind::load ? blocks_to_overwrite() : blocks_to_update();
   WidePlanes planes{};
   if (field.width > isa::max_field_width) {
     memory_.planes(field, worked, planes);
@@ -175,7 +176,7 @@ LinearResult Tile::execute_quadratic(const Instruction& instruction, const isa::
 void Tile::root(Field target) {
   if (enabled_ == 0) return;
   WidePlanes planes{};
-  memory_.planes(target, read(), planes);
+  memory_.planes(target, blocks_to_update(), planes);
   take_root(pixels(), std::span(planes).first(target.width));
 }
 
@@ -213,7 +214,7 @@ void Tile::set_constant(Field target, std::uint64_t constant) {
       return;
     }
   }
-  set_lanes(pixels(), memory_.lanes(target, written()), static_cast<std::uint32_t>(constant));
+  set_lanes(pixels(), memory_.lanes(target, blocks_to_overwrite()), static_cast<std::uint32_t>(constant));
 }
 
 /// Whether the source is stored in the same parts as the target.
@@ -244,15 +245,15 @@ void Tile::copy(Field target, Field source) {
       return;
     }
   }
-  Lanes& to = memory_.lanes(target, written());
-  copy_lanes(pixels(), to, memory_.lanes(source, read()));
+  Lanes& to = memory_.lanes(target, blocks_to_overwrite());
+  copy_lanes(pixels(), to, memory_.lanes(source, blocks_to_update()));
 }
 
 void Tile::compare(Comparison comparison, Field left, Field right) {
   if (enabled_ == 0) return;
   if (use_bits(left, right)) return compare_bits(comparison, left, right);
-  Lanes& s = memory_.lanes(left, read());
-  enabled_ = compare_lanes(pixels(), comparison, s, memory_.lanes(right, read()));
+  Lanes& s = memory_.lanes(left, blocks_to_update());
+  enabled_ = compare_lanes(pixels(), comparison, s, memory_.lanes(right, blocks_to_update()));
 }
 
 void Tile::compare_bits(Comparison comparison, Field left, Field right) {
@@ -300,9 +301,9 @@ void Tile::combine_bits(Combine combine, Field target, Field left, Field right) 
 void Tile::add(Field target, Field source) {
   if (enabled_ == 0) return;
   if (use_bits(target, source)) return add_bits(target, source);
-  Lanes& to = memory_.lanes(target, read());
+  Lanes& to = memory_.lanes(target, blocks_to_update());
   const std::uint32_t low_bits = ~std::uint32_t{0} >> (isa::max_field_width - target.width);
-  add_lanes(pixels(), to, memory_.lanes(source, read()), low_bits);
+  add_lanes(pixels(), to, memory_.lanes(source, blocks_to_update()), low_bits);
 }
 
 /// A full adder on words of pixels, with the carry rippling from bit to bit.

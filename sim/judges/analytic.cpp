@@ -78,7 +78,8 @@ class LongCamera {
   LongVector up_{};
   LongVector forward_{};
   long double pixel_ = 0;  ///< orthographic: model units; perspective: tangent
-  /// An orthographic view also shows what is at the eye and behind it; there the size of the picture is the unit.
+  /// Unit of the tolerance: in an orthographic view, which also shows solids at the eye and behind it, the size of the
+  /// picture.
   long double min_unit_ = 0;
 };
 
@@ -192,7 +193,7 @@ AnalyticPictures::AnalyticPictures(const model::Tree& tree, const facet::Facetin
                                    std::uint32_t width, std::uint32_t height)
     : tree_(tree), camera_(camera), truth_(empty_truth(width, height)), nearest_(truth_.owner.size(), -infinitely_far) {
   truth_.plane.clear();
-  for (const model::Primitive& primitive : tree.primitives) meant_.push_back(as_meant(primitive, drawn_as));
+  for (const model::Primitive& primitive : tree.primitives) meant_.push_back(intended_solid(primitive, drawn_as));
   for (const model::Primitive& primitive : meant_) solids_.emplace_back(primitive);
 }
 

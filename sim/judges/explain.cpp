@@ -201,7 +201,7 @@ Ray Explainer::make_ray(Place place) const {
 }
 
 bool Explainer::may_show(std::uint32_t column, std::uint32_t row, std::uint32_t owner, std::uint32_t depth) const {
-  return can_show(tree_, make_ray(place_of(column, row, width_, height_)), owner, depth);
+  return can_show(tree_, make_ray(make_place(column, row, width_, height_)), owner, depth);
 }
 
 }  // namespace csgsim::judges

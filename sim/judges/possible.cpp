@@ -44,7 +44,7 @@ Surface make_surface(std::span<const Met> planes, bool greatest) {
   return surface;
 }
 
-/// Whether the plane is at the surface's depth or nearer.
+/// Whether the plane is at the surface's depth or nearer, as far as known.
 Maybe not_behind(const Met& met, const Surface& surface) {
   if (surface.is(met.plane) || (surface.greatest && surface.has(met.plane))) return Maybe::yes;
   if (met.steps.high <= surface.steps.low) return Maybe::yes;

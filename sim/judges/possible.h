@@ -38,7 +38,7 @@ struct Candidate {
   std::vector<EdgeUse> edges;  ///< the undecided edges; the primitive is inside the decided ones
   std::vector<Met> fronts;
   std::vector<Met> backs;
-  bool doubtful = false;  ///< some of its planes may be edges or surfaces: nothing is known
+  bool doubtful = false;  ///< some planes may be edges or surfaces, so any result is allowed
 };
 
 /// Everything that may be on one ray, primitives in tree order.

@@ -109,7 +109,7 @@ QuadricBounds::Bound QuadricBounds::make_bound(std::uint32_t index, const PlaceR
   bound.down = std::max(0.0, reach.y1 - reach.y0) / 4.0;
   if (bound.drift < line_.edge_on_fraction / 2.0) {
     bound.nature = Nature::edge;
-    bound.greatest = std::max(0.0, -least(section(index), reach));
+    bound.greatest = std::max(0.0, -minimum(section(index), reach));
     return bound;
   }
   const bool is_clear = std::isfinite(quadric.square.error) && quadric.condition < max_condition;
@@ -117,7 +117,7 @@ QuadricBounds::Bound QuadricBounds::make_bound(std::uint32_t index, const PlaceR
     bound.nature = Nature::doubtful;
     return bound;
   }
-  bound.greatest = std::max(1.0, line_.z_per_q * line_.z_per_q * judges::greatest(quadric.square, reach));
+  bound.greatest = std::max(1.0, line_.z_per_q * line_.z_per_q * maximum(quadric.square, reach));
   bound.max_unit = max_unit(index, bound.greatest);
   return bound;
 }

@@ -16,7 +16,7 @@ TreeOnRay::TreeOnRay(const model::Tree& tree)
       Node& child = nodes_[from.children[c]];
       child.parent = i;
       child.inverted = from.op == model::Operator::subtract && c > 0;
-      if (child.value() != child.inverted) ++node.right;
+      if (child.value() != child.inverted) ++node.matching;
     }
   }
   for (std::size_t i = nodes_.size(); i-- > 0;) {
@@ -34,14 +34,14 @@ void TreeOnRay::set(std::uint32_t primitive, bool in) {
   while (node->parent != model::no_index) {
     Node& parent = nodes_[node->parent];
     const bool before = parent.value();
-    value != node->inverted ? ++parent.right : --parent.right;
+    value != node->inverted ? ++parent.matching : --parent.matching;
     if (parent.value() == before) return;
     value = parent.value();
     node = &parent;
   }
 }
 
-bool TreeOnRay::shows(std::uint32_t primitive) const {
+bool TreeOnRay::is_exposed(std::uint32_t primitive) const {
   for (std::uint32_t at = leaf_of_[primitive]; at != model::no_index; at = nodes_[at].parent) {
     if (nodes_[at].value() == nodes_[at].subtracted) return false;
   }

@@ -14,7 +14,7 @@ struct Encoded {
   std::string error;  ///< empty on success
 };
 
-/// Target that a format can be written to.
+/// Where the encoder of a format can write.
 enum class Target {
   none,    ///< unknown format, or one that creates no file
   memory,  ///< Encoded::bytes

@@ -24,7 +24,7 @@ bool is_within(const Box& inner, const Box& outer) {
          inner.bottom <= outer.bottom;
 }
 
-Box around(const Pixel& middle, double half) {
+Box around(const Pixel& middle, double half_side) {
   return {middle.x - half, middle.y - half, middle.x + half, middle.y + half};
 }
 

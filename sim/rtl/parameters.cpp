@@ -37,7 +37,7 @@ bool takes_root(const isa::Program& program) {
 
 }  // namespace
 
-std::vector<Parameter> parameters_of(const machines::Machine& machine, const isa::Program* program) {
+std::vector<Parameter> verilog_parameters(const machines::Machine& machine, const isa::Program* program) {
   refuse_other_kind(machine);
   refuse_above_one(machine, "evaluator.bits", machine.evaluator_bits);
   refuse_above_one(machine, "evaluator.register_levels", machine.register_levels);

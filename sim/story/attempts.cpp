@@ -48,7 +48,7 @@ std::ptrdiff_t passed_tests(Events events, const Attempt& attempt) {
       own, [](const Event& event) { return event.what == What::depth_test && event.decision && event.enabled_after; });
 }
 
-/// The attempt up to the withdrawal of Z1, if the surface is not admitted: all later depth tests are without effect.
+/// The attempt up to the withdrawal of Z1, if the surface is not admitted; later depth tests have no effect.
 Attempt until_withdrawn(const isa::Program& program, Events events, const Attempt& attempt) {
   Attempt until = attempt;
   const auto withdrawn = last_that(events, attempt, [&](const Event& event) {
@@ -157,7 +157,7 @@ void mark_blended(Events events, std::span<Attempt> attempts, std::uint32_t owne
 
 }  // namespace
 
-std::vector<Attempt> attempts_of(const isa::Program& program, std::span<const Event> events, std::uint32_t owner) {
+std::vector<Attempt> find_attempts(const isa::Program& program, std::span<const Event> events, std::uint32_t owner) {
   std::vector<Attempt> attempts;
   for (std::size_t i = 0; i < events.size(); ++i) {
     if (events[i].what != What::surface) continue;

@@ -34,8 +34,8 @@ bool may_set_depth(Opcode opcode) {
 /// Whether the instruction produced the pixel's depth.
 bool sets_depth(Opcode opcode, const PixelStep& step) {
   if (!step.enabled_before) return false;
-  if (opcode == Opcode::keep_max) return step.value > static_cast<std::int64_t>(step.met);
-  if (opcode == Opcode::keep_min) return step.value < static_cast<std::int64_t>(step.met);
+  if (opcode == Opcode::keep_max) return step.value > static_cast<std::int64_t>(step.first_operand);
+  if (opcode == Opcode::keep_min) return step.value < static_cast<std::int64_t>(step.first_operand);
   return true;
 }
 
@@ -73,7 +73,7 @@ class Narrator {
 
   [[nodiscard]] Decision decision_of(const PixelStep& step) const {
     const isa::Instruction& instruction = instruction_of(step);
-    Decision decision{step.segment, number_of(step), instruction, step.value, step.met, step.met_too};
+    Decision decision{step.segment, number_of(step), instruction, step.value, step.first_operand, step.second_operand};
     if (const isa::Instruction* const squares = isa::pending_squares(program_.segments[step.segment], step.index))
       decision.squares = *squares;
     if (uses_quadric(instruction)) decision.quadric = quadric_;
@@ -225,7 +225,7 @@ class Narrator {
     } else if (adds_to_expression(instruction.opcode)) {
       quadric_->depth_number = number_of(step);
       quadric_->middle = step.value;
-      quadric_->offset = step.met;
+      quadric_->offset = step.first_operand;
       quadric_->far = instruction.opcode == Opcode::linear_plus;
     }
   }
@@ -310,8 +310,8 @@ class Narrator {
 
 }  // namespace
 
-std::vector<Event> events_of(const isa::Program& program, const PixelRun& run,
-                             std::span<const std::uint64_t> first_numbers) {
+std::vector<Event> find_events(const isa::Program& program, const PixelRun& run,
+                               std::span<const std::uint64_t> first_numbers) {
   return Narrator(program, run, first_numbers).narrate();
 }
 

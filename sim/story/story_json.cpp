@@ -80,8 +80,8 @@ Json decision_json(const Subject& subject, const Decision& decision) {
     const isa::Linear& squares = decision.squares->linear;
     json["squares"] = {{"xx", squares.a}, {"xy", squares.b}, {"yy", squares.c}};
   }
-  if (decision.instruction.fields[0].width > 0) json["met"] = decision.met;
-  if (decision.instruction.fields[1].width > 0) json["met_too"] = decision.met_too;
+  if (decision.instruction.fields[0].width > 0) json["met"] = decision.first_operand;
+  if (decision.instruction.fields[1].width > 0) json["met_too"] = decision.second_operand;
   if (const auto found = halfspace_of(subject, decision)) {
     json["halfspace"] = {{"primitive", primitive_json(subject.program, found->primitive)},
                          {"index", found->index},

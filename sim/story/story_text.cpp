@@ -134,9 +134,10 @@ class Writer {
     if (!event.decision) return changes_text(event);
     const std::string owner =
         event.owner_before == observe::no_owner ? "" : " of " + primitive_text(program_, event.owner_before);
-    return fmt::format("Z1 {} {} Z2 {}{}", depth_text(program_, static_cast<std::uint32_t>(event.decision->met)),
+    return fmt::format("Z1 {} {} Z2 {}{}",
+                       depth_text(program_, static_cast<std::uint32_t>(event.decision->first_operand)),
                        event.enabled_after ? "is nearer than" : "is not nearer than",
-                       depth_text(program_, static_cast<std::uint32_t>(event.decision->met_too)), owner);
+                       depth_text(program_, static_cast<std::uint32_t>(event.decision->second_operand)), owner);
   }
 
   [[nodiscard]] std::string misfit_text(const Event& event) const {
@@ -171,7 +172,8 @@ class Writer {
     return fmt::format("[{}] ", printable(effects[event.origin.effect]));
   }
 
-  /// Whether the primitive whose depths are stored is at the pixel: absent ones are initialised last.
+  /// Whether the primitive whose depths are stored is at the pixel; for an absent primitive the last event initialises
+  /// the depths.
   static bool is_here(const Event& stored) { return !stored.enabled_after; }
 
   /// Marks the events that get a line: no surfaces beside the pixel, no skipped instructions.

@@ -52,8 +52,9 @@ std::string with_halfspace(const Subject& subject, const Decision& decision) {
 std::string behind_text(const Subject& subject, const Event& test) {
   const isa::Program& program = subject.program;
   return fmt::format("behind {}: i{}, Z1 {} is not less than Z2 {}", primitive_text(program, test.owner_before),
-                     test.decision->number, depth_text(program, static_cast<std::uint32_t>(test.decision->met)),
-                     depth_text(program, static_cast<std::uint32_t>(test.decision->met_too)));
+                     test.decision->number,
+                     depth_text(program, static_cast<std::uint32_t>(test.decision->first_operand)),
+                     depth_text(program, static_cast<std::uint32_t>(test.decision->second_operand)));
 }
 
 std::string comparison_text(const Subject& subject, const Event& comparison) {

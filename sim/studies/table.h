@@ -57,8 +57,8 @@ class Table {
   /// way, with the rows of other points at the end.
   std::vector<std::string> in_order(std::span<const PointRequest> requested);
 
-  /// Takes the rows measured by shards; none may be missing. Throws InputError if a row cannot be read, or if
-  /// the table has rows that the shards lack.
+  /// Stores and returns the rows measured by shards; none may be missing. Throws InputError if a row cannot be read, or
+  /// if the table has rows that the shards lack.
   std::vector<std::string> put(const Gathered& gathered);
 
  private:

@@ -121,7 +121,7 @@ std::vector<std::uint8_t> Instants::pixels_of(isa::Field field, std::string& sca
     }
     return pixels;
   }
-  const debug::FieldPicture made = debug::picture_of(field, *run_, program_);
+  const debug::FieldPicture made = debug::draw_field(field, *run_, program_);
   scale = made.scale;
   if (made.picture.channels == 3) return made.picture.bytes;
   for (const std::uint8_t grey : made.picture.bytes) pixels.insert(pixels.end(), 3, grey);

@@ -31,7 +31,7 @@ systemc::EarlierRun foretold_of(const isa::Program& program, const Foreknowledge
   return foretold;
 }
 
-/// The states after instructions are not used.
+/// A listener that ignores all events.
 class NoListener final : public systemc::RunListener {};
 
 bool can_be_probed(const isa::Program& program, const machines::Machine& machine, const wave::Request& request) {

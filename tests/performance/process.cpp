@@ -43,7 +43,8 @@ std::optional<Took> run(std::span<const std::string> words, const system::ChildL
   if (!ended) return std::nullopt;
   if (ended->exceeded == system::Exceeded::time)
     throw InputError(fmt::format("{}: takes more than {} s", program, limits.time.count()));
-  if (!system::is_done(*ended)) throw InputError(program + ": fails: " + printable(system::why_failed(*ended, limits)));
+  if (!system::has_succeeded(*ended))
+    throw InputError(program + ": fails: " + printable(system::why_failed(*ended, limits)));
   return Took{wall.count(), children_seconds() - before, static_cast<double>(ended->memory), std::move(ended->output)};
 }
 

@@ -63,7 +63,7 @@ void refuse_zero_byte(const std::string& text) {
     throw UsageError(printable(text), "contains a zero byte, which a command line cannot hold; remove it");
 }
 
-/// The name of a word of the option in messages.
+/// What messages call a value of the option.
 std::string kind_of(const Option& option) {
   std::string name = option.key();
   std::ranges::replace(name, '-', ' ');

@@ -160,8 +160,8 @@ std::vector<std::string> with_parameters(const std::vector<std::string>& names, 
   return edited;
 }
 
-void add_parameter_sets(OptionList& command, std::vector<std::string>& sets, const std::string& which) {
-  command.option("--set", sets, "A parameter of " + which + ", as in alu.bits=4; repeat for several");
+void add_parameter_sets(OptionList& command, std::vector<std::string>& sets, const std::string& machine) {
+  command.option("--set", sets, "A parameter of " + machine + ", as in alu.bits=4; repeat for several");
 }
 
 void refuse_scene_sets(const std::vector<std::string>& sets, const std::string& option) {

@@ -53,7 +53,7 @@ engine::RunResult run_with_checkpoints(engine::Engine& engine, const isa::Progra
   }
   const engine::Numbers numbers(program);
   const checkpoint::RunIdentity identity = checkpoint::identity_of(program, machine);
-  while (!run->finished()) {
+  while (!run->is_finished()) {
     if (options.checkpoint.empty()) {
       run->advance(engine::Run::end, all);
       break;

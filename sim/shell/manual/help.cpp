@@ -169,7 +169,7 @@ std::string footer_lines(std::string_view footer, std::size_t columns) {
   return text;
 }
 
-std::string help_of(const CommandHelp& command) {
+std::string help_text(const CommandHelp& command) {
   std::string text = wrapped(command.meaning, 0, 0) + "\n" + usage_line(command);
   if (!command.operands.empty()) text += "\n" + operand_lines(command);
   text += option_lines(command);
@@ -177,7 +177,7 @@ std::string help_of(const CommandHelp& command) {
   return text;
 }
 
-std::string help_of_all(const std::string& meaning, std::span<const CommandHelp> commands) {
+std::string overview_text(const std::string& meaning, std::span<const CommandHelp> commands) {
   std::string text = wrapped(meaning, 0, 0) + "\nUsage: csgsim COMMAND [OPTIONS]\n";
   std::vector<std::string_view> subjects;
   for (const CommandHelp& command : commands) {

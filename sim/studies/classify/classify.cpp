@@ -115,7 +115,7 @@ class Classify : public StudyOf<ClassifyRow> {
 
   [[nodiscard]] std::string json(const std::string& title) const override {
     const std::vector<software::Priced> processors = parse_processors(processors_);
-    const SetPoint columns = setter_of(std::span<const ClassifyRow>(rows()));
+    const SetPoint columns = make_setter(std::span<const ClassifyRow>(rows()));
     return points_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
       columns(json, point);
       const ClassifyRow& row = rows()[point];

@@ -159,7 +159,7 @@ class Corpus : public StudyOf<CorpusRow> {
 
   /// Adds the distribution of each column for each machine.
   [[nodiscard]] std::string json(const std::string& title) const override {
-    nlohmann::ordered_json json = points_json(title, rows().size(), setter_of(Rows(rows())));
+    nlohmann::ordered_json json = points_json(title, rows().size(), make_setter(Rows(rows())));
     json["distributions"] = nlohmann::ordered_json::object();
     for (const std::string& machine : machines_of(Rows(rows()))) {
       for (const CorpusColumn& column : corpus_columns())

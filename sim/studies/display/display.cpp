@@ -130,7 +130,7 @@ class Display : public StudyOf<DisplayStudyRow> {
 
   [[nodiscard]] std::string json(const std::string& title) const override {
     const std::vector<software::Priced> processors = parse_processors(processors_);
-    const SetPoint columns = setter_of(std::span<const DisplayStudyRow>(rows()));
+    const SetPoint columns = make_setter(std::span<const DisplayStudyRow>(rows()));
     return points_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
       columns(json, point);
       const DisplayStudyRow& row = rows()[point];

@@ -54,7 +54,7 @@ constexpr std::uint64_t root_bits = 16;
 
 }  // namespace
 
-Operations subdividing(const MeshRow& row) {
+Operations subdivision_operations(const MeshRow& row) {
   Operations sum;
   price_adds(sum, row.adds);
   price_products(sum, row.products);
@@ -68,7 +68,7 @@ Operations subdividing(const MeshRow& row) {
   return sum;
 }
 
-Operations repairing(const MeshRow& row) {
+Operations repair_operations(const MeshRow& row) {
   Operations sum;
   // An element: a record of its square, corners and sides is written and read; Traverse and two calls of Increment.
   add(sum, row.elements,
@@ -94,7 +94,8 @@ Operations repairing(const MeshRow& row) {
 }
 
 MeshSeconds seconds_of(const MeshRow& row, const processors::Processor& processor) {
-  return {processors::seconds(subdividing(row), processor), processors::seconds(repairing(row), processor)};
+  return {processors::seconds(subdivision_operations(row), processor),
+          processors::seconds(repair_operations(row), processor)};
 }
 
 }  // namespace csgsim::studies

@@ -128,7 +128,7 @@ class Subdivide : public StudyOf<SubdivideRow> {
   }
 
   [[nodiscard]] std::string json(const std::string& title) const override {
-    nlohmann::ordered_json json = points_json(title, rows().size(), setter_of(std::span<const SubdivideRow>(rows())));
+    nlohmann::ordered_json json = points_json(title, rows().size(), make_setter(std::span<const SubdivideRow>(rows())));
     for (nlohmann::ordered_json& point : json["points"]) point = with_parts(point);
     return file_text(json);
   }

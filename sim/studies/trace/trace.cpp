@@ -142,7 +142,7 @@ class Trace : public StudyOf<TraceRow> {
 
   [[nodiscard]] std::string json(const std::string& title) const override {
     const std::vector<software::Priced> processors = parse_processors(processors_);
-    const SetPoint columns = setter_of(std::span<const TraceRow>(rows()));
+    const SetPoint columns = make_setter(std::span<const TraceRow>(rows()));
     return points_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
       columns(json, point);
       const TraceRow& row = rows()[point];

@@ -130,8 +130,8 @@ TEST_CASE("a surface shows where its side is present and no operator removes it"
     const auto held = *rc::gen::container<std::vector<bool>>(tree.primitives.size(), rc::gen::arbitrary<bool>());
     for (std::uint32_t i = 0; i < held.size(); ++i) on_ray.set(i, held[i]);
     for (std::uint32_t i = 0; i < held.size(); ++i) {
-      RC_ASSERT(on_ray.subtracted(i) == rules.taken_away(i));
-      RC_ASSERT(on_ray.shows(i) == (held[i] != rules.taken_away(i) && rules.shows(i, held)));
+      RC_ASSERT(on_ray.is_subtracted(i) == rules.taken_away(i));
+      RC_ASSERT(on_ray.is_exposed(i) == (held[i] != rules.taken_away(i) && rules.shows(i, held)));
     }
   }));
 }

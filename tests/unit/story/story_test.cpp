@@ -137,8 +137,8 @@ TEST_CASE("a farther box drawn later fails the depth test and both depths are re
   REQUIRE(far.fate == Fate::behind);
   const story::Event& test = story.events[far.deciding_event];
   REQUIRE(test.decision.has_value());
-  CHECK(test.decision->met == at_2);
-  CHECK(test.decision->met_too == at_1);
+  CHECK(test.decision->first_operand == at_2);
+  CHECK(test.decision->second_operand == at_1);
   CHECK(test.owner_before == 1);
 }
 
@@ -319,7 +319,7 @@ TEST_CASE("clocks are those in which the pixel executes the instructions in orde
   const PixelCase pixel = draw_case(blind_hole + near_box, 3, 2);
   const story::Story story = pixel.story();
   const isa::Program& program = pixel.compiled.program;
-  const machines::RunRecord record = story::record_of(program, pixel.machine);
+  const machines::RunRecord record = story::make_run_record(program, pixel.machine);
   const machines::Timeline timeline = machines::timeline(program, pixel.machine, record.outcome());
   const auto clocks = machines::at_pixel(timeline, program, pixel.machine, 0, 3, 2);
   std::uint64_t last = 0;
@@ -344,7 +344,7 @@ TEST_CASE("a single pixel equals the whole array including effects") {
   const isa::Program& program = compiled.program;
   const machines::Machine machine = testing::machine_of(program.shape);
   const observe::Frame frame = testing::draw(program);
-  const std::vector<machines::Skip> skips = story::record_of(program, machine).skips;
+  const std::vector<machines::Skip> skips = story::make_run_record(program, machine).skips;
   for (std::uint32_t y = 0; y < 6; ++y) {
     for (std::uint32_t x = 0; x < 8; ++x) {
       const story::PixelRun run = story::run_pixel(program, skips, x, y);

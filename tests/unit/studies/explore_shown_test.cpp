@@ -86,7 +86,7 @@ TEST_CASE("every column that a study names is a column of its rows") {
 }
 
 TEST_CASE("an empty row has zeros and empty cells in the order of its columns") {
-  CHECK(studies::header_of<ExploreRow>() ==
+  CHECK(studies::header_line<ExploreRow>() ==
         "model,machine,process,memory_bits,width,height,z_bits,fraction_bits,colour_bits,pruning,colouring,strategy,"
         "stack_bits,curves,model_hash,machine_hash,csgsim,halfspaces,instructions,clock_hz,clock_path,clocks,"
         "interval_clocks,frames_per_second,used_bits,processors,machine_memory_bits,pixel_transistors,"
