@@ -18,7 +18,7 @@ namespace csgsim::story {
 
 namespace {
 
-constexpr std::array<std::string_view, 10> what_names{"setup", "surface", "depth_test", "comparison", "bits",
+constexpr std::array<std::string_view, 10> kind_names{"setup", "surface", "depth_test", "comparison", "bits",
                                                       "merge", "shade",   "effect",     "skip",       "stored"};
 constexpr std::array<std::string_view, 8> fate_names{"outside",    "no_depth", "refused", "behind",
                                                      "classified", "covered",  "blended", "seen"};
@@ -33,7 +33,7 @@ const isa::NamedField* find(const isa::Program& program, isa::Field field) {
 
 }  // namespace
 
-std::string_view name_of(What what) { return what_names.at(static_cast<std::size_t>(what)); }
+std::string_view name_of(EventKind kind) { return kind_names.at(static_cast<std::size_t>(kind)); }
 std::string_view name_of(Fate fate) { return fate_names.at(static_cast<std::size_t>(fate)); }
 std::string_view name_of(facet::QuadricKind kind) { return quadric_names.at(static_cast<std::size_t>(kind)); }
 

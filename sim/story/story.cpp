@@ -18,7 +18,7 @@ namespace {
 /// segment's instructions at the pixel.
 machines::ClockSpan clocks_of(const Event& event, std::uint64_t first_number,
                               const std::vector<machines::ClockSpan>& clocks) {
-  if (event.what == What::skip) return {};
+  if (event.kind == EventKind::skip) return {};
   return {clocks[static_cast<std::size_t>(event.first - first_number)].begin,
           clocks[static_cast<std::size_t>(event.last - first_number)].end};
 }

@@ -17,7 +17,7 @@
 namespace csgsim::story {
 
 /// Kind of a stretch of instructions at a pixel.
-enum class What : std::uint8_t {
+enum class EventKind : std::uint8_t {
   setup,       ///< initial values, before any surface
   surface,     ///< a primitive's visible surface is written into Z1
   depth_test,  ///< comparison of Z1 with Z2
@@ -70,7 +70,7 @@ struct Decision {
 
 /// Consecutive instructions of one origin that found the pixel enabled or wrote its memory.
 struct Event {
-  What what{};
+  EventKind kind{};
   std::uint32_t segment = 0;
   std::uint64_t first = 0;     ///< number of the first instruction (hw/isa/instruction_numbers.h)
   std::uint64_t last = 0;      ///< number of the last instruction

@@ -96,7 +96,7 @@ Json decision_json(const Subject& subject, const Decision& decision) {
 
 Json event_json(const Subject& subject, const Event& event) {
   const isa::Program& program = subject.program;
-  Json json{{"what", name_of(event.what)}, {"segment", event.segment}, {"first", event.first}, {"last", event.last}};
+  Json json{{"what", name_of(event.kind)}, {"segment", event.segment}, {"first", event.first}, {"last", event.last}};
   if (!event.clocks.empty()) json["clocks"] = {event.clocks.begin, event.clocks.end};
   json["purpose"] = isa::info(event.origin.purpose).name;
   if (event.origin.primitive != isa::no_primitive) json["primitive"] = primitive_json(program, event.origin.primitive);

@@ -76,12 +76,10 @@ class Display : public StudyOf<DisplayStudyRow> {
                 "Tolerances in model units for faceting curved solids, separated by commas")
         .check(session::is_read_by(parse_tolerances))
         .excludes("--tolerance");
-    command
-        .option("--fragments", fragments_,
-                "Numbers: values of $fn for faceting curved solids, in place of the model's own")
+    command.option("--fragments", fragments_, "List of values of $fn for curved solids, in place of the model's own")
         .check(session::is_read_by(parse_display_fragments))
         .excludes("--tolerances");
-    command.option("--bucket-sizes", bucket_sizes_, "Numbers: maximum polygons per bucket of list priority")
+    command.option("--bucket-sizes", bucket_sizes_, "List of maximum numbers of polygons per bucket, for list priority")
         .check(session::is_read_by(bucket_sizes_in));
     command
         .option("--directories", directories_,

@@ -62,7 +62,7 @@ class Mesh : public StudyOf<MeshRow> {
         .words(repairs, session::is_read_by(repairs_in));
     command
         .option("--processors", processors_,
-                "Processors to compute costs for, as names or .toml files separated by commas")
+                "Processors for which seconds are computed: names or .toml files, separated by commas")
         .check(session::is_read_by(meshing_processors));
     json_.add_to(command, "Write the vertices and elements of each mesh");
   }

@@ -81,7 +81,7 @@ class Subdivide : public StudyOf<SubdivideRow> {
   void add_options(session::OptionList& command) override {
     options_.machine = "pixel-square";
     options_.add_to(command);
-    command.option("--subdivisions", levels_, "Numbers: levels of binary subdivision, 0 to 20")
+    command.option("--subdivisions", levels_, "List of levels of binary subdivision, each 0 to 20")
         .check(session::is_read_by(levels_of));
     command
         .option("--tolerances", tolerances_,

@@ -78,21 +78,25 @@ class Trace : public StudyOf<TraceRow> {
         .option("--directories", directories_,
                 "Directories by which rays find facets, separated by commas; see csgsim manual methods")
         .words(software::row_names(software::directories()), session::is_read_by(parse_directories));
-    command.option("--bucket-sizes", bucket_sizes_, "Numbers: maximum facets per cell before it is divided, 1 to 1000")
+    command
+        .option("--bucket-sizes", bucket_sizes_,
+                "List of maximum numbers of facets per cell, each 1 to 1000; a cell with more is divided")
         .check(session::is_read_by(bucket_sizes_in));
     command.option("--cast", cast_, "Rays to cast, separated by commas; each kind includes the preceding ones")
         .words(cast_names, session::is_read_by(parse_cast));
     command
         .option("--facet-test", facet_test_,
-                "List: test primary rays against facets in space, or against projected facets in the picture")
+                "Tests of primary rays, separated by commas: against facets in space, or projected in the picture")
         .words(facet_test_names, session::is_read_by(facet_tests_in));
     command
-        .option("--item-buffer", item_buffer_,
-                "List: cast primary rays, or replace them by a projective pass: list priority with a depth buffer, or "
-                "lists of all depths")
+        .option(
+            "--item-buffer", item_buffer_,
+            "Replacements of primary rays, separated by commas: none (without), or a projective pass, list priority "
+            "with a depth buffer or lists of all depths")
         .words(item_names, session::is_read_by(items_in));
     command
-        .option("--mailboxes", mailboxes_, "List: test a ray against a facet in several cells repeatedly, or only once")
+        .option("--mailboxes", mailboxes_,
+                "Whether a ray is tested only once against a facet in several cells (with), or in each cell (without)")
         .words(switch_names, session::is_read_by(parse_switches));
     command.option("--reflections", reflections_, "Maximum number of successive reflections, 1 to 4")
         .between(1U, max_mirror_depth);
