@@ -19,7 +19,7 @@ class Terminal {
   Terminal& operator=(const Terminal&) = delete;
 
   /// The next line without its end; empty at the end of input.
-  std::optional<std::string> line();
+  std::optional<std::string> read_line();
 
  private:
   struct Editor;

@@ -96,8 +96,8 @@ engine::RunState read_run(isa::ByteReader& in, const isa::Program& program) {
   run.place.segment = in.varint_to<std::uint32_t>(segments == 0 ? 0 : segments - 1);
   const std::size_t instructions = segments == 0 ? 0 : program.segments[run.place.segment].instructions.size();
   run.place.index = in.varint_to<std::uint32_t>(instructions);
-  run.end_reported = in.varint_to<std::uint8_t>(1) != 0;
-  require(!run.end_reported || run.place.index == instructions,
+  run.is_end_reported = in.varint_to<std::uint8_t>(1) != 0;
+  require(!run.is_end_reported || run.place.index == instructions,
           "reports the end of a segment before its last instruction");
   run.overflows = in.varint_to<std::uint64_t>(any_number);
   run.skipped = in.varint_to<std::uint64_t>(any_number);

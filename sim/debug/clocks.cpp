@@ -10,7 +10,7 @@ const machines::Timeline& Clocks::timeline() {
   return *timeline_;
 }
 
-machines::ClockSpan Clocks::issued(engine::Place place) { return timeline().issued[place.segment][place.index]; }
+machines::ClockSpan Clocks::issue_span(engine::Place place) { return timeline().issued[place.segment][place.index]; }
 
 std::uint64_t Clocks::first_after(std::uint64_t clock, std::uint64_t from) {
   const engine::Numbers numbers(program_);

@@ -19,7 +19,7 @@ class Clocks {
 
   /// Clocks in which the instruction at that place is issued. Throws InputError for kinds of machines without a
   /// timeline.
-  [[nodiscard]] machines::ClockSpan issued(engine::Place place);
+  [[nodiscard]] machines::ClockSpan issue_span(engine::Place place);
 
   /// Number of the first instruction, from `from` on, that is not completely issued when the clock begins. Throws
   /// InputError as issued does.

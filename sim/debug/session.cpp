@@ -80,9 +80,9 @@ std::string Session::go(std::optional<Stop> until, const Target* target) {
     advance(look);
     std::string why;
     // every stop must be evaluated, since each remembers the last value
-    if (until && until->reached()) why = to_text(*target, program_) + "\n";
+    if (until && until->is_reached()) why = to_text(*target, program_) + "\n";
     for (std::size_t i = 0; i < stops.size(); ++i) {
-      if (stops[i].reached())
+      if (stops[i].is_reached())
         why += fmt::format("breakpoint {}: {}\n", breakpoints_[i].number, to_text(breakpoints_[i].target, program_));
     }
     finish_trailing_segments();

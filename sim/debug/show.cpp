@@ -27,7 +27,7 @@ std::string served_text(const isa::Origin& origin, const isa::Program& program) 
 }
 
 std::string clocks_text(engine::Place place, Clocks& clocks) {
-  const machines::ClockSpan span = clocks.issued(place);
+  const machines::ClockSpan span = clocks.issue_span(place);
   if (span.empty()) return "";
   return fmt::format("  issued in clocks {}..{}\n", span.begin, span.end - 1);
 }

@@ -88,7 +88,7 @@ bool Stop::is_met(const Condition& condition) {
   return condition.relation == Relation::changes ? value_ != before : held_ && !held_before;
 }
 
-bool Stop::reached() {
+bool Stop::is_reached() {
   const std::uint64_t here = numbers_.of(run_.place());
   if (here < look_ || here == begin_) return false;
   if (const auto* condition = std::get_if<Condition>(&target_)) return is_met(*condition);

@@ -25,11 +25,11 @@ class Stop {
   /// Whether the target is an instruction or a clock at or before the start.
   [[nodiscard]] bool is_behind() const;
 
-  /// Number of the next instruction before which reached() must be called; Run::end if there is none.
+  /// Number of the next instruction before which is_reached() must be called; Run::end if there is none.
   [[nodiscard]] std::uint64_t next_look();
 
   /// Whether the run must stop at its place.
-  [[nodiscard]] bool reached();
+  [[nodiscard]] bool is_reached();
 
  private:
   [[nodiscard]] std::uint64_t look_at_condition(const Condition& condition, std::uint64_t from) const;

@@ -109,7 +109,7 @@ class Engine {
   [[nodiscard]] virtual std::string_view level() const = 0;
 
   /// Runs every segment. Observers are called in the given order. The Program must be valid (isa::validate). Throws
-  /// InputError before the start if the machine lacks what the Program needs (machines::check_runs_on).
+  /// InputError before the start if the machine lacks a feature that the Program needs (machines::check_runs_on).
   virtual RunResult run(const isa::Program& program, std::span<Observer* const> observers) = 0;
 
   /// A run that can stop and continue (sim/engine/run.h), at its first instruction. The Program has to outlive it.

@@ -16,7 +16,7 @@ namespace csgsim::engine {
 /// The complete state of a run at an instruction boundary, the same at every level.
 struct RunState {
   Place place;
-  bool end_reported = false;  ///< observers have been notified of the segment's end
+  bool is_end_reported = false;  ///< observers have been notified of the segment's end
   std::uint64_t overflows = 0;
   std::uint64_t skipped = 0;
   std::vector<bool> answers;

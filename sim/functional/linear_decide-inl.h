@@ -164,7 +164,7 @@ struct CoarseRange {
 HWY_INLINE auto at_least(Coarse left, Coarse right) { return hn::Not(hn::Lt(left, right)); }
 
 template <LinearKind kind>
-HWY_INLINE auto holds_throughout(const CoarseRange& r, bool flat) {
+HWY_INLINE auto holds_throughout(const CoarseRange& r, bool is_flat) {
   using enum LinearKind;
   if constexpr (kind == not_negative || kind == greater_or_equal)
     return at_least(r.low, r.z_greatest);
@@ -175,7 +175,7 @@ HWY_INLINE auto holds_throughout(const CoarseRange& r, bool flat) {
   else if constexpr (kind == less_or_equal)
     return hn::Lt(r.high, hn::Add(r.z_least, r.one));
   else if constexpr (kind == equal)
-    return flat ? hn::And(hn::Eq(r.z_least, r.z_greatest), hn::Eq(r.low, r.z_least)) : hn::Lt(r.low, r.low);
+    return is_flat ? hn::And(hn::Eq(r.z_least, r.z_greatest), hn::Eq(r.low, r.z_least)) : hn::Lt(r.low, r.low);
   else
     return hn::Eq(r.low, r.low);
 }
@@ -197,7 +197,7 @@ HWY_INLINE auto holds_nowhere(const CoarseRange& r) {
     return hn::Lt(r.low, r.low);
 }
 
-HWY_INLINE Coarse scaled(const Bounds& bounds, std::size_t block, int kept) {
+HWY_INLINE Coarse scale_bounds(const Bounds& bounds, std::size_t block, int kept) {
   const Coarse z = hn::BitCast(CoarseTag(), hn::LoadU(hn::RebindToUnsigned<CoarseTag>(), bounds.data() + block));
   return hn::ShiftLeftSame(z, kept);
 }
@@ -226,8 +226,8 @@ Decided decide_coarsely(std::uint64_t enabled, const PlaneSum& sum, const Linear
     const Coarse low = hn::Add(ramp, hn::Set(tag, first + column * column_step + row * row_step));
     CoarseRange range{low, hn::Add(low, spread), hn::Zero(tag), hn::Zero(tag), one};
     if constexpr (!is_sign(kind)) {
-      range.z_least = scaled(task.lanes->least, block, scale.kept);
-      range.z_greatest = scaled(task.lanes->greatest, block, scale.kept);
+      range.z_least = scale_bounds(task.lanes->least, block, scale.kept);
+      range.z_greatest = scale_bounds(task.lanes->greatest, block, scale.kept);
     }
     decided.all |= bits_of_mask(tag, holds_throughout<kind>(range, sum.is_flat())) << block;
     decided.none |= bits_of_mask(tag, holds_nowhere<kind>(range)) << block;

@@ -200,12 +200,12 @@ std::vector<Field> Memory::parts(Field field, std::uint64_t blocks) const {
   return parts;
 }
 
-bool Memory::in_lanes(Field field, std::uint64_t blocks) const {
+bool Memory::is_in_lanes(Field field, std::uint64_t blocks) const {
   return std::ranges::any_of(
       holders_, [&](const Holder& holder) { return holder.field == field && (blocks & ~holder.blocks) == 0; });
 }
 
-bool Memory::in_planes(Field field, std::uint64_t blocks) const {
+bool Memory::is_in_planes(Field field, std::uint64_t blocks) const {
   return std::ranges::none_of(
       holders_, [&](const Holder& holder) { return (holder.blocks & blocks) != 0 && holder.field.overlaps(field); });
 }

@@ -46,7 +46,7 @@ class Memory {
 
   /// Whether the bit is known to be 0 everywhere without examining pixels.
   [[nodiscard]] bool is_zero(unsigned bit) const {
-    return (!planes_[bit] || planes_[bit]->any() == 0) && (holder_counts_[bit] == 0 || in_planes({to_base(bit), 1}));
+    return (!planes_[bit] || planes_[bit]->any() == 0) && (holder_counts_[bit] == 0 || is_in_planes({to_base(bit), 1}));
   }
 
   /// The lanes that store exactly this field in those blocks, for reading and writing there. The lanes returned by the
@@ -58,9 +58,9 @@ class Memory {
   [[nodiscard]] std::vector<isa::Field> parts(isa::Field field, std::uint64_t blocks = all_blocks) const;
 
   /// Whether lanes store exactly this field in those blocks.
-  [[nodiscard]] bool in_lanes(isa::Field field, std::uint64_t blocks = all_blocks) const;
+  [[nodiscard]] bool is_in_lanes(isa::Field field, std::uint64_t blocks = all_blocks) const;
   /// Whether planes store every bit of the field in those blocks.
-  [[nodiscard]] bool in_planes(isa::Field field, std::uint64_t blocks = all_blocks) const;
+  [[nodiscard]] bool is_in_planes(isa::Field field, std::uint64_t blocks = all_blocks) const;
 
   /// Writes the field's value at every pixel, row by row, with `stride` values per row.
   void values(isa::Field field, std::uint32_t* out, std::size_t stride) const;

@@ -18,8 +18,8 @@ class PlaneSum {
 
   /// c is the sum at the tile's first pixel.
   PlaneSum(const isa::Linear& linear, const TileShape& shape)
-      : a_(linear.a), b_(linear.b), c_(linear.c), huge_(exceeds_limit(linear)) {
-    if (huge_) {
+      : a_(linear.a), b_(linear.b), c_(linear.c), is_huge_(exceeds_limit(linear)) {
+    if (is_huge_) {
       may_wrap_ = true;
       return;
     }
@@ -32,17 +32,17 @@ class PlaneSum {
     constexpr std::int64_t steps = block_side - 1;
     low_ = steps * (below(a_) + below(b_));
     spread_ = steps * (above(a_) + above(b_)) - low_;
-    narrow_ = linear.shift <= narrow_bits && spread_ + (std::int64_t{1} << linear.shift) < std::int64_t{1} << 30U;
+    is_narrow_ = linear.shift <= narrow_bits && spread_ + (std::int64_t{1} << linear.shift) < std::int64_t{1} << 30U;
   }
 
   /// Whether the coefficients are so large that sums at corners outside the picture may exceed 64 bits; then only
   /// first_sum may be called.
-  [[nodiscard]] bool is_huge() const { return huge_; }
+  [[nodiscard]] bool is_huge() const { return is_huge_; }
   /// Whether the sum may exceed its width at some pixel of the tile.
   [[nodiscard]] bool may_wrap() const { return may_wrap_; }
   /// Whether, in every block, the differences of sums from that at the block's first pixel, plus a fraction, fit 31
   /// bits.
-  [[nodiscard]] bool is_narrow() const { return narrow_; }
+  [[nodiscard]] bool is_narrow() const { return is_narrow_; }
 
   /// Minimum and maximum over the pixels of the tile.
   [[nodiscard]] std::int64_t least() const { return least_; }
@@ -84,9 +84,9 @@ class PlaneSum {
   std::int64_t a_;
   std::int64_t b_;
   std::int64_t c_;
-  bool huge_;
+  bool is_huge_;
   bool may_wrap_ = false;
-  bool narrow_ = false;
+  bool is_narrow_ = false;
   std::int64_t least_ = 0;
   std::int64_t greatest_ = 0;
   std::int64_t low_ = 0;

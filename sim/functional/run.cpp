@@ -28,13 +28,13 @@ FunctionalRun::FunctionalRun(const isa::Program& program, const machines::Machin
 Instructions FunctionalRun::instructions() const { return program_.segments[place_.segment].instructions; }
 
 bool FunctionalRun::is_finished() const {
-  return program_.segments.empty() || (end_notified_ && place_.segment + 1 == program_.segments.size());
+  return program_.segments.empty() || (is_end_notified_ && place_.segment + 1 == program_.segments.size());
 }
 
 void FunctionalRun::notify_end(Observers observers) {
-  if (end_notified_) return;
+  if (is_end_notified_) return;
   for (engine::Observer* const observer : observers) observer->after_segment(place_.segment, tiles_);
-  end_notified_ = true;
+  is_end_notified_ = true;
 }
 
 void FunctionalRun::advance(std::uint64_t number, Observers observers) {
@@ -48,7 +48,7 @@ void FunctionalRun::advance(std::uint64_t number, Observers observers) {
     notify_end(observers);
     if (is_finished() || next >= number) return;
     place_ = {place_.segment + 1, 0};
-    end_notified_ = false;
+    is_end_notified_ = false;
     tiles_.begin(program_.segments[place_.segment].region);
   }
 }
@@ -82,7 +82,7 @@ void FunctionalRun::execute_stretch(std::uint64_t most, Observers observers) {
 }
 
 engine::RunState FunctionalRun::save() const {
-  engine::RunState state{place_, end_notified_, overflows_, skipped_, answers_, skips_, {}};
+  engine::RunState state{place_, is_end_notified_, overflows_, skipped_, answers_, skips_, {}};
   if (!program_.segments.empty()) state.planes = tiles_.planes();
   return state;
 }
@@ -90,7 +90,7 @@ engine::RunState FunctionalRun::save() const {
 void FunctionalRun::restore(const engine::RunState& state) {
   met_.jump();
   place_ = state.place;
-  end_notified_ = state.end_reported;
+  is_end_notified_ = state.is_end_reported;
   overflows_ = state.overflows;
   skipped_ = state.skipped;
   answers_ = state.answers;

@@ -47,7 +47,7 @@ class FunctionalRun final : public engine::Run {
   engine::Numbers numbers_;
   Tiles tiles_;
   engine::Place place_;
-  bool end_notified_ = false;
+  bool is_end_notified_ = false;
   std::uint64_t overflows_ = 0;
   std::uint64_t skipped_ = 0;
   std::vector<bool> answers_;

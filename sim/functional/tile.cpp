@@ -180,15 +180,15 @@ void Tile::root(Field target) {
   take_root(pixels(), std::span(planes).first(target.width));
 }
 
-bool Tile::use_bits(Field first, Field second) const {
+bool Tile::uses_bits(Field first, Field second) const {
   if (first.width == 1) return true;
-  return first.width <= max_width_as_bits && memory_.in_planes(first, enable_.any()) &&
-         (second.width == 0 || memory_.in_planes(second, enable_.any()));
+  return first.width <= max_width_as_bits && memory_.is_in_planes(first, enable_.any()) &&
+         (second.width == 0 || memory_.is_in_planes(second, enable_.any()));
 }
 
 void Tile::set_constant(Field target, std::uint64_t constant) {
   if (enabled_ == 0) return;
-  if (use_bits(target, {})) {
+  if (uses_bits(target, {})) {
     for (unsigned bit = 0; bit < target.width; ++bit) {
       TileBits& plane = memory_.plane(target.base + bit, enable_.any());
       const std::uint64_t value = (constant >> bit & 1U) != 0 ? ~std::uint64_t{0} : 0;
@@ -205,7 +205,7 @@ void Tile::set_constant(Field target, std::uint64_t constant) {
     }
     return;
   }
-  if (!memory_.in_lanes(target, enable_.any())) {
+  if (!memory_.is_in_lanes(target, enable_.any())) {
     if (const std::vector<Field> parts = memory_.parts(target, enable_.any()); !parts.empty()) {
       for (const Field& part : parts) {
         const std::uint64_t ones = (std::uint64_t{1} << part.width) - 1;
@@ -228,7 +228,7 @@ bool Tile::has_same_parts(Field source, Field target, const std::vector<Field>& 
 
 void Tile::copy(Field target, Field source) {
   if (enabled_ == 0) return;
-  if (use_bits(target, source)) {
+  if (uses_bits(target, source)) {
     for (unsigned bit = 0; bit < target.width; ++bit) {
       TileBits& to = memory_.plane(target.base + bit, enable_.any());
       const TileBits& from = memory_.read(source.base + bit, enable_.any(), first_copy_);
@@ -237,7 +237,7 @@ void Tile::copy(Field target, Field source) {
     }
     return;
   }
-  if (!memory_.in_lanes(target, enable_.any())) {
+  if (!memory_.is_in_lanes(target, enable_.any())) {
     if (const std::vector<Field> parts = memory_.parts(target, enable_.any());
         !parts.empty() && has_same_parts(source, target, parts)) {
       for (const Field& part : parts)
@@ -251,7 +251,7 @@ void Tile::copy(Field target, Field source) {
 
 void Tile::compare(Comparison comparison, Field left, Field right) {
   if (enabled_ == 0) return;
-  if (use_bits(left, right)) return compare_bits(comparison, left, right);
+  if (uses_bits(left, right)) return compare_bits(comparison, left, right);
   Lanes& s = memory_.lanes(left, blocks_to_update());
   enabled_ = compare_lanes(pixels(), comparison, s, memory_.lanes(right, blocks_to_update()));
 }
@@ -300,7 +300,7 @@ void Tile::combine_bits(Combine combine, Field target, Field left, Field right) 
 
 void Tile::add(Field target, Field source) {
   if (enabled_ == 0) return;
-  if (use_bits(target, source)) return add_bits(target, source);
+  if (uses_bits(target, source)) return add_bits(target, source);
   Lanes& to = memory_.lanes(target, blocks_to_update());
   const std::uint32_t low_bits = ~std::uint32_t{0} >> (isa::max_field_width - target.width);
   add_lanes(pixels(), to, memory_.lanes(source, blocks_to_update()), low_bits);

@@ -55,7 +55,7 @@ class LongCamera {
     return perspective_ ? Line{eye_, forward_ + aside} : Line{eye_ + aside, forward_};
   }
 
-  [[nodiscard]] bool perspective() const { return perspective_; }
+  [[nodiscard]] bool is_perspective() const { return perspective_; }
 
   [[nodiscard]] bool same_depth(long double a, long double b) const {
     return std::abs(b - a) <= same_depth_tolerance * std::max({std::abs(a), std::abs(b), min_unit_});
@@ -97,7 +97,7 @@ Window pixel_window(const TrueSolid& solid, const LongCamera& camera, std::uint3
   for (const LongVector& corner : solid.corners()) {
     const LongVector seen = camera.see(corner);
     // A solid that reaches in front of the near plane may be anywhere in the picture.
-    if (camera.perspective() && seen.z < near) return {0, 0, width, height};
+    if (camera.is_perspective() && seen.z < near) return {0, 0, width, height};
     x0 = std::min(x0, std::floor(seen.x));
     y0 = std::min(y0, std::floor(seen.y));
     x1 = std::max(x1, std::ceil(seen.x) + 1);
@@ -161,7 +161,7 @@ class RayPainter {
       Interval in = solids_[i].on(ray);
       if (in.empty()) continue;
       nearest = std::min(nearest, in.low);
-      if (view_.perspective()) in.low = std::max(in.low, near_);
+      if (view_.is_perspective()) in.low = std::max(in.low, near_);
       if (in.empty()) continue;
       events_.push_back({in.low, i, true});
       events_.push_back({in.high, i, false});

@@ -23,12 +23,12 @@ Dyadic ExactLinear::at(Place place) const {
 
 ExactCamera::ExactCamera(const view::Camera& camera, std::uint32_t picture_width, std::uint32_t picture_height,
                          const isa::DepthScale& depth)
-    : perspective(camera.projection == view::Projection::perspective),
+    : is_perspective(camera.projection == view::Projection::perspective),
       width(picture_width),
       height(picture_height),
       eye(to_exact(camera.eye)),
       forward(to_exact(camera.centre) - to_exact(camera.eye)),
-      near(perspective ? depth.near : 1.0) {
+      near(is_perspective ? depth.near : 1.0) {
   const Real length = sqrt(dot(forward, forward).to_real());
   right = cross(forward, to_exact(camera.up));
   if (sqrt(dot(right, right).to_real()) <= along_up * length) right = cross(forward, to_exact({0, 1, 0}));

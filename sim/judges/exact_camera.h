@@ -39,7 +39,7 @@ struct ExactLinear {
 struct ExactCamera {
   ExactCamera(const view::Camera& camera, std::uint32_t width, std::uint32_t height, const isa::DepthScale& depth);
 
-  bool perspective;
+  bool is_perspective;
   std::uint32_t width;
   std::uint32_t height;
   Vector eye;          ///< model space

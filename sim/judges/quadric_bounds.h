@@ -39,10 +39,10 @@ struct DepthLine {
   [[nodiscard]] std::int64_t farthest() const { return (std::int64_t{1} << z_bits) - 1; }
 };
 
-/// What a machine may compute for a quadric at a place.
+/// The results for a quadric at a place that are allowed to a machine.
 struct QuadricMet {
-  bool doubtful = false;     ///< any result is allowed
-  bool edge = false;         ///< whole rays are inside or outside
+  bool is_doubtful = false;  ///< any result is allowed
+  bool is_edge = false;      ///< whole rays are inside or outside
   Maybe is_met = Maybe::no;  ///< whether the ray meets it; for an edge, whether the ray is inside
   Steps nearer;              ///< range of the nearer depth, if it is met
   Steps farther;

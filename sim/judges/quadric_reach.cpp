@@ -25,7 +25,7 @@ PlaceRect hull(const PlaceRect& a, const PlaceRect& b) {
 class Projector {
  public:
   explicit Projector(const ExactCamera& camera)
-      : perspective_(camera.perspective),
+      : perspective_(camera.is_perspective),
         eye_(to_double(camera.eye)),
         forward_(per_length(to_double(camera.forward))),
         right_(per_length(to_double(camera.right)) / camera.right_step.to_double()),

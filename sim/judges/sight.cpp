@@ -37,7 +37,7 @@ Sight::Exact Sight::make_exact(std::uint32_t index) const {
   // The plane's equation on the ray eye + t v, shifted or rotated by the pixel's place, is at_eye + t * along <= 0.
   Exact exact{{at_eye, dot(normal, camera_.right) * camera_.right_step, -(dot(normal, camera_.up) * camera_.up_step)},
               -along};
-  if (perspective()) {
+  if (is_perspective()) {
     exact.l.l0 = along;
     exact.k = at_eye;
   }
@@ -54,8 +54,8 @@ const Sight::Exact& Sight::exact(std::uint32_t index) const {
 double Sight::denominator_size(std::uint32_t index) const {
   if (index >= near_plane()) return std::abs(make_exact(index).k.to_double());
   const facet::Plane& plane = table_.planes()[index];
-  const Vector& factor = perspective() ? from_middle_ : camera_.forward;
-  double size = perspective() ? std::abs(plane.offset) : 0.0;
+  const Vector& factor = is_perspective() ? from_middle_ : camera_.forward;
+  double size = is_perspective() ? std::abs(plane.offset) : 0.0;
   for (int axis = 0; axis < 3; ++axis) {
     size += std::abs(plane.normal[axis] * factor[static_cast<std::size_t>(axis)].to_double());
   }
@@ -130,7 +130,7 @@ double Sight::distance(Sheet sheet, Place place) const {
   Estimate depth = estimate(sheet, place);
   const bool fine = depth.error <= 0x1p-45 * std::abs(depth.value);
   if (!fine) depth.value = static_cast<double>(exactly_at(sheet, place).to_real());
-  return perspective() ? -unit_ / depth.value : unit_ * depth.value;
+  return is_perspective() ? -unit_ / depth.value : unit_ * depth.value;
 }
 
 }  // namespace csgsim::judges

@@ -78,7 +78,7 @@ class Sight {
 
   [[nodiscard]] const ExactCamera& camera() const { return camera_; }
 
-  [[nodiscard]] bool perspective() const { return camera_.perspective; }
+  [[nodiscard]] bool is_perspective() const { return camera_.is_perspective; }
 
   /// |centre - eye|, model units.
   [[nodiscard]] double axis_length() const { return unit_; }

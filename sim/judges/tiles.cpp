@@ -137,8 +137,8 @@ Pieces all_pieces(const facet::Geometry& geometry, const Sight& sight) {
       if (is != Role::edge && !halfspace.positive) is = is == Role::front ? Role::back : Role::front;
       if (is == role) all.halfspaces.push_back(halfspace);
     }
-    if (role == Role::front && sight.perspective()) all.halfspaces.push_back({sight.near_plane(), true});
-    if (role == Role::back && sight.perspective() && !solid.quadrics.empty()) {
+    if (role == Role::front && sight.is_perspective()) all.halfspaces.push_back({sight.near_plane(), true});
+    if (role == Role::back && sight.is_perspective() && !solid.quadrics.empty()) {
       all.halfspaces.push_back({sight.horizon(), true});
     }
     return Run{begin, size()};

@@ -18,7 +18,7 @@ class Sight;
 
 inline constexpr std::uint32_t nothing = 0xffffffffU;
 
-/// What is visible at the pixel centres of a picture, in row order from the top left.
+/// The visible surfaces at the pixel centres of a picture, in row order from the top left.
 struct Truth {
   std::uint32_t width = 0;
   std::uint32_t height = 0;

@@ -14,7 +14,7 @@ struct Encoded {
   std::string error;  ///< empty on success
 };
 
-/// Where the encoder of a format can write.
+/// Kinds of output that the encoder of a format supports.
 enum class Target {
   none,    ///< unknown format, or one that creates no file
   memory,  ///< Encoded::bytes

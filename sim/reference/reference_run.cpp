@@ -41,11 +41,11 @@ void ReferenceRun::begin_segment(std::uint32_t segment) {
   result_.overflows += array_.overflows();
   array_ = ReferenceArray(program_.segments[segment].region, program_.shape.memory_bits);
   place_ = {segment, 0};
-  end_notified_ = false;
+  is_end_notified_ = false;
 }
 
 bool ReferenceRun::is_finished() const {
-  return program_.segments.empty() || (end_notified_ && place_.segment + 1 == program_.segments.size());
+  return program_.segments.empty() || (is_end_notified_ && place_.segment + 1 == program_.segments.size());
 }
 
 void ReferenceRun::advance(std::uint64_t number, std::span<engine::Observer* const> observers) {
@@ -57,9 +57,9 @@ void ReferenceRun::advance(std::uint64_t number, std::span<engine::Observer* con
       execute(observers);
       continue;
     }
-    if (!end_notified_) {
+    if (!is_end_notified_) {
       for (engine::Observer* observer : observers) observer->after_segment(place_.segment, array_);
-      end_notified_ = true;
+      is_end_notified_ = true;
     }
     if (is_finished() || next >= number) return;
     begin_segment(place_.segment + 1);
@@ -90,7 +90,7 @@ void ReferenceRun::execute(std::span<engine::Observer* const> observers) {
 
 engine::RunState ReferenceRun::save() const {
   engine::RunState state{
-      place_, end_notified_, result_.overflows + array_.overflows(), result_.skipped, result_.answers, skips_, {}};
+      place_, is_end_notified_, result_.overflows + array_.overflows(), result_.skipped, result_.answers, skips_, {}};
   if (program_.segments.empty()) return state;
   const isa::Region region = array_.region();
   const std::size_t words = (region.width + word_bits - 1) / word_bits * static_cast<std::size_t>(region.height);
@@ -118,7 +118,7 @@ void ReferenceRun::restore(const engine::RunState& state) {
   place_ = state.place;
   if (const isa::Instruction* const squares = isa::pending_squares(program_.segments[place_.segment], place_.index))
     array_.execute(*squares);
-  end_notified_ = state.end_reported;
+  is_end_notified_ = state.is_end_reported;
   result_.overflows = state.overflows;
   result_.skipped = state.skipped;
   result_.answers = state.answers;

@@ -42,7 +42,7 @@ class ReferenceRun final : public engine::Run {
   machines::Machine machine_;
   engine::Numbers numbers_;
   engine::Place place_;
-  bool end_notified_ = false;
+  bool is_end_notified_ = false;
   ReferenceArray array_{isa::Region{}, 0};
   engine::RunResult result_;
   std::vector<machines::Skip> skips_;

@@ -54,7 +54,7 @@ class CommandLine {
   [[nodiscard]] std::vector<SettableOption> options_of(std::string_view command) const;
 
   /// Runs the command that the arguments (the first is the program's name) select, or prints help. Throws UsageError
-  /// with a one-line message, and what the command throws.
+  /// with a one-line message, and exceptions of the command.
   void run(std::span<char* const> arguments);
 
   /// Runs the command that the first word names, with settings recorded in another file; `watch` observes its run.

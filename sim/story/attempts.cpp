@@ -81,7 +81,8 @@ void find_classification(const isa::Program& program, Events events, Attempt& at
   // The leaf that a label waits for depends on earlier results.
   const bool has_labels = isa::field_of(program, isa::FieldRole::label).width > 0;
   const bool has_products = passed_tests(events, attempt) > 1;
-  const bool is_alone = count == 1 || (emptied && !events[*emptied].by_results && !has_labels && !has_products);
+  const bool is_alone =
+      count == 1 || (emptied && !events[*emptied].uses_several_results && !has_labels && !has_products);
   if (comparison && is_alone) attempt.deciding_comparison = comparison;
 }
 

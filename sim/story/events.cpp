@@ -227,7 +227,7 @@ class Narrator {
       quadric_->depth_number = number_of(step);
       quadric_->middle = step.value;
       quadric_->offset = step.first_operand;
-      quadric_->far = instruction.opcode == Opcode::linear_plus;
+      quadric_->is_far = instruction.opcode == Opcode::linear_plus;
     }
   }
 
@@ -246,7 +246,7 @@ class Narrator {
     }
     const bool meets_mask = has_role(instruction.fields[0], FieldRole::mask);
     if (!meets_mask) return;
-    if (step.before == 1 && step.after == 0 && step.target.width > 0) open_->event.by_results = with_results_;
+    if (step.before == 1 && step.after == 0 && step.target.width > 0) open_->event.uses_several_results = with_results_;
     if (instruction.opcode == Opcode::enable_load || step.target.width > 0) with_results_ = false;
   }
 

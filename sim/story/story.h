@@ -53,7 +53,7 @@ struct QuadricDepth {
   std::uint64_t depth_number = 0;  ///< number of the instruction that computed the depth from it
   std::int64_t middle = 0;         ///< F of that instruction: M, or M + (1 << unit) for the far depth
   std::uint64_t offset = 0;        ///< q << unit
-  bool far = false;
+  bool is_far = false;
 };
 
 /// A deciding instruction, with its operands at the pixel.
@@ -86,17 +86,17 @@ struct Event {
   std::optional<Decision> misfit;  ///< the first instruction whose A*x + B*y + C did not fit its width while the pixel
                                    ///< was enabled
   std::vector<Change> changes;
-  isa::Field merged_into;          ///< merge: the field that received the depth
-  bool takes_pixel = false;        ///< merge: its primitive becomes the owner
-  bool by_results = false;         ///< bits: several comparison results took part, not only the last one
-  std::uint32_t owner_before = 0;  ///< primitive that owns the pixel before; observe::no_owner if none
-  std::uint32_t owner_after = 0;   ///< primitive that owns the pixel after
+  isa::Field merged_into;             ///< merge: the field that received the depth
+  bool takes_pixel = false;           ///< merge: its primitive becomes the owner
+  bool uses_several_results = false;  ///< bits: several comparison results took part, not only the last one
+  std::uint32_t owner_before = 0;     ///< primitive that owns the pixel before; observe::no_owner if none
+  std::uint32_t owner_after = 0;      ///< primitive that owns the pixel after
 
   /// The first change of a field with that role; null if there is none.
   [[nodiscard]] const Change* change_of(const isa::Program& program, isa::FieldRole role) const;
 };
 
-/// What became of a drawn surface at the pixel.
+/// Result for a drawn surface at the pixel.
 enum class Fate : std::uint8_t {
   outside,     ///< the pixel, beside the primitive's outline, was disabled before it had a depth
   no_depth,    ///< nothing remains between the half-spaces of its other side, or within the depth range
@@ -111,7 +111,7 @@ enum class Fate : std::uint8_t {
 /// A surface of a primitive, or of several that form one convex solid, from its rendering to its merge.
 struct Attempt {
   std::uint32_t primitive = 0;  ///< the first one, if there are several
-  std::uint32_t shown = 0;      ///< if merged: the one whose facet is at the pixel, as far as colours tell
+  std::uint32_t shown = 0;      ///< if merged: the primitive whose facet is at the pixel, found by its colour
   std::size_t first_event = 0;  ///< index into Story::events: its rendering
   std::size_t last_event = 0;   ///< the last event before another surface is rendered, or an effect begins
   Fate fate{};

@@ -58,7 +58,7 @@ Json quadric_json(const Subject& subject, const ModelQuadric& quadric) {
 /// The computation of a quadric's depth; instructions by their numbers.
 Json working_json(const QuadricDepth& depth) {
   return {
-      {"side", depth.far ? "far" : "near"},
+      {"side", depth.is_far ? "far" : "near"},
       {"discriminant", {{"instructions", {depth.load_number - 1, depth.load_number}}, {"value", depth.discriminant}}},
       {"root",
        {{"instruction", depth.root_number},

@@ -28,7 +28,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void done() {
+  void finish_point() {
     ++measured_;
     // Points that are measured concurrently are assumed to be nearly done.
     const std::size_t missing = points_ - known_;

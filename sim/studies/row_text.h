@@ -52,7 +52,7 @@ Row from_line(const std::string& line) {
   return row;
 }
 
-/// What a table needs to handle rows as lines.
+/// Properties of a row type that a table needs to handle rows as lines.
 struct RowFormat {
   std::string columns;                              ///< column names as a line
   std::size_t point_columns = 0;                    ///< number of leading columns that identify the point

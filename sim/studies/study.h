@@ -101,7 +101,7 @@ class Study {
   virtual void refuse() const {}
 };
 
-/// How a study's output folder is chosen.
+/// Rule for a study's output folder.
 enum class Folder : std::uint8_t {
   named,     ///< -o is required
   usual,     ///< Study::default_folder() if -o is not given

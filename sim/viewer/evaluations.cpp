@@ -78,7 +78,7 @@ void Evaluation::begin(Stage stage) {
   entry_->since = Evaluations::Clock::now();
 }
 
-EndReason Evaluation::ended() const {
+EndReason Evaluation::end_reason() const {
   const std::lock_guard lock(all_.mutex_);
   return entry_->ended;
 }

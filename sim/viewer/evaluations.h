@@ -78,7 +78,7 @@ class Evaluation {
   Evaluation& operator=(const Evaluation&) = delete;
 
   void begin(Stage stage);
-  [[nodiscard]] EndReason ended() const;
+  [[nodiscard]] EndReason end_reason() const;
 
  private:
   static std::list<Evaluations::Entry>::iterator enter(Evaluations& all, std::string name);

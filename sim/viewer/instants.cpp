@@ -164,7 +164,7 @@ std::uint64_t Instants::number_of(const InstantWish& wish) {
 /// Adds the clocks of issue, or the reason why the machine's kind does not provide them.
 void Instants::put_clocks(engine::Place place, nlohmann::ordered_json& instant) {
   try {
-    const machines::ClockSpan span = clocks_.issued(place);
+    const machines::ClockSpan span = clocks_.issue_span(place);
     instant["clocks"] = {span.begin, span.end};
   } catch (const InputError& error) {
     instant["no_clocks"] = error.what();

@@ -17,9 +17,9 @@ namespace csgsim::viewer {
 struct ConnectionTimes {
   std::chrono::milliseconds request = std::chrono::seconds(10);  ///< time for a request, from the previous reply or
                                                                  ///< from the beginning of the connection
-  std::chrono::milliseconds reply = std::chrono::seconds(60);  ///< time for the client to receive the reply
-  std::chrono::milliseconds leave = std::chrono::seconds(2);   ///< time for the client to close after a last reply
-  std::chrono::milliseconds between_events{500};               ///< between events to an open page
+  std::chrono::milliseconds reply = std::chrono::seconds(60);    ///< time for the client to receive the reply
+  std::chrono::milliseconds leave = std::chrono::seconds(2);     ///< time for the client to close after a last reply
+  std::chrono::milliseconds between_events{500};                 ///< between events to an open page
 };
 
 /// Parameters and callbacks of the server.

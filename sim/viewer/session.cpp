@@ -307,7 +307,8 @@ Reply Session::answer_post(const Request& request, std::string_view path) {
   try {
     return json_reply((this->*question->answer)(wish, evaluation));
   } catch (const Interrupted&) {
-    return ended_reply(evaluation.ended(), session::shown_name(drawings_.beginning().model), evaluations_.time_limit());
+    return ended_reply(evaluation.end_reason(), session::shown_name(drawings_.beginning().model),
+                       evaluations_.time_limit());
   }
 }
 

@@ -40,7 +40,7 @@ class Session {
       : options_(std::move(options)), drawings_(std::move(beginning)), evaluations_(options_.evaluation_time) {}
 
   /// The questions, with the additional members of their wishes:
-  /// - `about`: what the page needs at its start;
+  /// - `about`: the data that the page needs at its start;
   /// - `draw`: a picture, with the stats of csgsim render;
   /// - `explain`: the history of a pixel. Members: `pixel`, `x,y`, and `why_not`, a primitive as in --why-not;
   /// - `instant`: pixel memory before an instruction, with the active tree of the surface that it draws (instants.h,

@@ -67,8 +67,9 @@ Recording record(const isa::Program& program, const machines::Machine& machine, 
   const sc_core::sc_time period = systemc::period_of(machine);
   systemc::WaveRecorder recorder("wave", period);
 
-  Recording recording{
-      .reached = false, .taps = hardware->taps(program, request), .top = wave::identifier(machine.kind->name)};
+  Recording recording{.is_window_reached = false,
+                      .taps = hardware->taps(program, request),
+                      .top = wave::identifier(machine.kind->name)};
   if (recording.taps.empty()) {
     throw InputError("machines of the kind " + std::string(machine.kind->name) +
                      " have no waveforms; use another --machine");
@@ -79,7 +80,7 @@ Recording record(const isa::Program& program, const machines::Machine& machine, 
   NoListener no_listener;
   hardware->run(program, no_listener);
   recording.writing_seconds = recorder.writing().count();
-  recording.reached = recorder.finish();
+  recording.is_window_reached = recorder.finish();
   return recording;
 }
 

@@ -34,9 +34,9 @@ enum class Format : std::uint8_t {
 
 /// The result of a recording.
 struct Recording {
-  double writing_seconds = 0;   ///< wall time for sampling and writing
-  bool reached = false;         ///< a window was reached; otherwise the frame ended before the first window
-  std::vector<wave::Tap> taps;  ///< taps of the file, within `top`, for names and formats; must not be sampled
+  double writing_seconds = 0;      ///< wall time for sampling and writing
+  bool is_window_reached = false;  ///< a window was reached; otherwise the frame ended before the first window
+  std::vector<wave::Tap> taps;     ///< taps of the file, within `top`, for names and formats; must not be sampled
   std::string top;
 };
 

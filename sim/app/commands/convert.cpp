@@ -68,7 +68,7 @@ const convert::Format& requested_format(const Options& options) {
 
 facet::Faceting requested_faceting(const Options& options) {
   if (!options.model.tolerance) return {};
-  if (options.model.tolerance->in_pixels)
+  if (options.model.tolerance->is_in_pixels)
     throw UsageError("--tolerance", "convert has no pixels; give a tolerance in model units, as in 0.1");
   return {.tolerance = options.model.tolerance->value};
 }

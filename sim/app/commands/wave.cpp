@@ -220,7 +220,7 @@ void record(const Options& options, const OptionList& command) {
     return waves::record(program, machine, known, request, fidelity, form, format_of(options));
   });
   const double recording_seconds = seconds_since(begin) - functional_seconds;
-  if (!recording.reached) {
+  if (!recording.is_window_reached) {
     throw UsageError(
         "--window",
         fmt::format("the picture is drawn after {} clocks and shown after {}, before the window {} begins; choose an "

@@ -62,12 +62,12 @@ auto by_name(const Choices& choices) {
 
 /// Parses a number, or a number followed by px.
 Tolerance parse_tolerance(const std::string& text) {
-  const bool in_pixels = text.ends_with("px");
-  const std::string number = in_pixels ? text.substr(0, text.size() - 2) : text;
-  const double value = numbers<double>(number, ',', 1, "--tolerance", in_pixels ? "0.5px" : "0.1, or 0.5px")[0];
+  const bool is_in_pixels = text.ends_with("px");
+  const std::string number = is_in_pixels ? text.substr(0, text.size() - 2) : text;
+  const double value = numbers<double>(number, ',', 1, "--tolerance", is_in_pixels ? "0.5px" : "0.1, or 0.5px")[0];
   if (!(value > 0 && std::isfinite(value)))
     throw UsageError("--tolerance", "the faceting tolerance must be a finite length above 0");
-  return {value, in_pixels};
+  return {value, is_in_pixels};
 }
 
 constexpr InputKind scene_input{"name a scene's .toml file", 1'000'000, "split the model's look into fewer materials"};
@@ -165,8 +165,8 @@ void ModelRequest::add_to(OptionList& options, const std::string& what) {
       .one_of(strategy_names());
   options
       .option("--stack-bits", stack_bits,
-              "Bits of the traversal with --strategy bits, as the thesis counts them: 3 tests a primitive's depth for "
-              "each product, 4 sums products, each further bit keeps the results of one more level")
+              "Bits of --strategy bits, numbered as in the thesis: with 3, a primitive's depth is tested once per "
+              "product; with 4, products are summed; each further bit stores the results of one more level of the tree")
       .between(emit::min_stack_bits, max_stack_bits);
   options
       .option(
@@ -267,7 +267,7 @@ namespace {
 facet::Faceting planar_faceting_of(const ModelRequest& request, const machines::Machine& machine,
                                    const model::Tree& tree) {
   if (!request.tolerance) return {};
-  if (!request.tolerance->in_pixels) return {.tolerance = request.tolerance->value};
+  if (!request.tolerance->is_in_pixels) return {.tolerance = request.tolerance->value};
   const facet::Geometry scene = facet::make_geometry(tree);
   const view::Camera camera = camera_of(request, machine, tree, scene);
   const double nearest = view::make_view(scene, tree, camera, sampling_of(request, machine)).depth.near;

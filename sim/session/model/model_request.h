@@ -26,7 +26,7 @@ namespace csgsim::session {
 /// Maximum distance of facets from the curved surface.
 struct Tolerance {
   double value = 0;
-  bool in_pixels = false;  ///< otherwise in model units
+  bool is_in_pixels = false;  ///< otherwise in model units
 };
 
 /// Upper limit for strategy bits; no tree needs this many.

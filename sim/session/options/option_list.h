@@ -198,7 +198,7 @@ class OptionList {
 
  private:
   Option& add(const std::string& names, Takes takes, const std::string& meaning);
-  [[nodiscard]] Option& named(std::string_view key);
+  [[nodiscard]] Option& find_required(std::string_view key);
 
   std::string name_;
   std::deque<Option> options_;  ///< a deque, so that references stay valid

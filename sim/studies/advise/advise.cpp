@@ -203,7 +203,7 @@ class Advise : public StudyOf<AdviceRow> {
   }
 
   [[nodiscard]] std::vector<report::Section> sections(const report::Json& data) const override {
-    const auto refused = std::ranges::count_if(rows(), [](const AdviceRow& row) { return !row.compiled(); });
+    const auto refused = std::ranges::count_if(rows(), [](const AdviceRow& row) { return !row.is_compiled(); });
     return {recommendations(data, rows().size(), static_cast<std::uint64_t>(refused), pictures_of(options_, advice_)),
             {"Front",
              {report::points_table(data, "/front", "Pareto-optimal choices, fewest memory bits first",
@@ -246,7 +246,7 @@ class Advise : public StudyOf<AdviceRow> {
   }
 
   void conclude() override {
-    if (std::ranges::none_of(rows(), &AdviceRow::compiled)) throw InputError(rows().front().reason);
+    if (std::ranges::none_of(rows(), &AdviceRow::is_compiled)) throw InputError(rows().front().reason);
     advice_ = advice_of(options_, *command_, question_, rows(), are_read());
   }
 

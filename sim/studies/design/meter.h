@@ -73,7 +73,7 @@ class DesignMeter {
   /// (docs/machines.md).
   using SeenBits = std::tuple<Seen, unsigned, unsigned>;
 
-  Fitted fitted(const DesignPoint& point, const Job& job);
+  Fitted fit(const DesignPoint& point, const Job& job);
   void judge(const DesignPoint& point, const Job& job, const Fitted& fitted, DesignRow& row);
   PixelErrors errors_of(const Job& job, const DrawnProgram& drawn);
   ErrorsByColour errors_by_colour(const DesignPoint& point, const Job& job);

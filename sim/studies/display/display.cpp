@@ -50,7 +50,7 @@ std::vector<unsigned> bucket_sizes_in(const std::string& text) {
 /// Exact methods must see the same surfaces of the same facets. Describes the first difference; empty if there is none.
 std::string display_difference(std::span<const DisplayStudyRow> rows) {
   const auto is_judged = [](const DisplayStudyRow& row) {
-    return row.drawn() && software::display_method(row.point.method).is_exact;
+    return row.is_drawn() && software::display_method(row.point.method).is_exact;
   };
   for (const DisplayStudyRow& one : rows) {
     for (const DisplayStudyRow& other : rows) {
@@ -132,7 +132,7 @@ class Display : public StudyOf<DisplayStudyRow> {
     return points_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
       columns(json, point);
       const DisplayStudyRow& row = rows()[point];
-      if (!row.drawn()) return;
+      if (!row.is_drawn()) return;
       for (const software::Priced& processor : processors) {
         if (!processor.processor) continue;
         const DisplaySeconds seconds = display_seconds(row, processor);
@@ -152,7 +152,7 @@ class Display : public StudyOf<DisplayStudyRow> {
   [[nodiscard]] PageSubject page_subject() const override { return {options_, {session::machine_of(options_)}}; }
 
   void refuse() const override {
-    if (std::ranges::none_of(rows(), &DisplayStudyRow::drawn)) throw InputError(rows().front().reason);
+    if (std::ranges::none_of(rows(), &DisplayStudyRow::is_drawn)) throw InputError(rows().front().reason);
     if (const std::string difference = display_difference(rows()); !difference.empty())
       throw InputError(difference + "; " + fault_hint(are_read()));
   }

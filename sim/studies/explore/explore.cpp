@@ -145,7 +145,7 @@ class Explore : public StudyOf<ExploreRow> {
 
   void refuse() const override {
     const std::span<const ExploreRow> all = rows();
-    if (std::ranges::none_of(all, &ExploreRow::compiled) && by_model(all).size() == 1)
+    if (std::ranges::none_of(all, &ExploreRow::is_compiled) && by_model(all).size() == 1)
       throw InputError(all.front().reason);
     if (std::ranges::any_of(all, [](const ExploreRow& row) { return row.unexplained > 0; }))
       throw InputError("the errors of a picture exceed the bounds of docs/numbers.md; " + fault_hint(are_read()));

@@ -238,7 +238,7 @@ std::string explore_json(const std::string& title, std::span<const ExploreRow> r
   Json json = points_json(title, rows.size(), [&](Json& point, std::size_t row) {
     columns(point, row);
     point["design"] = design_json(names, rows[row].point);
-    if (!rows[row].compiled()) return;
+    if (!rows[row].is_compiled()) return;
     const std::pair<bool, bool>& mark = marks[row];
     point["pareto"] = mark.first;
     point["knee"] = mark.second;

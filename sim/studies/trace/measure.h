@@ -88,7 +88,7 @@ struct TraceRow {
   std::string surfaces;  ///< hash of depth and owner of every pixel
   std::string reason;
 
-  [[nodiscard]] bool drawn() const { return reason.empty(); }
+  [[nodiscard]] bool is_drawn() const { return reason.empty(); }
 
   static void columns(auto& row, const auto& visit) {
     TracePoint::columns(row.point, visit);

@@ -60,9 +60,9 @@ std::vector<std::string> parse_switches(const std::string& text) {
 /// first difference; empty if there is none.
 std::string difference_of(std::span<const TraceRow> rows) {
   for (const TraceRow& row : rows) {
-    if (!row.drawn()) continue;
+    if (!row.is_drawn()) continue;
     const auto first = std::ranges::find_if(
-        rows, [&](const TraceRow& one) { return one.drawn() && one.point.tolerance == row.point.tolerance; });
+        rows, [&](const TraceRow& one) { return one.is_drawn() && one.point.tolerance == row.point.tolerance; });
     if (row.surfaces != first->surfaces)
       return fmt::format("the surfaces seen by {} differ from those seen by {}", row.point.directory,
                          first->point.directory);
@@ -150,7 +150,7 @@ class Trace : public StudyOf<TraceRow> {
     return points_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
       columns(json, point);
       const TraceRow& row = rows()[point];
-      if (!row.drawn()) return;
+      if (!row.is_drawn()) return;
       for (const software::Priced& processor : processors) {
         if (!processor.processor) continue;
         const TraceSeconds seconds = seconds_of(row, processor);
@@ -173,7 +173,7 @@ class Trace : public StudyOf<TraceRow> {
   [[nodiscard]] PageSubject page_subject() const override { return {options_, {session::machine_of(options_)}}; }
 
   void refuse() const override {
-    if (std::ranges::none_of(rows(), &TraceRow::drawn)) throw InputError(rows().front().reason);
+    if (std::ranges::none_of(rows(), &TraceRow::is_drawn)) throw InputError(rows().front().reason);
     if (const std::string difference = difference_of(rows()); !difference.empty())
       throw InputError(difference + "; " + fault_hint(are_read()));
   }

@@ -25,7 +25,7 @@ export const wish = () => {
   return now.edited ? {knobs, source: byId('source').value} : {knobs};
 };
 
-// The wish of the visible picture. It is older than wish() while the next picture is evaluated or if it cannot be drawn.
+// The wish of the visible picture. It is older than wish() while the next picture is evaluated, or if that fails.
 export const shownWish = () => now.drawn ? now.drawn.wish : wish();
 
 export {answerTo as ask} from './answers.js';

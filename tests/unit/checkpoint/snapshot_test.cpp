@@ -287,7 +287,7 @@ TEST_CASE("rejects states that no run of the Program can reach") {
   CHECK(refused([](checkpoint::Snapshot& one) { one.run.place.index = 7; }));
   CHECK(refused([](checkpoint::Snapshot& one) { one.run.place.index = 4; }));
   CHECK(refused([](checkpoint::Snapshot& one) { one.run.place.segment = 1; }));
-  CHECK(refused([](checkpoint::Snapshot& one) { one.run.end_reported = true; }));
+  CHECK(refused([](checkpoint::Snapshot& one) { one.run.is_end_reported = true; }));
   CHECK(refused([](checkpoint::Snapshot& one) { one.run.answers.push_back(true); }));
   CHECK(refused([](checkpoint::Snapshot& one) { one.run.skipped = 1; }));
   CHECK(refused([](checkpoint::Snapshot& one) { one.run.skips.push_back({0, 0}); }));

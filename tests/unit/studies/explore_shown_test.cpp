@@ -94,8 +94,8 @@ TEST_CASE("an empty row has zeros and empty cells in the order of its columns") 
   CHECK(studies::to_line(ExploreRow{}) == ",,,,0,0,0,0,0,,,,0,,,,,0,0,0,,0,0,0,0,0,0,,,,,0,0,");
   // The columns before the inputs identify the point.
   CHECK(ExploreRow::point_columns == 14);
-  CHECK(ExploreRow{}.compiled());
-  CHECK_FALSE(refused_row("m", "1", 8, "why").compiled());
+  CHECK(ExploreRow{}.is_compiled());
+  CHECK_FALSE(refused_row("m", "1", 8, "why").is_compiled());
 }
 
 TEST_CASE("each axis reads its value from a row or has none if unpriced") {

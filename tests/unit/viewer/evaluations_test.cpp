@@ -30,15 +30,15 @@ TEST_CASE("cancelling an evaluation by name ends only its thread's work") {
   all.cancel("two");
   all.cancel("");
   CHECK_FALSE(is_interrupted());
-  CHECK(one.ended() == EndReason::not_yet);
+  CHECK(one.end_reason() == EndReason::not_yet);
   all.cancel("one");
   CHECK(is_interrupted());
-  CHECK(one.ended() == EndReason::cancelled);
+  CHECK(one.end_reason() == EndReason::cancelled);
   std::thread([&] {
     const viewer::Evaluation unnamed(all, "");
     all.cancel("");
     CHECK_FALSE(is_interrupted());
-    CHECK(unnamed.ended() == EndReason::not_yet);
+    CHECK(unnamed.end_reason() == EndReason::not_yet);
   }).join();
 }
 
@@ -49,7 +49,7 @@ TEST_CASE("only evaluating has a time limit and each evaluation restarts it") {
     one.begin(doing);
     std::this_thread::sleep_for(time);
     all.end_overdue();
-    return one.ended() == EndReason::overdue;
+    return one.end_reason() == EndReason::overdue;
   };
   CHECK_FALSE(is_overdue_after(Stage::waiting, 40ms));
   CHECK_FALSE(is_overdue_after(Stage::evaluating, 0ms));
@@ -60,7 +60,7 @@ TEST_CASE("only evaluating has a time limit and each evaluation restarts it") {
   CHECK(is_interrupted());
   // The first reason is kept.
   all.cancel("one");
-  CHECK(one.ended() == EndReason::overdue);
+  CHECK(one.end_reason() == EndReason::overdue);
 }
 
 TEST_CASE("a closed session ends current and later work") {
@@ -69,7 +69,7 @@ TEST_CASE("a closed session ends current and later work") {
     const viewer::Evaluation before(all, "");
     all.close();
     CHECK(is_interrupted());
-    CHECK(before.ended() == EndReason::closed);
+    CHECK(before.end_reason() == EndReason::closed);
   }
   CHECK_FALSE(is_interrupted());
   const viewer::Evaluation behind(all, "");
