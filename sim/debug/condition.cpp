@@ -61,7 +61,7 @@ std::string to_text(isa::Field field, const isa::Program& program) {
   if (field.width == 0) return "E";
   for (const isa::NamedField& named : program.facts->fields)
     if (named.field == field) return isa::word_or_quoted(named.name);
-  return isa::to_text(field);
+  return isa::text_of(field);
 }
 
 std::string to_text(const Watched& watched, const isa::Program& program) {

@@ -71,7 +71,7 @@ std::string place_text(const engine::Run& run, const isa::Program& program) {
   if (numbers.count() == 0) return "the Program has no instructions\n";
   if (!next) return fmt::format("at the end, after i{}\n", numbers.count() - 1);
   return fmt::format("i{} of {}: {}\n", numbers.of(*next), numbers.count(),
-                     isa::to_text(instruction_at(*next, program), program.facts->fields));
+                     isa::text_of(instruction_at(*next, program), program.facts->fields));
 }
 
 std::string where_text(const engine::Run& run, const isa::Program& program, Clocks& clocks) {
@@ -92,7 +92,7 @@ std::string list_text(std::uint64_t number, const isa::Program& program) {
   for (std::uint64_t i = number - std::min(number, around); i < end; ++i) {
     const isa::Instruction& one = instruction_at(numbers.place(i), program);
     text += fmt::format("{} {:<8} {:<54}  ; {}\n", i == number ? '>' : ' ', fmt::format("i{}", i),
-                        isa::to_text(one, program.facts->fields), isa::to_text(one.origin, *program.facts));
+                        isa::text_of(one, program.facts->fields), isa::text_of(one.origin, *program.facts));
   }
   return text.empty() ? "no instructions\n" : text;
 }

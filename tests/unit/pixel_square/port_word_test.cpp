@@ -33,10 +33,10 @@ TEST_CASE("consecutive numbers survive slicing at any width") {
 }
 
 TEST_CASE("a header holds x and y and width and height from the lowest bits up") {
-  CHECK(pixel_square::header_line({0x1234, 0x5678, 0x9abc, 0xdef0}) == 0xdef0'9abc'5678'1234);
+  CHECK(pixel_square::header_of({0x1234, 0x5678, 0x9abc, 0xdef0}) == 0xdef0'9abc'5678'1234);
   CHECK(rc::check([] {
     const auto number = [] { return *rc::gen::inRange(0U, 65536U); };
     const isa::Region region{number(), number(), number(), number()};
-    RC_ASSERT(pixel_square::region_of(pixel_square::header_line(region)) == region);
+    RC_ASSERT(pixel_square::region_of(pixel_square::header_of(region)) == region);
   }));
 }

@@ -33,7 +33,7 @@ std::string post(const std::string& fields, const std::string& body) {
 }
 
 /// A request whose header has this number of bytes.
-std::string header_line(std::size_t bytes) {
+std::string header_of(std::size_t bytes) {
   const std::string begin = "GET / HTTP/1.1\r\nX: ";
   return begin + std::string(bytes - begin.size() - 4, 'x') + "\r\n\r\n";
 }
@@ -86,9 +86,9 @@ TEST_CASE("reads a request and its successor alike as a whole and byte by byte")
 }
 
 TEST_CASE("reads a header of exactly the allowed bytes and fields and rejects one more") {
-  CHECK(refusal_of(header_line(200)) == 0);
-  CHECK(read(header_line(200)).state() == State::whole);
-  CHECK(refusal_of(header_line(201)) == 431);
+  CHECK(refusal_of(header_of(200)) == 0);
+  CHECK(read(header_of(200)).state() == State::whole);
+  CHECK(refusal_of(header_of(201)) == 431);
   // The header is refused before its end.
   CHECK(refusal_of("GET / HTTP/1.1\r\nX: " + std::string(181, 'x')) == 0);
   CHECK(refusal_of("GET / HTTP/1.1\r\nX: " + std::string(182, 'x')) == 431);
@@ -157,8 +157,8 @@ TEST_CASE("by default reads a header of 32 KiB and 100 fields and no more") {
     reader.put(bytes);
     return reader.state() == State::whole ? "" : reader.refusal().body;
   };
-  CHECK(refusal(header_line(32'768)) == "");
-  CHECK(refusal(header_line(32'769)) == "{\"error\":\"the header of the request has more than 32768 bytes\"}\n");
+  CHECK(refusal(header_of(32'768)) == "");
+  CHECK(refusal(header_of(32'769)) == "{\"error\":\"the header of the request has more than 32768 bytes\"}\n");
   CHECK(refusal("GET / HTTP/1.1\r\n" + fields(100) + "\r\n") == "");
   CHECK(refusal("GET / HTTP/1.1\r\n" + fields(101) + "\r\n") ==
         "{\"error\":\"the request has more than 100 header fields\"}\n");
