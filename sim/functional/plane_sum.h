@@ -13,7 +13,7 @@ namespace csgsim::functional {
 /// The sum a*x + b*y + c over a tile, with its values at the corners of its blocks.
 class PlaneSum {
  public:
-  /// Maximum number of bits of the numbers that a narrow sum is compared with.
+  /// Maximum number of bits of the numbers with which a narrow sum is compared.
   static constexpr unsigned narrow_bits = 29;
 
   /// c is the sum at the tile's first pixel.

@@ -66,7 +66,7 @@ struct FilterQuadratic {
 struct SightQuadric {
   int opening = 0;         ///< sign of a: 1 if a ray is inside between its depths, -1 if outside between them
   bool is_edge = false;    ///< a = 0 and L = 0 everywhere: whole rays are inside or outside
-  int ahead = 0;           ///< for a cone: -1 if rays end on the nappe that the axis points into, 1 if they begin there
+  int ahead = 0;           ///< for a cone: -1 if rays end in the nappe in the axis's direction, 1 if they begin there
   double condition = 1;    ///< amplification of the rounding of doubles in a
   FilterQuadratic middle;  ///< -L / a, linear: the depths are middle -+ sqrt(square). Unused if a = 0
   FilterQuadratic square;  ///< (L^2 - a Q) / a^2; for an edge -Q

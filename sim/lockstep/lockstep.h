@@ -17,8 +17,8 @@ namespace csgsim::lockstep {
 struct Divergence {
   engine::Place place;  ///< the last instruction before the difference, in A's Program
   std::optional<PixelDifference> pixel;
-  /// The difference if no pixel differs: `clocks`, `enabled pixels`, or `instruction`, the numbers of the instructions
-  /// that each side executes.
+  /// The difference if no pixel differs: `clocks`, `enabled pixels`, or `instruction` (the numbers of the instructions
+  /// that the two sides execute).
   std::optional<TwoValues> otherwise;
 
   bool operator==(const Divergence&) const = default;

@@ -59,7 +59,7 @@ Attempt until_withdrawn(const isa::Program& program, Events events, const Attemp
   return until;
 }
 
-/// Whether the depth test itself disabled the pixel, rather than an instruction beside it.
+/// Whether the comparison of the depth test disabled the pixel, not another instruction of the event.
 bool is_behind(const Event& surface, const Event& test) {
   return test.cut && test.decision && surface.decision &&
          test.cut->instruction.fields[0] == surface.decision->instruction.fields[0];

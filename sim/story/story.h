@@ -23,8 +23,8 @@ enum class EventKind : std::uint8_t {
   depth_test,  ///< comparison of Z1 with Z2
   comparison,  ///< comparison of Z1 with a primitive of the active tree
   bits,        ///< combination of the results of comparisons
-  merge,       ///< Z1 becomes Z2
-  shade,       ///< colour
+  merge,       ///< Z1 is copied to Z2
+  shade,       ///< the colour is written
   effect,      ///< work of an effect for no particular surface
   skip,        ///< instructions skipped by a skip_if_none
   stored,      ///< a primitive's depths are stored in separate fields

@@ -60,7 +60,7 @@ std::string behind_text(const Subject& subject, const Event& test) {
 std::string comparison_text(const Subject& subject, const Event& comparison) {
   const std::string other = primitive_text(subject.program, comparison.origin.node);
   if (!comparison.cut) return fmt::format("in {} (i{}..i{})", other, comparison.first, comparison.last);
-  return fmt::format("out of {} by {}", other, with_halfspace(subject, *comparison.cut));
+  return fmt::format("outside {} by {}", other, with_halfspace(subject, *comparison.cut));
 }
 
 std::string classified_text(const Subject& subject, const Story& story, const Attempt& attempt) {

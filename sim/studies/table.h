@@ -64,7 +64,7 @@ class Table {
  private:
   [[nodiscard]] std::string point_of(const std::string& row) const;
   [[nodiscard]] bool has_inputs(const std::string& row, const PointRequest& requested) const;
-  /// The row that serves a point.
+  /// The row with the results of the requested point of that index; null if there is none.
   [[nodiscard]] const std::string* find(std::span<const PointRequest> requested, std::size_t point) const;
   void take(std::vector<std::string> rows);
 

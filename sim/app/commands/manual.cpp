@@ -94,7 +94,7 @@ void print_rows(const char* what, const Rows& rows) {
   for (const auto& row : rows) fmt::print("  {:<21}{}\n", row.name, row.help);
 }
 
-/// Prints the software methods that csgsim classify knows, and the options they combine with.
+/// Prints the software methods of csgsim classify, and the values of the options with which they can be combined.
 void print_methods(const Options& /*options*/) {
   fmt::print("Methods (--methods)\n");
   for (const software::MethodRow* const row : software::methods())

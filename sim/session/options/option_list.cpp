@@ -264,7 +264,7 @@ void OptionList::give_operand(const std::string& text) {
   const auto next = std::ranges::find_if(options_, takes_more);
   refuse_zero_byte(text);
   if (next == options_.end())
-    throw UsageError(fmt::format("The following argument was not expected: {}; see csgsim {} --help", text, name_));
+    throw UsageError(fmt::format("unexpected argument {}; see csgsim {} --help", text, name_));
   next->given.push_back(text);
 }
 

@@ -15,7 +15,7 @@
 #include <vector>
 
 /// The options of a request as plain data. The command line, the page of `view`, Python and studies describe a request
-/// by this list, set its options by name and read them. Validation and its messages are in one place, here.
+/// by this list, set its options by name and read them. This is the only place that validates options.
 namespace csgsim::session {
 
 /// Returns what is wrong with an option's text, or an empty string.

@@ -19,7 +19,7 @@ std::vector<Measurement> rows_of_knob(std::span<const Measurement> measurements,
 /// first. Points with equal clocks and wrong pixels are listed once.
 std::vector<Measurement> pareto_front(std::span<const Measurement> measurements);
 
-/// One step along a front: the cost of at most half the wrong pixels.
+/// One step along a front, to at most half the wrong pixels, and its cost.
 struct Halving {
   Measurement from;
   Measurement to;

@@ -204,7 +204,7 @@ TEST_CASE("why-not explains each fate and a primitive without instructions") {
   CHECK(contains(answer(draw_case(big + near_box, 4, 2), 1), "p2 cube@3:56 was merged over it"));
   CHECK(contains(answer(draw_case(near_box + big, 4, 2), 2), "behind p1 cube"));
   CHECK(contains(answer(draw_case(through_hole, 3, 2), 1), "classified out: it is in p2 cube"));
-  CHECK(contains(answer(draw_case(through_hole, 3, 2), 2), "classified out: it is out of p1 cube"));
+  CHECK(contains(answer(draw_case(through_hole, 3, 2), 2), "classified out: it is outside p1 cube"));
   CHECK(contains(answer(draw_case(through_hole, 3, 2), 2), "normal (0, 1, 0), distance 4.5"));
   CHECK(contains(answer(draw_case(big, 6, 2), 1), "the pixel is outside its outline: i"));
   CHECK(contains(answer(draw_case(big, 2, 2), 1), "the pixel shows "));
