@@ -98,7 +98,7 @@ void put_bits(isa::ByteWriter& out, const std::vector<bool>& bits) {
 }
 
 std::vector<bool> read_bits(isa::ByteReader& in, std::uint64_t max_count) {
-  const auto count = in.varint_to<std::size_t>(most);
+  const auto count = in.varint_to<std::size_t>(max_count);
   std::vector<bool> bits;
   for (std::size_t begin = 0; begin < count; begin += 8) {
     const unsigned byte = in.byte();

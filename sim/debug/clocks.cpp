@@ -15,7 +15,7 @@ machines::ClockSpan Clocks::issue_span(engine::Place place) { return timeline().
 std::uint64_t Clocks::first_after(std::uint64_t clock, std::uint64_t from) {
   const engine::Numbers numbers(program_);
   for (; from < numbers.count(); ++from)
-    if (issued(numbers.place(from)).end > clock) break;
+    if (issue_span(numbers.place(from)).end > clock) break;
   return from;
 }
 

@@ -52,7 +52,7 @@ void start_opening_module(const std::filesystem::path& picture) {
   if (!loader().begin()) throw InputError(picture.native() + ": " + module_missing_text(role));
 }
 
-const Module& open_module(const std::filesystem::path& picture) {
+const Module& wait_for_module(const std::filesystem::path& picture) {
   start_opening_module(picture);
   const OpenedModule& opened = loader().opened();
   if (opened.symbol == nullptr)

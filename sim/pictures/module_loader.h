@@ -13,6 +13,6 @@ namespace csgsim::pictures {
 void start_opening_module(const std::filesystem::path& picture);
 
 /// Waits until the module is open and returns it. Throws InputError as above, and if the module cannot be opened.
-const Module& open_module(const std::filesystem::path& picture);
+const Module& wait_for_module(const std::filesystem::path& picture);
 
 }  // namespace csgsim::pictures

@@ -211,7 +211,7 @@ TEST_CASE("writes 3MF exactly with one built object and the required package par
         "   </mesh>\n  </object>\n </resources>\n <build>\n  <item objectid=\"1\" />\n </build>\n</model>\n");
   CHECK(solids::unzip(bytes, "a.3mf", "[Content_Types].xml").find("Extension=\"model\"") != std::string::npos);
   CHECK(solids::unzip(bytes, "a.3mf", "_rels/.rels").find("Target=\"/3D/3dmodel.model\"") != std::string::npos);
-  // The first local header: PK 3 4, compress_zlib, time 0 on 1 January 1980 (day in bits 0 to 4, month from bit 5).
+  // The first local header: PK 3 4, deflated, time 0 on 1 January 1980 (day in bits 0 to 4, month from bit 5).
   CHECK(word_at(bytes, 0) == 0x04034b50);
   CHECK(word_at(bytes, 8, 2) == 8);
   CHECK(word_at(bytes, 10, 2) == 0);

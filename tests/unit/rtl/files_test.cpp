@@ -210,17 +210,17 @@ TEST_CASE("pixels have the root flag if any instruction of a segment takes a roo
 TEST_CASE("a template name is between two marks and has capitals and underscores") {
   const std::vector<rtl::Filling> fillings{{"A", "1"}, {"A_B", "two"}, {"NOTHING", ""}};
   const auto filled = [&](std::string_view text) { return rtl::fill_template(text, fillings); };
-  CHECK(fill_template("") == "");
-  CHECK(fill_template("@A@") == "1");
-  CHECK(fill_template("@A@@A_B@@NOTHING@x") == "1twox");
-  CHECK(fill_template("@@") == "@@");
-  CHECK(fill_template("@@A@") == "@1");
-  CHECK(fill_template("@A") == "@A");
-  CHECK(fill_template("@A_B") == "@A_B");
-  CHECK(fill_template("A@") == "A@");
-  CHECK(fill_template("@(A@ @b@ @A B@") == "@(A@ @b@ @A B@");
-  CHECK(fill_template("@x@A@y") == "@x1y");
-  CHECK_THROWS_WITH_AS(fill_template("@A@@B@"), "a template's @B@ has no value", std::logic_error);
+  CHECK(filled("") == "");
+  CHECK(filled("@A@") == "1");
+  CHECK(filled("@A@@A_B@@NOTHING@x") == "1twox");
+  CHECK(filled("@@") == "@@");
+  CHECK(filled("@@A@") == "@1");
+  CHECK(filled("@A") == "@A");
+  CHECK(filled("@A_B") == "@A_B");
+  CHECK(filled("A@") == "A@");
+  CHECK(filled("@(A@ @b@ @A B@") == "@(A@ @b@ @A B@");
+  CHECK(filled("@x@A@y") == "@x1y");
+  CHECK_THROWS_WITH_AS(filled("@A@@B@"), "a template's @B@ has no value", std::logic_error);
   CHECK_THROWS_AS(rtl::template_text("none.v"), std::out_of_range);
 }
 
