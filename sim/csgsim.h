@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a program needs that reads a model, compiles it for a machine, runs it and looks at what came of it:
+/// Headers for a program that reads a model, compiles it for a machine, runs it and inspects the results; see
 /// docs/install.md. Link csgsim::csgsim.
 
 #include "host/emit/compile.h"

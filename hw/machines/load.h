@@ -12,7 +12,6 @@ namespace csgsim::machines {
 /// Work of a part of a machine for one frame.
 struct Load {
   std::string part;          ///< name for users, such as `link from the host`
-  std::string_view does;     ///< verb for its work, such as `sends`
   std::uint64_t clocks = 0;  ///< clocks in which it works
 };
 

@@ -7,13 +7,13 @@ namespace {
 
 /// Load of the node that works most.
 machines::Load busiest(const machines::Account& account) {
-  machines::Load load{"nodes", "work", 0};
+  machines::Load load{"nodes", 0};
   for (const machines::PartAccount& part : account.parts) {
     if (!part.part.starts_with("node ")) continue;
     std::uint64_t clocks = 0;
     for (const NodeActivity one : {NodeActivity::pruning, NodeActivity::sharing, NodeActivity::rendering})
       clocks += machines::clocks_of(account, part.part, name_of(one));
-    if (clocks > load.clocks) load = {part.part, "works", clocks};
+    if (clocks > load.clocks) load = {part.part, clocks};
   }
   return load;
 }
@@ -27,11 +27,10 @@ std::vector<machines::Load> Kind::loads(const machines::FrameTiming& timing) con
   const auto bus = [&](BusActivity activity) {
     return machines::clocks_of(timing.account, "control bus", name_of(activity));
   };
-  return {{"link from the host", "sends", display(DisplayActivity::receiving)},
-          {"display processor", "transforms, divides and broadcasts",
-           display(DisplayActivity::transforming) + display(DisplayActivity::dividing) +
-               display(DisplayActivity::broadcasting)},
-          {"control bus", "is taken", bus(BusActivity::busy) + bus(BusActivity::granting)},
+  return {{"link from the host", display(DisplayActivity::receiving)},
+          {"display processor", display(DisplayActivity::transforming) + display(DisplayActivity::dividing) +
+                                    display(DisplayActivity::broadcasting)},
+          {"control bus", bus(BusActivity::busy) + bus(BusActivity::granting)},
           busiest(timing.account)};
 }
 

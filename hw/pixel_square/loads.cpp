@@ -14,12 +14,12 @@ std::uint64_t working(const machines::Account& account, std::string_view part) {
 }
 
 /// Load of the busiest unit named `name`, or `name` followed by a number.
-machines::Load busiest(const machines::Account& account, std::string_view name, std::string_view does) {
-  machines::Load load{std::string(name), does, 0};
+machines::Load busiest(const machines::Account& account, std::string_view name) {
+  machines::Load load{std::string(name), 0};
   for (const machines::PartAccount& part : account.parts) {
     if (part.part != name && !part.part.starts_with(std::string(name) + " ")) continue;
     const std::uint64_t clocks = working(account, part.part);
-    if (clocks > load.clocks) load = {part.part, load.does, clocks};
+    if (clocks > load.clocks) load = {part.part, clocks};
   }
   return load;
 }
@@ -28,12 +28,9 @@ machines::Load busiest(const machines::Account& account, std::string_view name, 
 std::vector<machines::Load> front_loads(const machines::Account& account) {
   const bool has_ring = std::ranges::any_of(account.parts, [](const auto& part) { return part.part == "ring"; });
   if (has_ring) {
-    return {busiest(account, "processor", "sends"),
-            {"ring", "carries as much as it can", account.count("ring_full_clocks")}};
+    return {busiest(account, "processor"), {"ring", account.count("ring_full_clocks")}};
   }
-  return {{"link from the host", "sends", working(account, "host")},
-          busiest(account, "divider", "tests and writes"),
-          busiest(account, "sender", "sends")};
+  return {{"link from the host", working(account, "host")}, busiest(account, "divider"), busiest(account, "sender")};
 }
 
 }  // namespace
@@ -42,8 +39,8 @@ std::vector<machines::Load> Kind::loads(const machines::FrameTiming& timing) con
   const machines::Account& account = timing.account;
   const std::uint64_t refreshing = machines::clocks_of(account, "frame buffer", name_of(SquareActivity::refreshing));
   std::vector<machines::Load> loads = front_loads(account);
-  loads.push_back(busiest(account, "renderer", "draws"));
-  loads.push_back({"frame buffer", "takes colours or shows them", working(account, "frame buffer") + refreshing});
+  loads.push_back(busiest(account, "renderer"));
+  loads.push_back({"frame buffer", working(account, "frame buffer") + refreshing});
   return loads;
 }
 

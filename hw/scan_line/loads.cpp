@@ -6,11 +6,10 @@ std::vector<machines::Load> Kind::loads(const machines::FrameTiming& timing) con
   const auto of = [&](const char* part, const char* activity) {
     return machines::clocks_of(timing.account, part, activity);
   };
-  return {{"host", "works",
-           of("host", "sorting") + of("host", "updating") + of("host", "preparing") + of("host", "starting")},
-          {"link from the host", "sends", of("link", "sending")},
-          {"chain of cells", "takes packets", of("entry", "entering")},
-          {"refresh path", "shows", of("refresh", "showing")}};
+  return {{"host", of("host", "sorting") + of("host", "updating") + of("host", "preparing") + of("host", "starting")},
+          {"link from the host", of("link", "sending")},
+          {"chain of cells", of("entry", "entering")},
+          {"refresh path", of("refresh", "showing")}};
 }
 
 }  // namespace csgsim::scan_line

@@ -24,12 +24,12 @@ constexpr int bad_usage = 2;
 constexpr int our_fault = 3;
 
 /// Whether all output reached standard output.
-bool printed() {
+bool is_output_complete() {
   if (!csgsim::prints_to_standard_output()) return true;
   return std::cout.flush().good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
 }
 
-int not_printed() {
+int report_incomplete_output() {
   csgsim::report_line("csgsim: cannot write to standard output; check for free space");
   return bad_input;
 }
@@ -47,16 +47,16 @@ int run(csgsim::shell::CommandLine& line, std::span<char* const> arguments) {
     csgsim::tell("csgsim: there is not enough memory\n");
     return bad_input;
   } catch (const std::exception& error) {
-    if (!printed()) return not_printed();
+    if (!is_output_complete()) return report_incomplete_output();
     csgsim::report_line("csgsim: " + std::string(error.what()) + "; this is a bug in csgsim, please report it");
     return our_fault;
   }
   return 0;
 }
 
-/// Whether the command line concerns one command only: describing all of them takes longer than converting a small
-/// model.
-bool is_alone(std::span<char* const> arguments) {
+/// Whether the command line concerns one command only, so that the others need not be described: describing all of them
+/// would need more time than converting a small model.
+bool is_single_command(std::span<char* const> arguments) {
   const auto names_settings = [](std::string_view word) { return word.starts_with("--config"); };
   return std::ranges::none_of(arguments, names_settings);
 }
@@ -76,7 +76,7 @@ bool add_command(csgsim::shell::CommandLine& line, std::string_view name) {
 }
 
 void add_commands(csgsim::shell::CommandLine& line, std::span<char* const> arguments) {
-  if (arguments.size() > 1 && is_alone(arguments) && add_command(line, arguments[1])) return;
+  if (arguments.size() > 1 && is_single_command(arguments) && add_command(line, arguments[1])) return;
   for (const csgsim::app::CommandRow* const row : csgsim::app::commands()) row->add(line);
   for (const csgsim::studies::StudyRow* const row : csgsim::studies::all()) csgsim::app::add_study(line, *row);
   csgsim::app::add_gather(line, csgsim::studies::all());
@@ -95,5 +95,5 @@ int main(int argc, char** argv) {
   const std::span<char* const> arguments(argv, static_cast<std::size_t>(argc));
   add_commands(line, arguments);
   const int code = run(line, arguments);
-  return code == 0 && !printed() ? not_printed() : code;
+  return code == 0 && !is_output_complete() ? report_incomplete_output() : code;
 }

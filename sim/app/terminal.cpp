@@ -67,7 +67,7 @@ Terminal::Terminal(std::string prompt, std::vector<std::string> words)
 
 Terminal::~Terminal() = default;
 
-std::optional<std::string> Terminal::line() {
+std::optional<std::string> Terminal::read_line() {
   int length = 0;
   const char* const read = el_gets(editor_->line, &length);
   if (read == nullptr || length <= 0) return std::nullopt;

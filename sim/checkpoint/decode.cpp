@@ -38,7 +38,8 @@ std::span<const std::byte> checked_body(std::span<const std::byte> bytes) {
         fmt::format("has format version {}, but this csgsim reads {}", version, snapshot_version));
   const auto summed = bytes.first(bytes.size() - snapshot_checksum_size);
   isa::ByteReader sum(bytes.subspan(summed.size()));
-  require(fixed(sum, snapshot_checksum_size) == snapshot_checksum(summed), "is damaged: its checksum does not match");
+  require(read_fixed(sum, snapshot_checksum_size) == snapshot_checksum(summed),
+          "is damaged: its checksum does not match");
   return summed.subspan(head);
 }
 
@@ -48,18 +49,18 @@ std::uint64_t padding_of(const isa::Region& region) {
 }
 
 void read_planes(isa::ByteReader& in, const isa::Program& program, engine::RunState& run) {
-  if (program.segments.empty()) return require(in.varint() == 0, "holds pixels of no segment");
+  if (program.segments.empty()) return require(in.varint() == 0, "holds pixels, but the Program has no segments");
   const isa::Region region = program.segments[run.place.segment].region;
   const std::size_t row = (region.width + 63U) / 64U;
   const std::size_t words = row * region.height;
   const std::uint64_t stored = in.varint();  // 0: all planes are zero
-  require(stored == 0 || stored == words, "holds pixels of another region");
+  require(stored == 0 || stored == words, "holds pixels of a region of another size");
   run.planes.resize(std::size_t{program.shape.memory_bits} + 1);
   if (stored == 0) return;
   for (std::vector<std::uint64_t>& one : run.planes) {
-    one = plane(in, words);
+    one = read_plane(in, words);
     for (std::size_t last = row - 1; last < one.size(); last += row)
-      require((one[last] & padding_of(region)) == 0, "holds bits beside the pixels");
+      require((one[last] & padding_of(region)) == 0, "sets bits beyond the last pixel of a row");
   }
 }
 
@@ -77,15 +78,15 @@ std::uint64_t executed_instructions(const engine::RunState& run, const isa::Prog
       if (all[index].opcode == isa::Opcode::global_or) ++answers;
       if (skip == run.skips.end() || skip->segment != segment || skip->index != index) continue;
       const std::uint64_t left_out = isa::skipped_after(all[index], 0);
-      require(left_out > 0, "skips where the Program does not");
+      require(left_out > 0, "has a skip at an instruction that cannot skip");
       skipped += left_out;
       index += static_cast<std::size_t>(left_out);
       ++skip;
     }
-    require(index == end, "has its place inside skipped instructions");
+    require(index == end, "stops inside skipped instructions");
   }
-  require(skip == run.skips.end() && skipped == run.skipped, "skips what the Program does not");
-  require(answers == run.answers.size(), "holds answers that do not match the Program's questions");
+  require(skip == run.skips.end() && skipped == run.skipped, "has skips that the Program cannot make");
+  require(answers == run.answers.size(), "has a number of global-OR results that does not match the Program");
   return count;
 }
 
@@ -95,11 +96,12 @@ engine::RunState read_run(isa::ByteReader& in, const isa::Program& program) {
   run.place.segment = in.varint_to<std::uint32_t>(segments == 0 ? 0 : segments - 1);
   const std::size_t instructions = segments == 0 ? 0 : program.segments[run.place.segment].instructions.size();
   run.place.index = in.varint_to<std::uint32_t>(instructions);
-  run.end_reported = in.varint_to<std::uint8_t>(1) != 0;
-  require(!run.end_reported || run.place.index == instructions, "ends a segment before its end");
+  run.is_end_reported = in.varint_to<std::uint8_t>(1) != 0;
+  require(!run.is_end_reported || run.place.index == instructions,
+          "reports the end of a segment before its last instruction");
   run.overflows = in.varint_to<std::uint64_t>(any_number);
   run.skipped = in.varint_to<std::uint64_t>(any_number);
-  run.answers = bits(in, engine::Numbers(program).count());
+  run.answers = read_bits(in, engine::Numbers(program).count());
   const std::uint64_t skips = in.varint();
   require(skips <= in.left(), "ends too soon");
   for (std::uint64_t i = 0; i < skips; ++i) {
@@ -122,14 +124,15 @@ observe::FrameObserver::Gathered read_picture(isa::ByteReader& in, const isa::Pr
   observe::FrameObserver::Gathered picture;
   picture.frame.width = program.shape.width;
   picture.frame.height = program.shape.height;
-  picture.frame.colour = pixels(in, count);
-  picture.frame.depth = pixels(in, count);
-  picture.frame.owner = pixels(in, count);
-  if (isa::field_of(program, isa::FieldRole::candidate_colour).width > 0) picture.candidate_owner = pixels(in, count);
+  picture.frame.colour = read_pixels(in, count);
+  picture.frame.depth = read_pixels(in, count);
+  picture.frame.owner = read_pixels(in, count);
+  if (isa::field_of(program, isa::FieldRole::candidate_colour).width > 0)
+    picture.candidate_owner = read_pixels(in, count);
   if (!observe::FrameObserver(program).gathered().panes.owner.empty()) {
     for (std::vector<std::uint32_t>* const one :
          {&picture.frame.opaque_depth, &picture.frame.opaque_owner, &picture.panes.owner, &picture.panes.depth})
-      *one = pixels(in, count);
+      *one = read_pixels(in, count);
   }
   const unsigned colour = program.colour.width;
   const unsigned depth = isa::field_of(program, isa::FieldRole::depth).width;
@@ -156,8 +159,8 @@ observe::Stats read_stats(isa::ByteReader& in, const isa::Program& program) {
 Snapshot read_body(std::span<const std::byte> body, const isa::Program& program, const machines::Machine& machine) {
   isa::ByteReader in(body);
   Snapshot snapshot;
-  snapshot.identity.program = fixed(in, 8);
-  snapshot.identity.machine = fixed(in, 8);
+  snapshot.identity.program = read_fixed(in, 8);
+  snapshot.identity.machine = read_fixed(in, 8);
   const RunIdentity expected = identity_of(program, machine);
   if (snapshot.identity.program != expected.program)
     throw InputError("the checkpoint belongs to another Program; resume it with the Program it was taken from");
@@ -166,7 +169,7 @@ Snapshot read_body(std::span<const std::byte> body, const isa::Program& program,
   snapshot.run = read_run(in, program);
   snapshot.picture = read_picture(in, program);
   snapshot.stats = read_stats(in, program);
-  require(in.left() == 0, "has bytes left over");
+  require(in.left() == 0, "has bytes after its end");
   require(snapshot.stats.total.instructions == executed_instructions(snapshot.run, program),
           "has an instruction count that does not match its place");
   return snapshot;

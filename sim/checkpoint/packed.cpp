@@ -7,13 +7,13 @@ namespace csgsim::checkpoint {
 namespace {
 
 enum class Words : std::uint8_t { zeros, ones, literal };
-constexpr unsigned kinds = 4;  ///< number of kinds that the encoding of a run has room for
+constexpr unsigned kinds = 4;  ///< number of kinds that the encoding of a run can distinguish
 
 constexpr std::uint64_t all_ones = ~std::uint64_t{0};
 
 Words kind_of(std::uint64_t word) { return word == 0 ? Words::zeros : word == all_ones ? Words::ones : Words::literal; }
 
-/// Validates the length of a run, which must not exceed the missing items.
+/// Validates the length of a run: at least 1 and at most the number of missing items.
 std::size_t run_length(std::uint64_t count, std::size_t missing) {
   if (count == 0 || count > missing) throw isa::MalformedBytes("holds a run of a wrong length");
   return static_cast<std::size_t>(count);
@@ -25,7 +25,7 @@ void put_fixed(isa::ByteWriter& out, std::uint64_t value, unsigned bytes) {
   for (unsigned i = 0; i < bytes; ++i) out.byte(static_cast<std::uint8_t>(value >> 8U * i));
 }
 
-std::uint64_t fixed(isa::ByteReader& in, unsigned bytes) {
+std::uint64_t read_fixed(isa::ByteReader& in, unsigned bytes) {
   std::uint64_t value = 0;
   for (unsigned i = 0; i < bytes; ++i) value |= std::uint64_t{in.byte()} << 8U * i;
   return value;
@@ -46,7 +46,7 @@ void put_plane(isa::ByteWriter& out, std::span<const std::uint64_t> plane, std::
   }
 }
 
-std::vector<std::uint64_t> plane(isa::ByteReader& in, std::size_t words) {
+std::vector<std::uint64_t> read_plane(isa::ByteReader& in, std::size_t words) {
   std::vector<std::uint64_t> plane;
   bool any = false;
   while (plane.size() < words) {
@@ -59,7 +59,7 @@ std::vector<std::uint64_t> plane(isa::ByteReader& in, std::size_t words) {
         any = true;
         break;
       case static_cast<unsigned>(Words::literal):
-        for (std::size_t i = 0; i < count; ++i) plane.push_back(fixed(in, 8));
+        for (std::size_t i = 0; i < count; ++i) plane.push_back(read_fixed(in, 8));
         any = true;
         break;
       default: throw isa::MalformedBytes("holds a run of an undefined kind");
@@ -79,7 +79,7 @@ void put_pixels(isa::ByteWriter& out, std::span<const std::uint32_t> pixels) {
   }
 }
 
-std::vector<std::uint32_t> pixels(isa::ByteReader& in, std::size_t count) {
+std::vector<std::uint32_t> read_pixels(isa::ByteReader& in, std::size_t count) {
   std::vector<std::uint32_t> pixels;
   while (pixels.size() < count) {
     const std::size_t length = run_length(in.varint(), count - pixels.size());
@@ -97,8 +97,8 @@ void put_bits(isa::ByteWriter& out, const std::vector<bool>& bits) {
   }
 }
 
-std::vector<bool> bits(isa::ByteReader& in, std::uint64_t most) {
-  const auto count = in.varint_to<std::size_t>(most);
+std::vector<bool> read_bits(isa::ByteReader& in, std::uint64_t max_count) {
+  const auto count = in.varint_to<std::size_t>(max_count);
   std::vector<bool> bits;
   for (std::size_t begin = 0; begin < count; begin += 8) {
     const unsigned byte = in.byte();

@@ -11,19 +11,19 @@
 
 namespace csgsim::checkpoint {
 
-/// Encoding of parts of a Snapshot (sim/checkpoint/snapshot.h). The reading functions throw isa::MalformedBytes.
+// Functions that read throw isa::MalformedBytes. The format is described in sim/checkpoint/snapshot.h.
 
 void put_fixed(isa::ByteWriter& out, std::uint64_t value, unsigned bytes);
-std::uint64_t fixed(isa::ByteReader& in, unsigned bytes);
+std::uint64_t read_fixed(isa::ByteReader& in, unsigned bytes);
 
-/// A plane of `words` words; an empty plane is all zeros, and is read back as empty.
+/// A plane of `words` words. An empty plane stands for zeros, and a plane of zeros is read as empty.
 void put_plane(isa::ByteWriter& out, std::span<const std::uint64_t> plane, std::size_t words);
-std::vector<std::uint64_t> plane(isa::ByteReader& in, std::size_t words);
+std::vector<std::uint64_t> read_plane(isa::ByteReader& in, std::size_t words);
 
 void put_pixels(isa::ByteWriter& out, std::span<const std::uint32_t> pixels);
-std::vector<std::uint32_t> pixels(isa::ByteReader& in, std::size_t count);
+std::vector<std::uint32_t> read_pixels(isa::ByteReader& in, std::size_t count);
 
 void put_bits(isa::ByteWriter& out, const std::vector<bool>& bits);
-std::vector<bool> bits(isa::ByteReader& in, std::uint64_t most);
+std::vector<bool> read_bits(isa::ByteReader& in, std::uint64_t max_count);
 
 }  // namespace csgsim::checkpoint

@@ -55,7 +55,7 @@ std::vector<std::byte> encode(const Snapshot& snapshot) {
 
   const engine::RunState& run = snapshot.run;
   for (const std::uint64_t number : {std::uint64_t{run.place.segment}, std::uint64_t{run.place.index},
-                                     std::uint64_t{run.end_reported}, run.overflows, run.skipped})
+                                     std::uint64_t{run.is_end_reported}, run.overflows, run.skipped})
     out.varint(number);
   put_bits(out, run.answers);
   out.varint(run.skips.size());

@@ -18,8 +18,8 @@ namespace csgsim::checkpoint {
 
 /// Hashes that identify Program and machine of a run; no protection against forgery.
 struct RunIdentity {
-  std::uint64_t program = 0;  ///< hash of its binary form
-  std::uint64_t machine = 0;  ///< hash of its hardware; names and sources do not matter
+  std::uint64_t program = 0;  ///< hash of the Program's binary form
+  std::uint64_t machine = 0;  ///< hash of the machine's hardware; names and sources do not matter
 
   constexpr bool operator==(const RunIdentity&) const = default;
 };
@@ -54,9 +54,9 @@ struct Snapshot {
 /// of pixels: count and value.
 std::vector<std::byte> encode(const Snapshot& snapshot);
 
-/// Decodes a checkpoint of that Program and machine; `name` begins error messages. Throws InputError if it is damaged,
-/// belongs to another Program or machine, or is a state that no run of the Program can reach, as far as places, counts
-/// and ranges show. Memory use is proportional to the Program's picture.
+/// Decodes a checkpoint of that Program and machine; `name` begins error messages. Throws InputError if the checkpoint
+/// is damaged, belongs to another Program or machine, or has a place, count or value that no run of the Program can
+/// reach. Memory use is proportional to the Program's picture.
 Snapshot decode(std::span<const std::byte> bytes, std::string_view name, const isa::Program& program,
                 const machines::Machine& machine);
 

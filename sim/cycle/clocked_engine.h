@@ -12,7 +12,8 @@
 namespace csgsim::cycle {
 
 /// The only clocked machine of the process, built on the first call; make_cycle_engine, run_and_record and run_sequence
-/// use it. Throws std::logic_error if another machine was built before, and InputError as kinds::make_clocked_machine.
+/// use it. Throws std::logic_error if another machine was built before, and InputError like
+/// kinds::make_clocked_machine.
 systemc::ClockedMachine& clocked_hardware(const machines::Machine& machine,
                                           systemc::EvaluatorForm form = systemc::EvaluatorForm::worked_out);
 

@@ -57,7 +57,7 @@ class CycleEngine final : public engine::Engine {
 
   [[nodiscard]] std::unique_ptr<engine::Run> begin(const isa::Program& /*program*/) const override {
     throw InputError(
-        "the cycle level cannot pause and resume, since SystemC's kernel cannot be saved; take the functional or the "
+        "the cycle level cannot pause and resume, since SystemC's kernel cannot be saved; use the functional or the "
         "reference level, whose bits and clocks are the same");
   }
 

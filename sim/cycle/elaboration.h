@@ -8,7 +8,7 @@
 
 namespace csgsim::cycle {
 
-/// Thrown for a second machine to be clocked in a process.
+/// Thrown when a process tries to clock a second machine.
 class ElaborationError : public std::logic_error {
  public:
   using std::logic_error::logic_error;

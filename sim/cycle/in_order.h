@@ -13,8 +13,8 @@
 namespace csgsim::cycle {
 
 /// Calls observers in program order, regardless of the order in which segments are drawn. Early events are buffered,
-/// with a copy of the pixels if an observer reads them. Reading the pixels without having announced it by reads_after
-/// is a std::logic_error, whether the event was buffered or not.
+/// with a copy of the pixels if an observer reads them. An observer that reads pixels after its reads_after returned
+/// false gets a std::logic_error, whether the event was buffered or not.
 class InOrder {
  public:
   /// Both arguments must outlive the run.
@@ -46,7 +46,7 @@ class InOrder {
 
   const isa::Program& program_;
   std::span<engine::Observer* const> observers_;
-  std::uint32_t due_ = 0;   ///< the segment that is due
+  std::uint32_t due_ = 0;   ///< first segment whose events have not all been forwarded
   std::vector<Held> held_;  ///< one per segment
 };
 

@@ -12,7 +12,7 @@
 
 namespace csgsim::cycle {
 
-/// A linear expression, and the squares of the instruction before; zeros if there are none.
+/// A linear expression, and the quadratic terms streamed by the previous instruction (zeros if none).
 struct Expression {
   isa::Linear linear;
   isa::Linear squares;

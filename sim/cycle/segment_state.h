@@ -11,8 +11,8 @@
 
 namespace csgsim::cycle {
 
-/// The pixels of a machine in a segment's region, as observers see them. Null pixels, which no observer has announced
-/// to read, throw std::logic_error when read.
+/// The pixels of a machine in a segment's region, as observers see them. `pixels` is null if no observer announced that
+/// it reads them; reading them throws std::logic_error then.
 class SegmentState final : public engine::PixelState {
  public:
   SegmentState(const systemc::PixelView* pixels, isa::Region region) : pixels_(pixels), region_(region) {}
@@ -28,8 +28,7 @@ class SegmentState final : public engine::PixelState {
  private:
   [[nodiscard]] const systemc::PixelView& pixels() const {
     if (pixels_ != nullptr) return *pixels_;
-    throw std::logic_error(
-        "an observer reads the state after an instruction without having announced it by reads_after");
+    throw std::logic_error("an observer reads the state after an instruction for which its reads_after returned false");
   }
 
   const systemc::PixelView* pixels_;

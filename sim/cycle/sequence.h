@@ -11,8 +11,8 @@
 namespace csgsim::cycle {
 
 /// Draws the Programs one after the other on the clocked machine, each as soon as the previous one allows it. The
-/// interval of each but the last is counted from its start to the start of the next. Observer i sees Program i. Throws
-/// InputError before the start if the machine cannot run one of the Programs, or as clocked_hardware does.
+/// interval of each but the last is counted from its start to the start of the next. Observer i observes Program i.
+/// Throws InputError before the start if the machine cannot run one of the Programs, or as clocked_hardware does.
 std::vector<engine::RunResult> run_sequence(const machines::Machine& machine, std::span<const isa::Program> programs,
                                             std::span<engine::Observer* const> observers,
                                             systemc::EvaluatorForm form = systemc::EvaluatorForm::worked_out);

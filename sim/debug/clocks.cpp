@@ -10,12 +10,12 @@ const machines::Timeline& Clocks::timeline() {
   return *timeline_;
 }
 
-machines::ClockSpan Clocks::issued(engine::Place place) { return timeline().issued[place.segment][place.index]; }
+machines::ClockSpan Clocks::issue_span(engine::Place place) { return timeline().issued[place.segment][place.index]; }
 
 std::uint64_t Clocks::first_after(std::uint64_t clock, std::uint64_t from) {
   const engine::Numbers numbers(program_);
   for (; from < numbers.count(); ++from)
-    if (issued(numbers.place(from)).end > clock) break;
+    if (issue_span(numbers.place(from)).end > clock) break;
   return from;
 }
 

@@ -14,11 +14,12 @@ namespace csgsim::debug {
 /// Clocks in which the instructions of a run are issued, computed on first use.
 class Clocks {
  public:
-  /// Both have to outlive it.
+  /// Both arguments must outlive this object.
   Clocks(const isa::Program& program, const machines::Machine& machine) : program_(program), machine_(machine) {}
 
-  /// Clocks of the instruction at that place. Throws InputError for kinds of machines without a timeline.
-  [[nodiscard]] machines::ClockSpan issued(engine::Place place);
+  /// Clocks in which the instruction at that place is issued. Throws InputError for kinds of machines without a
+  /// timeline.
+  [[nodiscard]] machines::ClockSpan issue_span(engine::Place place);
 
   /// Number of the first instruction, from `from` on, that is not completely issued when the clock begins. Throws
   /// InputError as issued does.

@@ -26,7 +26,7 @@ enum class Relation : std::uint8_t { less, not_greater, equal, not_equal, not_le
 
 /// Condition on a watched field.
 struct Condition {
-  Watched what;
+  Watched watched;
   Relation relation{};
   std::uint32_t value = 0;  ///< value to compare with; unused for `changes`
 
@@ -73,7 +73,7 @@ struct DeleteBreak {
 };
 struct ListBreaks {};
 struct PrintValue {
-  Watched what;
+  Watched watched;
 };
 struct PrintPixel {
   std::uint32_t x = 0;
@@ -119,7 +119,7 @@ inline constexpr CommandInfo command_table[] = {
     {"print", "print FIELD[x,y]", "print a field of a pixel; E is its enable bit"},
     {"print", "print x,y", "print all fields of a pixel"},
     {"print", "print E", "print the number of enabled pixels"},
-    {"where", "where", "show the next instruction, what it serves, and its clocks"},
+    {"where", "where", "show the next instruction, its purpose and its clocks"},
     {"list", "list [iN]", "list the instructions around the next one, or around iN"},
     {"picture", "picture FIELD FILE.png", "write a field, or E, of every pixel as a picture"},
     {"checkpoint", "checkpoint FILE", "write the state of the run, for resume and csgsim run --resume"},

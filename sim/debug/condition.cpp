@@ -36,12 +36,12 @@ bool can_change(const isa::Instruction& instruction, isa::Field watched) {
   return watched.width == 0 ? changes_enable(instruction.opcode) : isa::may_write(instruction, watched);
 }
 
-std::uint32_t value_of(const Watched& what, const engine::Run& run) {
+std::uint32_t read_value(const Watched& watched, const engine::Run& run) {
   const isa::Region region = run.region();
-  const std::uint32_t x = what.x - region.x;
-  const std::uint32_t y = what.y - region.y;
-  if (what.field.width == 0) return run.enabled(x, y) ? 1 : 0;
-  return run.value(what.field, x, y);
+  const std::uint32_t x = watched.x - region.x;
+  const std::uint32_t y = watched.y - region.y;
+  if (watched.field.width == 0) return run.is_enabled(x, y) ? 1 : 0;
+  return run.value(watched.field, x, y);
 }
 
 bool holds(const Condition& condition, std::uint32_t value, std::uint32_t before) {
@@ -57,18 +57,18 @@ bool holds(const Condition& condition, std::uint32_t value, std::uint32_t before
   return false;
 }
 
-std::string text_of(isa::Field field, const isa::Program& program) {
+std::string to_text(isa::Field field, const isa::Program& program) {
   if (field.width == 0) return "E";
   for (const isa::NamedField& named : program.facts->fields)
     if (named.field == field) return isa::word_or_quoted(named.name);
   return isa::text_of(field);
 }
 
-std::string text_of(const Watched& what, const isa::Program& program) {
-  return fmt::format("{}[{},{}]", text_of(what.field, program), what.x, what.y);
+std::string to_text(const Watched& watched, const isa::Program& program) {
+  return fmt::format("{}[{},{}]", to_text(watched.field, program), watched.x, watched.y);
 }
 
-std::string text_of(const Target& target, const isa::Program& program) {
+std::string to_text(const Target& target, const isa::Program& program) {
   if (const auto* at = std::get_if<AtInstruction>(&target)) return fmt::format("i{}", at->number);
   if (const auto* at = std::get_if<AtClock>(&target)) return fmt::format("clock {}", at->clock);
   if (const auto* at = std::get_if<AtPrimitive>(&target)) {
@@ -76,9 +76,9 @@ std::string text_of(const Target& target, const isa::Program& program) {
                        isa::word_or_quoted(program.facts->primitives[at->primitive]));
   }
   const auto& condition = std::get<Condition>(target);
-  const std::string what = text_of(condition.what, program);
-  if (condition.relation == Relation::changes) return "change " + what;
-  return fmt::format("{} {} {}", what, sign_of(condition.relation), condition.value);
+  const std::string watched = to_text(condition.watched, program);
+  if (condition.relation == Relation::changes) return "change " + watched;
+  return fmt::format("{} {} {}", watched, sign_of(condition.relation), condition.value);
 }
 
 }  // namespace csgsim::debug

@@ -23,7 +23,7 @@ std::vector<std::uint32_t> values_of(isa::Field field, const engine::Run& run) {
   }
   for (std::uint32_t y = 0; y < region.height; ++y)
     for (std::uint32_t x = 0; x < region.width; ++x)
-      values[std::size_t{y} * region.width + x] = run.enabled(x, y) ? 1 : 0;
+      values[std::size_t{y} * region.width + x] = run.is_enabled(x, y) ? 1 : 0;
   return values;
 }
 
@@ -41,9 +41,9 @@ std::uint8_t grey(std::uint32_t value, const Range& range) {
 
 }  // namespace
 
-FieldPicture picture_of(isa::Field field, const engine::Run& run, const isa::Program& program) {
+FieldPicture draw_field(isa::Field field, const engine::Run& run, const isa::Program& program) {
   const std::vector<std::uint32_t> values = values_of(field, run);
-  const FieldMeaning meaning = meaning_of(field, program);
+  const FieldMeaning meaning = field_meaning(field, program);
   const std::uint64_t nothing = meaning.is_depth ? (std::uint64_t{1} << field.width) - 1 : std::uint64_t{1} << 32U;
   Range range;
   for (const std::uint32_t value : values) {
@@ -52,22 +52,22 @@ FieldPicture picture_of(isa::Field field, const engine::Run& run, const isa::Pro
   }
   if (field.width <= 1) range = {0, 1};
   range.low = std::min(range.low, range.high);
-  FieldPicture made{{program.shape.width, program.shape.height, meaning.is_colour ? 3 : 1, {}}, ""};
-  const auto channels = static_cast<std::size_t>(made.picture.channels);
-  made.picture.bytes.resize(channels * program.shape.width * program.shape.height);
+  FieldPicture drawn{{program.shape.width, program.shape.height, meaning.is_colour ? 3 : 1, {}}, ""};
+  const auto channels = static_cast<std::size_t>(drawn.picture.channels);
+  drawn.picture.bytes.resize(channels * program.shape.width * program.shape.height);
   const isa::Region region = run.region();
   for (std::size_t i = 0; i < values.size(); ++i) {
     const std::size_t at = (region.y + i / region.width) * program.shape.width + region.x + i % region.width;
-    std::uint8_t* const pixel = &made.picture.bytes[channels * at];
+    std::uint8_t* const pixel = &drawn.picture.bytes[channels * at];
     if (meaning.is_colour) {
       std::ranges::copy(isa::unpack_colour(values[i], field.width), pixel);
     } else {
       *pixel = values[i] == nothing ? 255 : grey(values[i], range);
     }
   }
-  made.scale = meaning.is_colour ? "as colours" : fmt::format("black is {}, white {}", range.low, range.high);
-  if (meaning.is_depth) made.scale += " or nothing";
-  return made;
+  drawn.scale = meaning.is_colour ? "as colours" : fmt::format("black is {}, white {}", range.low, range.high);
+  if (meaning.is_depth) drawn.scale += " or nothing";
+  return drawn;
 }
 
 }  // namespace csgsim::debug

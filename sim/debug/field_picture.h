@@ -16,7 +16,7 @@ struct FieldPicture {
 };
 
 /// Colour fields are shown in colour. Other numbers are grey, scaled from the smallest to the largest occurring value;
-/// in a depth field, all ones mean nothing, are white and are not counted.
-FieldPicture picture_of(isa::Field field, const engine::Run& run, const isa::Program& program);
+/// in a depth field, all ones stand for the background, which is white and does not affect the scale.
+FieldPicture draw_field(isa::Field field, const engine::Run& run, const isa::Program& program);
 
 }  // namespace csgsim::debug

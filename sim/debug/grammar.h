@@ -113,7 +113,7 @@ constexpr const char* message() {
   if (std::is_same_v<Rule, target>)
     return "expected a place to stop: i123, clock N, primitive P, or a condition such as Z2[100,20] < 5000";
   if (std::is_same_v<Rule, breakpoint_number>) return "expected the number of a breakpoint; breakpoints lists them";
-  if (std::is_same_v<Rule, printed>) return "expected what to print: Z2[100,20], 100,20 or E";
+  if (std::is_same_v<Rule, printed>) return "expected a value, a pixel or E to print, as in Z2[100,20], 100,20 or E";
   if (std::is_same_v<Rule, file>) return "expected the name of a file";
   return message_of_part<Rule>();
 }

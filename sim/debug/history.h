@@ -9,8 +9,8 @@
 
 namespace csgsim::debug {
 
-/// Saved states of a run, for stepping back. The distance between them grows with the length of the run, so that their
-/// memory is bounded.
+/// Saved states of a run, for stepping back. The distance between saved states grows with the length of the run, so
+/// that their memory is bounded.
 class History {
  public:
   /// Number of the next instruction at which a state should be saved, if the run is at `number`.

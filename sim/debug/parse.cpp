@@ -22,7 +22,7 @@ Unsigned number_in(std::string_view digits, int base = 10) {
   Unsigned value{};
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, base);
   if (error != std::errc{} || end != digits.data() + digits.size())
-    throw InputError(fmt::format("{} is out of range; take a smaller number", digits));
+    throw InputError(fmt::format("{} is out of range; use a smaller number", digits));
   return value;
 }
 
@@ -63,7 +63,7 @@ struct Reading {
     const bool fits =
         field.width >= 1 && field.width <= isa::max_field_width && field.end() <= program.shape.memory_bits;
     if (!fits) {
-      throw InputError(fmt::format("no such field; a pixel has {} bits of memory, and a field takes 1 to {} of them",
+      throw InputError(fmt::format("no such field; a pixel has {} bits of memory, and a field has 1 to {} bits",
                                    program.shape.memory_bits, isa::max_field_width));
     }
   }

@@ -58,7 +58,7 @@ void Session::keep() {
 
 void Session::advance(std::uint64_t number) {
   const std::array<engine::Observer*, 2> observers{&frame_, &stats_};
-  while (!run_->finished()) {
+  while (!run_->is_finished()) {
     const std::uint64_t here = numbers_.of(run_->place());
     if (here >= number) return;
     run_->advance(std::min(number, history_.due(here)), observers);
@@ -74,21 +74,21 @@ std::string Session::go(std::optional<Stop> until, const Target* target) {
   std::vector<Stop> stops;
   stops.reserve(breakpoints_.size());
   for (const Breakpoint& one : breakpoints_) stops.emplace_back(one.target, program_, numbers_, *run_, clocks_);
-  while (!run_->finished()) {
+  while (!run_->is_finished()) {
     std::uint64_t look = until ? until->next_look() : engine::Run::end;
     for (Stop& stop : stops) look = std::min(look, stop.next_look());
     advance(look);
     std::string why;
     // every stop must be evaluated, since each remembers the last value
-    if (until && until->reached()) why = text_of(*target, program_) + "\n";
+    if (until && until->is_reached()) why = to_text(*target, program_) + "\n";
     for (std::size_t i = 0; i < stops.size(); ++i) {
-      if (stops[i].reached())
-        why += fmt::format("breakpoint {}: {}\n", breakpoints_[i].number, text_of(breakpoints_[i].target, program_));
+      if (stops[i].is_reached())
+        why += fmt::format("breakpoint {}: {}\n", breakpoints_[i].number, to_text(breakpoints_[i].target, program_));
     }
     finish_trailing_segments();
     if (!why.empty()) return why + place();
   }
-  return (until ? text_of(*target, program_) + " was not reached\n" : "") + place();
+  return (until ? to_text(*target, program_) + " was not reached\n" : "") + place();
 }
 
 std::string Session::perform(const Nothing& /*command*/) { return ""; }
@@ -96,7 +96,7 @@ std::string Session::perform(const Nothing& /*command*/) { return ""; }
 std::string Session::perform(const RunOn& /*command*/) { return go({}, nullptr); }
 
 std::string Session::perform(const StepOn& command) {
-  for (std::uint64_t i = 0; i < command.count && !run_->finished(); ++i) {
+  for (std::uint64_t i = 0; i < command.count && !run_->is_finished(); ++i) {
     advance(number() + 1);
     finish_trailing_segments();
   }
@@ -105,9 +105,9 @@ std::string Session::perform(const StepOn& command) {
 
 std::string Session::perform(const Until& command) {
   Stop stop(command.target, program_, numbers_, *run_, clocks_);
-  const std::string what = text_of(command.target, program_);
-  if (stop.holds_already()) return fmt::format("{} already holds\n{}", what, place());
-  if (stop.is_behind()) throw InputError(fmt::format("{} is not ahead; step back first with back N", what));
+  const std::string target = to_text(command.target, program_);
+  if (stop.holds_already()) return fmt::format("{} already holds\n{}", target, place());
+  if (stop.is_behind()) throw InputError(fmt::format("{} is not ahead; step back first with back N", target));
   return go(stop, &command.target);
 }
 
@@ -139,7 +139,7 @@ std::string Session::perform(const Back& command) {
 std::string Session::perform(const SetBreak& command) {
   const Stop check(command.target, program_, numbers_, *run_, clocks_);
   breakpoints_.push_back({next_breakpoint_++, command.target});
-  return fmt::format("breakpoint {}: {}\n", breakpoints_.back().number, text_of(command.target, program_));
+  return fmt::format("breakpoint {}: {}\n", breakpoints_.back().number, to_text(command.target, program_));
 }
 
 std::string Session::perform(const DeleteBreak& command) {
@@ -154,11 +154,11 @@ std::string Session::perform(const DeleteBreak& command) {
 std::string Session::perform(const ListBreaks& /*command*/) {
   std::string text;
   for (const Breakpoint& one : breakpoints_)
-    text += fmt::format("{:>3}  {}\n", one.number, text_of(one.target, program_));
+    text += fmt::format("{:>3}  {}\n", one.number, to_text(one.target, program_));
   return text.empty() ? "no breakpoints\n" : text;
 }
 
-void Session::check_seen(std::uint32_t x, std::uint32_t y) const {
+void Session::check_in_segment(std::uint32_t x, std::uint32_t y) const {
   if (program_.segments.empty()) throw InputError("the Program has no segments; there is nothing to inspect");
   const isa::Region region = run_->region();
   if (region.holds(x, y)) return;
@@ -167,16 +167,16 @@ void Session::check_seen(std::uint32_t x, std::uint32_t y) const {
 }
 
 std::string Session::perform(const PrintValue& command) {
-  check_seen(command.what.x, command.what.y);
-  return fmt::format("{} = {}\n", text_of(command.what, program_),
-                     value_text(command.what.field, value_of(command.what, *run_), program_));
+  check_in_segment(command.watched.x, command.watched.y);
+  return fmt::format("{} = {}\n", to_text(command.watched, program_),
+                     value_text(command.watched.field, read_value(command.watched, *run_), program_));
 }
 
 std::string Session::perform(const PrintPixel& command) {
-  check_seen(command.x, command.y);
+  check_in_segment(command.x, command.y);
   const auto line = [&](isa::Field field) {
-    const std::uint32_t value = value_of({field, command.x, command.y}, *run_);
-    return fmt::format("  {:<12} {}\n", text_of(field, program_), value_text(field, value, program_));
+    const std::uint32_t value = read_value({field, command.x, command.y}, *run_);
+    return fmt::format("  {:<12} {}\n", to_text(field, program_), value_text(field, value, program_));
   };
   std::string text = line({});
   for (const isa::NamedField& named : program_.facts->fields) text += line(named.field);
@@ -202,13 +202,13 @@ std::string Session::perform(const ListAround& command) {
 }
 
 std::string Session::perform(const TakePicture& command) {
-  check_seen(run_->region().x, run_->region().y);
+  check_in_segment(run_->region().x, run_->region().y);
   observe::check_format(command.file);
-  const FieldPicture made = picture_of(command.field, *run_, program_);
+  const FieldPicture picture = draw_field(command.field, *run_, program_);
   OutputFile file(command.file);
-  observe::write_picture(file, made.picture);
+  observe::write_picture(file, picture.picture);
   file.commit();
-  return fmt::format("{}: {}, {}\n", printable(command.file), text_of(command.field, program_), made.scale);
+  return fmt::format("{}: {}, {}\n", printable(command.file), to_text(command.field, program_), picture.scale);
 }
 
 std::string Session::perform(const WriteCheckpoint& command) {

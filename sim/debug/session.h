@@ -21,7 +21,7 @@ namespace csgsim::debug {
 /// A debugging session: a run of a Program at the functional level. It begins before the first instruction.
 class Session {
  public:
-  /// Both have to outlive it. Throws InputError if the machine cannot run the Program.
+  /// Both references must outlive the session. Throws InputError if the machine cannot run the Program.
   Session(const isa::Program& program, const machines::Machine& machine, unsigned threads = 1);
 
   /// Executes the command and returns its output, in whole lines. Throws InputError and then changes nothing.
@@ -30,8 +30,8 @@ class Session {
   /// Whether the quit command was executed.
   [[nodiscard]] bool is_over() const { return is_over_; }
 
-  /// State of the run.
   [[nodiscard]] const engine::Run& run() const { return *run_; }
+  /// Number of the next instruction in the whole Program.
   [[nodiscard]] std::uint64_t number() const { return numbers_.of(run_->place()); }
 
   /// Words that a command may begin with or contain, for completion.
@@ -62,7 +62,8 @@ class Session {
   std::string perform(const Help& command);
   std::string perform(const Quit& command);
 
-  /// Runs until one of the stops is reached, and returns why it stopped.
+  /// Runs until `until`, a breakpoint or the end is reached, and returns the reason and the place as text. `target` is
+  /// the target of `until`.
   std::string go(std::optional<Stop> until, const Target* target);
   /// Runs to that instruction, saving states for stepping back.
   void advance(std::uint64_t number);
@@ -73,7 +74,7 @@ class Session {
   void restore(const checkpoint::Snapshot& snapshot);
   /// Numbers of the executed instructions, in order.
   [[nodiscard]] std::vector<std::uint64_t> executed() const;
-  void check_seen(std::uint32_t x, std::uint32_t y) const;
+  void check_in_segment(std::uint32_t x, std::uint32_t y) const;
   [[nodiscard]] std::string place() const;
 
   const isa::Program& program_;

@@ -27,7 +27,7 @@ std::string served_text(const isa::Origin& origin, const isa::Program& program) 
 }
 
 std::string clocks_text(engine::Place place, Clocks& clocks) {
-  const machines::ClockSpan span = clocks.issued(place);
+  const machines::ClockSpan span = clocks.issue_span(place);
   if (span.empty()) return "";
   return fmt::format("  issued in clocks {}..{}\n", span.begin, span.end - 1);
 }
@@ -46,7 +46,7 @@ const isa::Instruction& instruction_at(engine::Place place, const isa::Program& 
 
 }  // namespace
 
-FieldMeaning meaning_of(isa::Field field, const isa::Program& program) {
+FieldMeaning field_meaning(isa::Field field, const isa::Program& program) {
   using enum isa::FieldRole;
   const auto named = std::ranges::find(program.facts->fields, field, &isa::NamedField::field);
   if (named == program.facts->fields.end()) return {};
@@ -56,7 +56,7 @@ FieldMeaning meaning_of(isa::Field field, const isa::Program& program) {
 }
 
 std::string value_text(isa::Field field, std::uint32_t value, const isa::Program& program) {
-  const FieldMeaning meaning = meaning_of(field, program);
+  const FieldMeaning meaning = field_meaning(field, program);
   std::string text = fmt::format("{}", value);
   if (field.width > 4) text += fmt::format(" ({:#x})", value);
   if (meaning.is_depth && value == (std::uint64_t{1} << field.width) - 1) text += ", nothing";

@@ -11,20 +11,18 @@
 
 namespace csgsim::debug {
 
-// Text output of the debugger, in complete lines.
-
 /// Display properties derived from a field's role.
 struct FieldMeaning {
   bool is_colour = false;
   bool is_depth = false;
 };
 
-FieldMeaning meaning_of(isa::Field field, const isa::Program& program);
+FieldMeaning field_meaning(isa::Field field, const isa::Program& program);
 
 /// Text of a value according to its field's role: a colour, or a depth that may be empty.
 std::string value_text(isa::Field field, std::uint32_t value, const isa::Program& program);
 
-/// The next instruction with what it serves and its clocks, or the end of the run.
+/// The next instruction with its purpose and its clocks, or the end of the run.
 std::string where_text(const engine::Run& run, const isa::Program& program, Clocks& clocks);
 
 /// `i12 of 345` and the instruction, on one line.

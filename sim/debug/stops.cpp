@@ -20,9 +20,9 @@ Stop::Stop(const Target& target, const isa::Program& program, const engine::Numb
   if (const auto* at = std::get_if<AtClock>(&target)) number_ = clocks.first_after(at->clock, begin_);
   const auto* condition = std::get_if<Condition>(&target);
   if (condition == nullptr || program.segments.empty()) return;
-  if (!run.region().holds(condition->what.x, condition->what.y)) return;
+  if (!run.region().holds(condition->watched.x, condition->watched.y)) return;
   segment_ = run.place().segment;
-  value_ = value_of(condition->what, run);
+  value_ = read_value(condition->watched, run);
   held_ = holds(*condition, value_, value_);
 }
 
@@ -50,11 +50,11 @@ std::uint64_t Stop::look_at_condition(const Condition& condition, std::uint64_t 
   for (std::uint64_t number = from; number < numbers_.count();) {
     const auto [segment, index] = numbers_.place(number);
     const isa::Segment& part = program_.segments[segment];
-    if (!part.region.holds(condition.what.x, condition.what.y)) {
+    if (!part.region.holds(condition.watched.x, condition.watched.y)) {
       number = numbers_.first(segment + 1);
       continue;
     }
-    if (can_change(part.instructions[index], condition.what.field)) return number + 1;
+    if (can_change(part.instructions[index], condition.watched.field)) return number + 1;
     ++number;
   }
   return engine::Run::end;
@@ -75,20 +75,20 @@ std::uint64_t Stop::next_look() {
 
 bool Stop::is_met(const Condition& condition) {
   const std::uint32_t segment = run_.place().segment;
-  if (!run_.region().holds(condition.what.x, condition.what.y)) return false;
+  if (!run_.region().holds(condition.watched.x, condition.watched.y)) return false;
   if (segment_ != segment) {  // memory is 0 at the start of a segment
     segment_ = segment;
     value_ = 0;
     held_ = holds(condition, 0, 0);
   }
   const std::uint32_t before = value_;
-  value_ = value_of(condition.what, run_);
+  value_ = read_value(condition.watched, run_);
   const bool held_before = held_;
   held_ = condition.relation != Relation::changes && holds(condition, value_, before);
   return condition.relation == Relation::changes ? value_ != before : held_ && !held_before;
 }
 
-bool Stop::reached() {
+bool Stop::is_reached() {
   const std::uint64_t here = numbers_.of(run_.place());
   if (here < look_ || here == begin_) return false;
   if (const auto* condition = std::get_if<Condition>(&target_)) return is_met(*condition);

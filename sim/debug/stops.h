@@ -11,10 +11,10 @@
 
 namespace csgsim::debug {
 
-/// Watches a run for one stop, and computes how far the run can go without a check.
+/// Watches a run for one stop, and computes how far the run can advance before the stop must be checked.
 class Stop {
  public:
-  /// Starts watching at the run's place. All arguments but the target have to outlive it. Throws InputError for a
+  /// Starts watching at the run's place. All arguments but the target must outlive this object. Throws InputError for a
   /// target that the Program does not have, or a clock of a machine without a timeline.
   Stop(const Target& target, const isa::Program& program, const engine::Numbers& numbers, const engine::Run& run,
        Clocks& clocks);
@@ -25,11 +25,11 @@ class Stop {
   /// Whether the target is an instruction or a clock at or before the start.
   [[nodiscard]] bool is_behind() const;
 
-  /// Number of the next instruction before which reached() must be called; Run::end if there is none.
+  /// Number of the next instruction before which is_reached() must be called; Run::end if there is none.
   [[nodiscard]] std::uint64_t next_look();
 
   /// Whether the run must stop at its place.
-  [[nodiscard]] bool reached();
+  [[nodiscard]] bool is_reached();
 
  private:
   [[nodiscard]] std::uint64_t look_at_condition(const Condition& condition, std::uint64_t from) const;

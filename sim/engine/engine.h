@@ -30,7 +30,7 @@ class PixelState {
   /// The field's value at every pixel; `values` holds region width * height of them.
   virtual void read_field(isa::Field field, std::span<std::uint32_t> values) const = 0;
 
-  /// Enable bits, 64 pixels a word (pixel x is bit x % 64 of word x / 64), each row padded to whole words;
+  /// Enable bits, 64 pixels per word (pixel x is bit x % 64 of word x / 64), each row padded to whole words;
   /// `words` holds ceil(width / 64) * height of them. Padding bits are zero.
   virtual void read_enable(std::span<std::uint64_t> words) const = 0;
 };
@@ -42,7 +42,7 @@ struct Step {
   const isa::Instruction& instruction;
   std::uint64_t clocks = 0;
   std::uint64_t enabled_pixels = 0;  ///< pixels whose E was 1 when the instruction began
-  /// Clocks at the pixels, for kinds of machines that measure them; otherwise each pixel takes `clocks`.
+  /// Clocks at the pixels, for kinds of machines that measure them; otherwise each pixel needs `clocks`.
   std::optional<machines::PixelClocks> at_pixels{};
 };
 
@@ -102,14 +102,14 @@ inline void put(machines::FrameTiming timing, RunResult& result) {
 }
 
 /// Runs Programs at one level of fidelity. All levels produce the same memory and enable bits at every instruction
-/// boundary and take the same clocks. Memory and enable are 0 when a segment begins.
+/// boundary and the same clock counts. Memory and enable bits are 0 when a segment begins.
 class Engine {
  public:
   virtual ~Engine() = default;
   [[nodiscard]] virtual std::string_view level() const = 0;
 
   /// Runs every segment. Observers are called in the given order. The Program must be valid (isa::validate). Throws
-  /// InputError before the start if the machine lacks what the Program needs (machines::check_runs_on).
+  /// InputError before the start if the machine lacks a feature that the Program needs (machines::check_runs_on).
   virtual RunResult run(const isa::Program& program, std::span<Observer* const> observers) = 0;
 
   /// A run that can stop and continue (sim/engine/run.h), at its first instruction. The Program has to outlive it.
@@ -118,8 +118,8 @@ class Engine {
 };
 
 std::unique_ptr<Engine> make_reference_engine(const machines::Machine& machine);
-/// Uses `threads` threads between instructions after which an observer reads the state. The bits do not depend on their
-/// number.
+/// Runs tiles of pixels on `threads` threads, which meet after each instruction whose state an observer reads. Results
+/// do not depend on the number of threads.
 std::unique_ptr<Engine> make_functional_engine(const machines::Machine& machine, unsigned threads = 1);
 std::unique_ptr<Engine> make_cycle_engine(const machines::Machine& machine);
 

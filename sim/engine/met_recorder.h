@@ -23,44 +23,44 @@ namespace csgsim::engine {
 class MetRecorder {
  public:
   MetRecorder(const isa::Program& program, const machines::Machine& machine)
-      : asks_(machine.kind->depends_on_pixels(machine)) {
-    if (asks_) met_.resize(program.segments.size());
+      : is_needed_(machine.kind->depends_on_pixels(machine)) {
+    if (is_needed_) met_.resize(program.segments.size());
   }
 
-  [[nodiscard]] bool asks() const { return asks_; }
-  /// One per segment; null if a part of the run was not recorded.
+  [[nodiscard]] bool is_needed() const { return is_needed_; }
+  /// The records of all segments; null if a part of the run was not recorded.
   [[nodiscard]] const std::vector<machines::PixelActivity>* met() const { return is_whole_ ? &met_ : nullptr; }
   /// The record of one segment; instructions that were not recorded appear without pixels.
   [[nodiscard]] const machines::PixelActivity& met(std::uint32_t segment) const { return met_[segment]; }
   /// Called when the run continues from another place.
   void jump() {
-    is_whole_ = !asks_;
-    is_at_hand_ = false;
+    is_whole_ = !is_needed_;
+    has_enabled_ = false;
   }
 
   void before(Place place, const isa::Instruction& instruction, const PixelState& state) {
-    if (!asks_) return;
-    if (place.index == 0 || !is_at_hand_) begin(place, state);
-    if (chooses(instruction)) read(instruction.fields[0], state, before_);
+    if (!is_needed_) return;
+    if (place.index == 0 || !has_enabled_) begin(place, state);
+    if (is_selective(instruction)) read(instruction.fields[0], state, before_);
   }
 
   void after(Place place, const isa::Instruction& instruction, const PixelState& state) {
-    if (!asks_) return;
+    if (!is_needed_) return;
     machines::PixelActivity& met = met_[place.segment];
     met.instructions.push_back({plane_, plane_});
     if (isa::info(instruction.opcode).enable_effect == isa::EnableEffect::keeps) return;
     after_.resize(enabled_.size());
     state.read_enable(after_);
-    if (chooses(instruction)) met.instructions.back().chosen = chosen(met, instruction.fields[0], state);
+    if (is_selective(instruction)) met.instructions.back().chosen = find_changed(met, instruction.fields[0], state);
     if (after_ == enabled_) return;
     std::swap(enabled_, after_);
-    plane_ = plane_of(met, enabled_);
+    plane_ = add_plane(met, enabled_);
   }
 
  private:
   static constexpr std::uint32_t word_bits = 64;
 
-  static bool chooses(const isa::Instruction& instruction) {
+  static bool is_selective(const isa::Instruction& instruction) {
     return instruction.opcode == isa::Opcode::keep_max || instruction.opcode == isa::Opcode::keep_min;
   }
 
@@ -70,7 +70,7 @@ class MetRecorder {
     state.read_field(field, values);
   }
 
-  static std::uint32_t plane_of(machines::PixelActivity& met, const std::vector<std::uint64_t>& words) {
+  static std::uint32_t add_plane(machines::PixelActivity& met, const std::vector<std::uint64_t>& words) {
     if (std::all_of(words.begin(), words.end(), [](std::uint64_t word) { return word == 0; })) return 0;
     met.planes.push_back(words);
     return static_cast<std::uint32_t>(met.planes.size() - 1);
@@ -84,12 +84,12 @@ class MetRecorder {
     met.instructions.resize(place.index);
     enabled_.resize(met.row_words * region.height);
     state.read_enable(enabled_);
-    plane_ = plane_of(met, enabled_);
-    is_at_hand_ = true;
+    plane_ = add_plane(met, enabled_);
+    has_enabled_ = true;
   }
 
-  /// The pixels whose value changes or does not fit; a value that does not fit disables the pixel.
-  std::uint32_t chosen(machines::PixelActivity& met, isa::Field field, const PixelState& state) {
+  /// Index of the plane of pixels whose value changes, or does not fit and therefore disables the pixel.
+  std::uint32_t find_changed(machines::PixelActivity& met, isa::Field field, const PixelState& state) {
     read(field, state, values_);
     const isa::Region region = state.region();
     std::vector<std::uint64_t> words(enabled_.size());
@@ -100,12 +100,12 @@ class MetRecorder {
       }
     }
     for (std::size_t i = 0; i < words.size(); ++i) words[i] |= enabled_[i] & ~after_[i];
-    return words == enabled_ ? plane_ : plane_of(met, words);
+    return words == enabled_ ? plane_ : add_plane(met, words);
   }
 
-  bool asks_;
+  bool is_needed_;
   bool is_whole_ = true;
-  bool is_at_hand_ = false;  ///< the enabled pixels are known
+  bool has_enabled_ = false;  ///< `enabled_` is up to date
   std::vector<machines::PixelActivity> met_;
   std::vector<std::uint64_t> enabled_;  ///< enabled pixels before the instruction
   std::vector<std::uint64_t> after_;    ///< enabled pixels after it

@@ -16,7 +16,7 @@ namespace csgsim::engine {
 /// The complete state of a run at an instruction boundary, the same at every level.
 struct RunState {
   Place place;
-  bool end_reported = false;  ///< observers have been notified of the segment's end
+  bool is_end_reported = false;  ///< observers have been notified of the segment's end
   std::uint64_t overflows = 0;
   std::uint64_t skipped = 0;
   std::vector<bool> answers;
@@ -38,7 +38,7 @@ class Run : public PixelState {
   [[nodiscard]] virtual Place place() const = 0;
 
   /// Whether every segment has been executed and observers have been notified.
-  [[nodiscard]] virtual bool finished() const = 0;
+  [[nodiscard]] virtual bool is_finished() const = 0;
 
   /// Continues until the number of the next instruction in the whole Program is at least `number` (a skip may pass it),
   /// or to the end. At the end of a segment its pixels stay available until the run continues. Observers are called as
@@ -47,7 +47,7 @@ class Run : public PixelState {
 
   /// Value of a field at one pixel of the segment, counted from the region's top left.
   [[nodiscard]] virtual std::uint32_t value(isa::Field field, std::uint32_t x, std::uint32_t y) const = 0;
-  [[nodiscard]] virtual bool enabled(std::uint32_t x, std::uint32_t y) const = 0;
+  [[nodiscard]] virtual bool is_enabled(std::uint32_t x, std::uint32_t y) const = 0;
 
   [[nodiscard]] virtual RunState save() const = 0;
   /// The state has to come from a run of this Program, at any level.

@@ -6,8 +6,8 @@
 
 namespace csgsim::engine {
 
-/// Work of an engine for a Program, if it counts it. These are properties of the simulation, not of the machine. They
-/// are equal in every run, for any number of threads.
+/// Work of the simulation of a Program, not of the machine; zeros if the engine does not count it. The counts do not
+/// depend on the number of threads.
 struct Work {
   std::uint64_t instructions = 0;  ///< executions at a tile of pixels; each tile counts
   std::uint64_t words = 0;         ///< words of 64 pixel bits processed individually

@@ -28,9 +28,9 @@ constexpr unsigned bits_per_byte = 8;
 /// One byte of each number of a block.
 class Bytes {
  public:
-  /// Takes byte number `byte` of the numbers, where 0 is the lowest. The tag is of vectors of unsigned numbers.
+  /// Loads byte `byte` of each number, where 0 is the lowest. The tag selects vectors of unsigned numbers.
   template <class Tag>
-  HWY_INLINE void take(Tag tag, const hwy::HWY_NAMESPACE::TFromD<Tag>* numbers, unsigned byte) {
+  HWY_INLINE void load(Tag tag, const hwy::HWY_NAMESPACE::TFromD<Tag>* numbers, unsigned byte) {
     namespace hn = hwy::HWY_NAMESPACE;
     constexpr hn::Rebind<std::uint8_t, Tag> byte_tag;
     const int shift = static_cast<int>(byte * bits_per_byte);
@@ -83,7 +83,7 @@ HWY_INLINE void extract_words(Tag tag, const hwy::HWY_NAMESPACE::TFromD<Tag>* nu
   Bytes bytes[sizeof(*numbers)];
   const auto count = static_cast<unsigned>(words.size());
   const unsigned last_byte = (first + count - 1) / bits_per_byte;
-  for (unsigned byte = first / bits_per_byte; byte <= last_byte; ++byte) bytes[byte].take(tag, numbers, byte);
+  for (unsigned byte = first / bits_per_byte; byte <= last_byte; ++byte) bytes[byte].load(tag, numbers, byte);
   for (unsigned i = 0; i < count; ++i) words[i] = bytes[(first + i) / bits_per_byte].word((first + i) % bits_per_byte);
 }
 

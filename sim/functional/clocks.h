@@ -17,10 +17,11 @@ bool may_skip(const isa::Program& program);
 /// Whether the clocks on that machine can only be found by running the Program.
 bool needs_run(const isa::Program& program, const machines::Machine& machine);
 
-/// The record of a run of the whole Program, which is only run if its clocks depend on it.
+/// The record of a run of the whole Program. The Program is run only if its clocks depend on a run; otherwise the
+/// record is empty.
 machines::RunRecord make_run_record(const isa::Program& program, const machines::Machine& machine);
 
-/// The number of clocks that the Program takes on the machine. It is only run if the clocks depend on it.
+/// Number of clocks of the Program on the machine. The Program is run only if its clocks depend on a run.
 std::uint64_t measure_clocks(const isa::Program& program, const machines::Machine& machine);
 
 }  // namespace csgsim::functional

@@ -34,8 +34,9 @@ class Crew {
   void wait_for_jobs(unsigned thread, const std::stop_token& stop);
   void take_jobs(unsigned thread);
 
-  /// Number of jobs that are not started: those of thread k of n are k, k + n and so on, so that a job runs on the same
-  /// thread, with the same caches, in each call. A thread that has finished its own jobs takes those of others.
+  /// Number of a thread's jobs that are not started. The jobs of thread k of n are k, k + n and so on, so that a job
+  /// runs on the same thread, with the same caches, in each call. A thread that has finished its own jobs takes over
+  /// jobs of others.
   struct alignas(64) Share {
     std::atomic<std::size_t> open{0};
   };

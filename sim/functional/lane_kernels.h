@@ -17,7 +17,7 @@ namespace csgsim::functional {
 /// compare both.
 enum class Decide : std::uint8_t { by_block, by_pixel };
 
-/// The pixels of a tile that a kernel works on.
+/// The pixels on which a kernel works: those of a tile that are enabled.
 struct Enabled {
   TileBits& enable;
   const TileShape& shape;

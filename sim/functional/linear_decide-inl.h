@@ -9,6 +9,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "sim/functional/linear_test-inl.h"
 #include "sim/functional/mask_bits-inl.h"
@@ -118,8 +119,8 @@ Decided decide_exactly(std::uint64_t enabled, const PlaneSum& sum, const LinearT
   return decided;
 }
 
-// The same with half the bits: bounds of the sum rounded outwards, which leaves some blocks open that decide_exactly
-// decides.
+// Decisions in 32 bits: bounds of the sum are rounded outwards, so that some blocks that decide_exactly decides stay
+// undecided.
 
 using CoarseTag = hn::CappedTag<std::int32_t, 16>;
 using Coarse = hn::Vec<CoarseTag>;
@@ -133,21 +134,22 @@ struct Scale {
 
 constexpr int coarse_bits = 30;
 
-/// Whether the numbers of the tile fit coarse_bits bits; if so, sets the scale.
+/// The scale on which the numbers of the tile fit coarse_bits bits; empty if there is none.
 template <LinearKind kind>
-bool find_scale(const PlaneSum& sum, const LinearTask& task, Scale& scale) {
+std::optional<Scale> find_scale(const PlaneSum& sum, const LinearTask& task) {
   constexpr int roundings = 2 * (blocks_per_side - 1) + 2;
-  if (sum.may_wrap()) return false;
+  if (sum.may_wrap()) return std::nullopt;
+  Scale scale;
   scale.dropped = std::max(0, sum.bits() - coarse_bits);
   if constexpr (!is_sign(kind)) {
     const int shift = task.linear.shift;
     scale.dropped = std::max(scale.dropped, shift + task.lanes->field.width - coarse_bits);
-    if (scale.dropped > shift) return false;
-    if (sum.flat()) scale.dropped = shift;
+    if (scale.dropped > shift) return std::nullopt;
+    if (sum.is_flat()) scale.dropped = shift;
     scale.kept = shift - scale.dropped;
   }
-  scale.excess = scale.dropped > 0 && !sum.flat() ? roundings : 0;
-  return true;
+  scale.excess = scale.dropped > 0 && !sum.is_flat() ? roundings : 0;
+  return scale;
 }
 
 /// Bounds of several blocks' sums, and of z, on that scale.
@@ -162,7 +164,7 @@ struct CoarseRange {
 HWY_INLINE auto at_least(Coarse left, Coarse right) { return hn::Not(hn::Lt(left, right)); }
 
 template <LinearKind kind>
-HWY_INLINE auto holds_throughout(const CoarseRange& r, bool flat) {
+HWY_INLINE auto holds_throughout(const CoarseRange& r, bool is_flat) {
   using enum LinearKind;
   if constexpr (kind == not_negative || kind == greater_or_equal)
     return at_least(r.low, r.z_greatest);
@@ -173,7 +175,7 @@ HWY_INLINE auto holds_throughout(const CoarseRange& r, bool flat) {
   else if constexpr (kind == less_or_equal)
     return hn::Lt(r.high, hn::Add(r.z_least, r.one));
   else if constexpr (kind == equal)
-    return flat ? hn::And(hn::Eq(r.z_least, r.z_greatest), hn::Eq(r.low, r.z_least)) : hn::Lt(r.low, r.low);
+    return is_flat ? hn::And(hn::Eq(r.z_least, r.z_greatest), hn::Eq(r.low, r.z_least)) : hn::Lt(r.low, r.low);
   else
     return hn::Eq(r.low, r.low);
 }
@@ -195,7 +197,7 @@ HWY_INLINE auto holds_nowhere(const CoarseRange& r) {
     return hn::Lt(r.low, r.low);
 }
 
-HWY_INLINE Coarse scaled(const Bounds& bounds, std::size_t block, int kept) {
+HWY_INLINE Coarse scale_bounds(const Bounds& bounds, std::size_t block, int kept) {
   const Coarse z = hn::BitCast(CoarseTag(), hn::LoadU(hn::RebindToUnsigned<CoarseTag>(), bounds.data() + block));
   return hn::ShiftLeftSame(z, kept);
 }
@@ -224,10 +226,10 @@ Decided decide_coarsely(std::uint64_t enabled, const PlaneSum& sum, const Linear
     const Coarse low = hn::Add(ramp, hn::Set(tag, first + column * column_step + row * row_step));
     CoarseRange range{low, hn::Add(low, spread), hn::Zero(tag), hn::Zero(tag), one};
     if constexpr (!is_sign(kind)) {
-      range.z_least = scaled(task.lanes->least, block, scale.kept);
-      range.z_greatest = scaled(task.lanes->greatest, block, scale.kept);
+      range.z_least = scale_bounds(task.lanes->least, block, scale.kept);
+      range.z_greatest = scale_bounds(task.lanes->greatest, block, scale.kept);
     }
-    decided.all |= bits_of_mask(tag, holds_throughout<kind>(range, sum.flat())) << block;
+    decided.all |= bits_of_mask(tag, holds_throughout<kind>(range, sum.is_flat())) << block;
     decided.none |= bits_of_mask(tag, holds_nowhere<kind>(range)) << block;
     if constexpr (writes(kind))
       decided.fits |= bits_of_mask(tag, hn::And(at_least(low, hn::Zero(tag)), hn::Lt(range.high, beyond))) << block;
@@ -242,9 +244,8 @@ Decided decide(std::uint64_t enabled, const PlaneSum& sum, const LinearTask& tas
     if (!sum.may_wrap() && sum.least() >= 0) return {positive ? enabled : 0, positive ? 0 : enabled};
     if (!sum.may_wrap() && sum.greatest() < 0) return {positive ? 0 : enabled, positive ? enabled : 0};
   }
-  Scale scale;
-  return find_scale<kind>(sum, task, scale) ? decide_coarsely<kind>(enabled, sum, task, scale)
-                                            : decide_exactly<kind>(enabled, sum, task);
+  const std::optional<Scale> scale = find_scale<kind>(sum, task);
+  return scale ? decide_coarsely<kind>(enabled, sum, task, *scale) : decide_exactly<kind>(enabled, sum, task);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Blocks pixel by pixel, if F minus F at the block's first pixel fits 32 bits.
+// Kernels that process a block pixel by pixel if F minus F at the block's first pixel fits 32 bits.
 
 using NarrowTag = hn::RebindToSigned<NumberTag>;
 using Narrow = hn::Vec<NarrowTag>;
@@ -71,7 +71,8 @@ HWY_INLINE std::uint64_t narrow_test(const NarrowF& f, const Lanes* lanes, unsig
   }
 }
 
-/// Writes F, which must fit the field. `all`: F is written wherever the pixel is enabled.
+/// Writes F, which must fit the field, where the test holds and the pixel is enabled. If `all`, the test holds at all
+/// pixels.
 template <LinearKind kind>
 HWY_INLINE void narrow_write(const NarrowF& f, Lanes& lanes, unsigned block, std::uint64_t enabled, bool all) {
   constexpr NarrowTag tag;
@@ -115,12 +116,12 @@ HWY_INLINE void narrow_bounds(Lanes& lanes, unsigned block, bool full, bool all,
   }
 }
 
-// Blocks pixel by pixel, for any F.
+// Kernels that process a block pixel by pixel for any F.
 
 using WideTag = hn::ScalableTag<std::int64_t>;
 using Wide = hn::Vec<WideTag>;
 
-/// Sums modulo 2^64 at the pixels of a block, minus that at its first pixel.
+/// Differences, modulo 2^64, between the sums at the pixels of a block and the sum at its first pixel.
 struct WideRamp {
   HWY_ALIGN std::int64_t values[block_pixels];
 
@@ -216,18 +217,18 @@ void narrow_blocks(const Enabled& pixels, const LinearTask& task, const PlaneSum
 template <LinearKind kind>
 LinearResult run(const Enabled& pixels, const LinearTask& task, std::uint32_t enabled) {
   const PlaneSum sum(task.linear, pixels.shape);
-  const bool may_decide = pixels.decide == Decide::by_block && !sum.huge();
+  const bool may_decide = pixels.decide == Decide::by_block && !sum.is_huge();
   const Decided decided = may_decide ? decide<kind>(pixels.enable.any(), sum, task) : Decided{};
   std::uint64_t open = pixels.enable.any() & ~decided.none;
   const std::uint64_t dropped = pixels.enable.any() & decided.none;
   std::uint64_t narrow = 0;
   if constexpr (writes(kind)) {
-    if (sum.narrow() && task.lanes->field.width <= PlaneSum::narrow_bits) narrow = open & decided.fits;
+    if (sum.is_narrow() && task.lanes->field.width <= PlaneSum::narrow_bits) narrow = open & decided.fits;
   } else {
     pixels.enable.clear_blocks(decided.none);
     open &= ~decided.all;
     const bool is_narrow = is_sign(kind) || task.lanes->field.width <= PlaneSum::narrow_bits;
-    if (may_decide && sum.narrow() && is_narrow) narrow = open & ~decided.may_wrap;
+    if (may_decide && sum.is_narrow() && is_narrow) narrow = open & ~decided.may_wrap;
   }
   const auto examined = static_cast<std::uint64_t>(std::popcount(open));
   pixels.work.words += examined;

@@ -54,7 +54,7 @@ void write_values(const Lanes& lanes, const TileShape& shape, std::uint32_t* out
 
 }  // namespace
 
-Memory::Memory(TileShape shape, std::uint32_t bits) : shape_(shape), planes_(bits), holders_of_(bits) {}
+Memory::Memory(TileShape shape, std::uint32_t bits) : shape_(shape), planes_(bits), holder_counts_(bits) {}
 
 void Memory::clear() {
   for (const auto& plane : planes_)
@@ -71,7 +71,7 @@ TileBits& Memory::stored_plane(unsigned bit) {
 }
 
 TileBits& Memory::plane(unsigned bit, std::uint64_t blocks) {
-  if (holders_of_[bit] != 0)
+  if (holder_counts_[bit] != 0)
     for (Holder& holder : holders_)
       if (holder.field.overlaps(one_bit(bit))) spill(holder, blocks);
   return stored_plane(bit);
@@ -79,7 +79,7 @@ TileBits& Memory::plane(unsigned bit, std::uint64_t blocks) {
 
 const TileBits& Memory::read(unsigned bit, std::uint64_t blocks, TileBits& copy) const {
   const TileBits* const plane = planes_[bit].get();
-  if (holders_of_[bit] == 0 && plane != nullptr) return *plane;
+  if (holder_counts_[bit] == 0 && plane != nullptr) return *plane;
   bool is_copied = false;
   for (const Holder& holder : holders_) {
     const std::uint64_t held = holder.blocks & blocks;
@@ -126,8 +126,8 @@ Memory::Holder& Memory::holder_for(Field field) {
 }
 
 void Memory::set_field(Holder& holder, Field field) {
-  for (unsigned bit = holder.field.base; bit < holder.field.end(); ++bit) --holders_of_[bit];
-  for (unsigned bit = field.base; bit < field.end(); ++bit) ++holders_of_[bit];
+  for (unsigned bit = holder.field.base; bit < holder.field.end(); ++bit) --holder_counts_[bit];
+  for (unsigned bit = field.base; bit < field.end(); ++bit) ++holder_counts_[bit];
   holder.field = holder.lanes->field = field;
 }
 
@@ -200,12 +200,12 @@ std::vector<Field> Memory::parts(Field field, std::uint64_t blocks) const {
   return parts;
 }
 
-bool Memory::in_lanes(Field field, std::uint64_t blocks) const {
+bool Memory::is_in_lanes(Field field, std::uint64_t blocks) const {
   return std::ranges::any_of(
       holders_, [&](const Holder& holder) { return holder.field == field && (blocks & ~holder.blocks) == 0; });
 }
 
-bool Memory::in_planes(Field field, std::uint64_t blocks) const {
+bool Memory::is_in_planes(Field field, std::uint64_t blocks) const {
   return std::ranges::none_of(
       holders_, [&](const Holder& holder) { return (holder.blocks & blocks) != 0 && holder.field.overlaps(field); });
 }

@@ -14,14 +14,15 @@
 
 namespace csgsim::functional {
 
-/// The blocks of a tile that an instruction works on, and those of them in which it overwrites the field at all pixels.
+/// The blocks of a tile on which an instruction works, and those among them in which it overwrites the field at all
+/// pixels.
 struct Worked {
   std::uint64_t blocks = ~std::uint64_t{0};
   std::uint64_t overwritten = 0;
 };
 
 /// The pixel memory of a tile. In each block, a bit is stored in a plane or, while its field is used as a number, in
-/// lanes; the form changes when an instruction needs the other one, and only in the blocks that it works on. Compiled
+/// lanes; the form changes when an instruction needs the other one, and only in the blocks on which it works. Compiled
 /// Programs mostly use a field in one way, so that this is rare; fields that are written as a whole and in parts, such
 /// as colours and their channels, stay in parts.
 class Memory {
@@ -39,13 +40,13 @@ class Memory {
   /// The planes that store a field in the blocks worked on, lowest bit first. `planes` must have room for them.
   void planes(isa::Field field, const Worked& worked, std::span<TileBits*> planes);
 
-  /// Reads the bit in those blocks without changing its form: returns the plane that stores it, or `copy` filled from
-  /// lanes.
+  /// Reads the bit in those blocks without changing its form: returns the plane that stores it or, if lanes store it,
+  /// `copy`, filled from them.
   const TileBits& read(unsigned bit, std::uint64_t blocks, TileBits& copy) const;
 
   /// Whether the bit is known to be 0 everywhere without examining pixels.
   [[nodiscard]] bool is_zero(unsigned bit) const {
-    return (!planes_[bit] || planes_[bit]->any() == 0) && (holders_of_[bit] == 0 || in_planes({to_base(bit), 1}));
+    return (!planes_[bit] || planes_[bit]->any() == 0) && (holder_counts_[bit] == 0 || is_in_planes({to_base(bit), 1}));
   }
 
   /// The lanes that store exactly this field in those blocks, for reading and writing there. The lanes returned by the
@@ -57,9 +58,9 @@ class Memory {
   [[nodiscard]] std::vector<isa::Field> parts(isa::Field field, std::uint64_t blocks = all_blocks) const;
 
   /// Whether lanes store exactly this field in those blocks.
-  [[nodiscard]] bool in_lanes(isa::Field field, std::uint64_t blocks = all_blocks) const;
+  [[nodiscard]] bool is_in_lanes(isa::Field field, std::uint64_t blocks = all_blocks) const;
   /// Whether planes store every bit of the field in those blocks.
-  [[nodiscard]] bool in_planes(isa::Field field, std::uint64_t blocks = all_blocks) const;
+  [[nodiscard]] bool is_in_planes(isa::Field field, std::uint64_t blocks = all_blocks) const;
 
   /// Writes the field's value at every pixel, row by row, with `stride` values per row.
   void values(isa::Field field, std::uint32_t* out, std::size_t stride) const;
@@ -96,7 +97,7 @@ class Memory {
   TileShape shape_;
   std::vector<std::unique_ptr<TileBits>> planes_;  ///< null or cleared: 0; also 0 where lanes store the bit
   std::vector<Holder> holders_;                    ///< no two store a bit in the same block
-  std::vector<std::uint8_t> holders_of_;           ///< for each bit, the number of holders whose field contains it
+  std::vector<std::uint8_t> holder_counts_;        ///< for each bit, the number of holders whose field contains it
   std::size_t next_reused_ = 0;                    ///< index into holders_, once all are in use
   Lanes* last_ = nullptr;                          ///< last lanes requested
 };

@@ -13,13 +13,13 @@ namespace csgsim::functional {
 /// The sum a*x + b*y + c over a tile, with its values at the corners of its blocks.
 class PlaneSum {
  public:
-  /// Maximum number of bits of the numbers that a narrow sum is compared with.
+  /// Maximum number of bits of the numbers with which a narrow sum is compared.
   static constexpr unsigned narrow_bits = 29;
 
   /// c is the sum at the tile's first pixel.
   PlaneSum(const isa::Linear& linear, const TileShape& shape)
-      : a_(linear.a), b_(linear.b), c_(linear.c), huge_(is_huge(linear)) {
-    if (huge_) {
+      : a_(linear.a), b_(linear.b), c_(linear.c), is_huge_(exceeds_limit(linear)) {
+    if (is_huge_) {
       may_wrap_ = true;
       return;
     }
@@ -32,16 +32,17 @@ class PlaneSum {
     constexpr std::int64_t steps = block_side - 1;
     low_ = steps * (below(a_) + below(b_));
     spread_ = steps * (above(a_) + above(b_)) - low_;
-    narrow_ = linear.shift <= narrow_bits && spread_ + (std::int64_t{1} << linear.shift) < std::int64_t{1} << 30U;
+    is_narrow_ = linear.shift <= narrow_bits && spread_ + (std::int64_t{1} << linear.shift) < std::int64_t{1} << 30U;
   }
 
-  /// Whether the coefficients are so great that corners outside the picture may exceed 64 bits; then only first_sum may
-  /// be called.
-  [[nodiscard]] bool huge() const { return huge_; }
+  /// Whether the coefficients are so large that sums at corners outside the picture may exceed 64 bits; then only
+  /// first_sum may be called.
+  [[nodiscard]] bool is_huge() const { return is_huge_; }
   /// Whether the sum may exceed its width at some pixel of the tile.
   [[nodiscard]] bool may_wrap() const { return may_wrap_; }
-  /// Whether the sums of a block minus that at its first pixel, plus a fraction, have fewer than 31 bits.
-  [[nodiscard]] bool narrow() const { return narrow_; }
+  /// Whether, in every block, the differences of sums from that at the block's first pixel, plus a fraction, fit 31
+  /// bits.
+  [[nodiscard]] bool is_narrow() const { return is_narrow_; }
 
   /// Minimum and maximum over the pixels of the tile.
   [[nodiscard]] std::int64_t least() const { return least_; }
@@ -55,7 +56,7 @@ class PlaneSum {
                           static_cast<std::uint64_t>(low < 0 ? ~low : low));
   }
   /// Whether the sum is constant.
-  [[nodiscard]] bool flat() const { return a_ == 0 && b_ == 0; }
+  [[nodiscard]] bool is_flat() const { return a_ == 0 && b_ == 0; }
 
   /// The sum at the block's first pixel, modulo 2^64.
   [[nodiscard]] std::int64_t first_sum(unsigned block) const {
@@ -75,7 +76,7 @@ class PlaneSum {
  private:
   static constexpr std::int64_t below(std::int64_t value) { return value < 0 ? value : 0; }
   static constexpr std::int64_t above(std::int64_t value) { return value > 0 ? value : 0; }
-  static constexpr bool is_huge(const isa::Linear& linear) {
+  static constexpr bool exceeds_limit(const isa::Linear& linear) {
     constexpr std::int64_t most = std::int64_t{1} << 45U;
     return linear.a > most || linear.a < -most || linear.b > most || linear.b < -most;
   }
@@ -83,9 +84,9 @@ class PlaneSum {
   std::int64_t a_;
   std::int64_t b_;
   std::int64_t c_;
-  bool huge_;
+  bool is_huge_;
   bool may_wrap_ = false;
-  bool narrow_ = false;
+  bool is_narrow_ = false;
   std::int64_t least_ = 0;
   std::int64_t greatest_ = 0;
   std::int64_t low_ = 0;

@@ -32,7 +32,7 @@ constexpr bool tests(LinearKind kind) { return !writes(kind) && !adds(kind); }
 
 enum class Alike : std::uint8_t { no, all, none };
 
-/// Whether the test of the kind holds for each f against each z, or for none.
+/// Whether the test of the kind holds for every pair of f and z in their ranges, for none, or neither.
 template <LinearKind kind>
 Alike decide(const QuadraticSum::Range& f, std::int64_t z_least, std::int64_t z_greatest) {
   using enum LinearKind;
@@ -54,7 +54,7 @@ Alike decide(const QuadraticSum::Range& f, std::int64_t z_least, std::int64_t z_
 template <LinearKind kind>
 Alike decide(const QuadraticTask& task, const QuadraticSum& sum, std::uint32_t width, std::uint32_t height,
              std::int64_t z_least, std::int64_t z_greatest) {
-  if (!sum.may_bound()) return Alike::no;
+  if (!sum.can_bound()) return Alike::no;
   const QuadraticSum::Range range = sum.range(width, height);
   const std::int64_t limit = std::int64_t{1} << (task.width - 1);
   if (range.least < -limit || range.greatest >= limit) return Alike::no;
@@ -62,7 +62,7 @@ Alike decide(const QuadraticTask& task, const QuadraticSum& sum, std::uint32_t w
   return decide<kind>({range.least >> shift, range.greatest >> shift}, z_least, z_greatest);
 }
 
-// Blocks pixel by pixel.
+// Kernels that process a block pixel by pixel.
 
 using SumTag = hn::CappedTag<std::int64_t, block_side>;
 using Sums = hn::Vec<SumTag>;
@@ -131,7 +131,7 @@ HWY_INLINE Sums written(Sums f, Sums z) {
     return f;
 }
 
-/// Operates on a block of lanes. Returns the pixels that stay enabled.
+/// Executes the task on a block of lanes. Returns the pixels that stay enabled.
 template <LinearKind kind>
 std::uint64_t meet_lanes(const BlockF& f, Lanes& lanes, unsigned block, std::uint64_t enabled) {
   constexpr SumTag tag;

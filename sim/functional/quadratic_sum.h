@@ -39,8 +39,8 @@ class QuadraticSum {
   [[nodiscard]] std::uint64_t b() const { return b_; }
   [[nodiscard]] std::uint64_t c() const { return c_; }
 
-  /// Whether no number in range(), for up to a tile's side each way, exceeds 64 bits.
-  [[nodiscard]] bool may_bound() const {
+  /// Whether range() can be computed in 64 bits for up to a tile's side in each direction.
+  [[nodiscard]] bool can_bound() const {
     return is_below(xx_, 46) && is_below(xy_, 46) && is_below(yy_, 46) && is_below(a_, 52) && is_below(b_, 52) &&
            is_below(c_, 61);
   }

@@ -27,18 +27,18 @@ FunctionalRun::FunctionalRun(const isa::Program& program, const machines::Machin
 
 Instructions FunctionalRun::instructions() const { return program_.segments[place_.segment].instructions; }
 
-bool FunctionalRun::finished() const {
-  return program_.segments.empty() || (end_notified_ && place_.segment + 1 == program_.segments.size());
+bool FunctionalRun::is_finished() const {
+  return program_.segments.empty() || (is_end_notified_ && place_.segment + 1 == program_.segments.size());
 }
 
 void FunctionalRun::notify_end(Observers observers) {
-  if (end_notified_) return;
+  if (is_end_notified_) return;
   for (engine::Observer* const observer : observers) observer->after_segment(place_.segment, tiles_);
-  end_notified_ = true;
+  is_end_notified_ = true;
 }
 
 void FunctionalRun::advance(std::uint64_t number, Observers observers) {
-  while (!finished()) {
+  while (!is_finished()) {
     const std::uint64_t next = numbers_.of(place_);
     if (place_.index < instructions().size()) {
       if (next >= number) return;
@@ -46,9 +46,9 @@ void FunctionalRun::advance(std::uint64_t number, Observers observers) {
       continue;
     }
     notify_end(observers);
-    if (finished() || next >= number) return;
+    if (is_finished() || next >= number) return;
     place_ = {place_.segment + 1, 0};
-    end_notified_ = false;
+    is_end_notified_ = false;
     tiles_.begin(program_.segments[place_.segment].region);
   }
 }
@@ -56,7 +56,7 @@ void FunctionalRun::advance(std::uint64_t number, Observers observers) {
 void FunctionalRun::execute_stretch(std::uint64_t most, Observers observers) {
   end_if_interrupted();
   const Instructions left = instructions().subspan(place_.index);
-  if (met_.asks()) most = 1;
+  if (met_.is_needed()) most = 1;
   const Instructions within = left.first(static_cast<std::size_t>(std::min<std::uint64_t>(most, left.size())));
   const Stretch stretch(within, observers);
   const Instructions executed = stretch.instructions();
@@ -82,7 +82,7 @@ void FunctionalRun::execute_stretch(std::uint64_t most, Observers observers) {
 }
 
 engine::RunState FunctionalRun::save() const {
-  engine::RunState state{place_, end_notified_, overflows_, skipped_, answers_, skips_, {}};
+  engine::RunState state{place_, is_end_notified_, overflows_, skipped_, answers_, skips_, {}};
   if (!program_.segments.empty()) state.planes = tiles_.planes();
   return state;
 }
@@ -90,7 +90,7 @@ engine::RunState FunctionalRun::save() const {
 void FunctionalRun::restore(const engine::RunState& state) {
   met_.jump();
   place_ = state.place;
-  end_notified_ = state.end_reported;
+  is_end_notified_ = state.is_end_reported;
   overflows_ = state.overflows;
   skipped_ = state.skipped;
   answers_ = state.answers;
@@ -102,9 +102,9 @@ void FunctionalRun::restore(const engine::RunState& state) {
     tiles_.execute(Stretch({squares, 1}, {}));
 }
 
-/// The clocks of the current instruction that depend on pixels.
+/// The clocks of the current instruction at the pixels, if they depend on the pixels.
 std::optional<machines::PixelClocks> FunctionalRun::at_pixels() const {
-  if (!met_.asks()) return std::nullopt;
+  if (!met_.is_needed()) return std::nullopt;
   const isa::Segment& segment = program_.segments[place_.segment];
   return machine_.kind->clocks_at_pixels(segment, place_.index, machine_, &met_.met(place_.segment));
 }

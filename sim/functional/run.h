@@ -18,7 +18,7 @@ class FunctionalRun final : public engine::Run {
   FunctionalRun(const isa::Program& program, const machines::Machine& machine, unsigned threads);
 
   [[nodiscard]] engine::Place place() const override { return place_; }
-  [[nodiscard]] bool finished() const override;
+  [[nodiscard]] bool is_finished() const override;
   void advance(std::uint64_t number, std::span<engine::Observer* const> observers) override;
   [[nodiscard]] engine::RunState save() const override;
   void restore(const engine::RunState& state) override;
@@ -32,7 +32,7 @@ class FunctionalRun final : public engine::Run {
   [[nodiscard]] std::uint32_t value(isa::Field field, std::uint32_t x, std::uint32_t y) const override {
     return tiles_.value(field, x, y);
   }
-  [[nodiscard]] bool enabled(std::uint32_t x, std::uint32_t y) const override { return tiles_.enabled(x, y); }
+  [[nodiscard]] bool is_enabled(std::uint32_t x, std::uint32_t y) const override { return tiles_.is_enabled(x, y); }
 
  private:
   [[nodiscard]] std::span<const isa::Instruction> instructions() const;
@@ -47,7 +47,7 @@ class FunctionalRun final : public engine::Run {
   engine::Numbers numbers_;
   Tiles tiles_;
   engine::Place place_;
-  bool end_notified_ = false;
+  bool is_end_notified_ = false;
   std::uint64_t overflows_ = 0;
   std::uint64_t skipped_ = 0;
   std::vector<bool> answers_;

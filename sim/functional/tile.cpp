@@ -148,7 +148,8 @@ std::uint64_t Tile::execute_linear(const Instruction& instruction, LinearKind ki
   if (is_linear) {
     const auto& [a, b, c, width, shift] = instruction.linear;
     task.linear = {a, b, c + a * x_ + b * y_, width, shift};
-    if (field.width > 0) task.lanes = &memory_.lanes(field, kind == LinearKind::load ? written() : read());
+    if (field.width > 0)
+      task.lanes = &memory_.lanes(field, kind == LinearKind::load ? blocks_to_overwrite() : blocks_to_update());
     result = run_linear(pixels(), task, enabled_);
   } else {
     result = execute_quadratic(instruction, squares, kind);
@@ -161,7 +162,7 @@ LinearResult Tile::execute_quadratic(const Instruction& instruction, const isa::
   const isa::Linear& linear = instruction.linear;
   QuadraticTask task{kind, QuadraticSum(squares, linear).from(x_, y_), linear.width, linear.shift, nullptr, {}};
   const Field field = instruction.fields[0];
-  const Worked worked = kind == LinearKind::load ? written() : read();
+  const Worked worked = kind == LinearKind::load ? blocks_to_overwrite() : blocks_to_update();
   WidePlanes planes{};
   if (field.width > isa::max_field_width) {
     memory_.planes(field, worked, planes);
@@ -175,19 +176,19 @@ LinearResult Tile::execute_quadratic(const Instruction& instruction, const isa::
 void Tile::root(Field target) {
   if (enabled_ == 0) return;
   WidePlanes planes{};
-  memory_.planes(target, read(), planes);
+  memory_.planes(target, blocks_to_update(), planes);
   take_root(pixels(), std::span(planes).first(target.width));
 }
 
-bool Tile::use_bits(Field first, Field second) const {
+bool Tile::uses_bits(Field first, Field second) const {
   if (first.width == 1) return true;
-  return first.width <= max_width_as_bits && memory_.in_planes(first, enable_.any()) &&
-         (second.width == 0 || memory_.in_planes(second, enable_.any()));
+  return first.width <= max_width_as_bits && memory_.is_in_planes(first, enable_.any()) &&
+         (second.width == 0 || memory_.is_in_planes(second, enable_.any()));
 }
 
 void Tile::set_constant(Field target, std::uint64_t constant) {
   if (enabled_ == 0) return;
-  if (use_bits(target, {})) {
+  if (uses_bits(target, {})) {
     for (unsigned bit = 0; bit < target.width; ++bit) {
       TileBits& plane = memory_.plane(target.base + bit, enable_.any());
       const std::uint64_t value = (constant >> bit & 1U) != 0 ? ~std::uint64_t{0} : 0;
@@ -204,7 +205,7 @@ void Tile::set_constant(Field target, std::uint64_t constant) {
     }
     return;
   }
-  if (!memory_.in_lanes(target, enable_.any())) {
+  if (!memory_.is_in_lanes(target, enable_.any())) {
     if (const std::vector<Field> parts = memory_.parts(target, enable_.any()); !parts.empty()) {
       for (const Field& part : parts) {
         const std::uint64_t ones = (std::uint64_t{1} << part.width) - 1;
@@ -213,7 +214,7 @@ void Tile::set_constant(Field target, std::uint64_t constant) {
       return;
     }
   }
-  set_lanes(pixels(), memory_.lanes(target, written()), static_cast<std::uint32_t>(constant));
+  set_lanes(pixels(), memory_.lanes(target, blocks_to_overwrite()), static_cast<std::uint32_t>(constant));
 }
 
 /// Whether the source is stored in the same parts as the target.
@@ -227,7 +228,7 @@ bool Tile::has_same_parts(Field source, Field target, const std::vector<Field>& 
 
 void Tile::copy(Field target, Field source) {
   if (enabled_ == 0) return;
-  if (use_bits(target, source)) {
+  if (uses_bits(target, source)) {
     for (unsigned bit = 0; bit < target.width; ++bit) {
       TileBits& to = memory_.plane(target.base + bit, enable_.any());
       const TileBits& from = memory_.read(source.base + bit, enable_.any(), first_copy_);
@@ -236,7 +237,7 @@ void Tile::copy(Field target, Field source) {
     }
     return;
   }
-  if (!memory_.in_lanes(target, enable_.any())) {
+  if (!memory_.is_in_lanes(target, enable_.any())) {
     if (const std::vector<Field> parts = memory_.parts(target, enable_.any());
         !parts.empty() && has_same_parts(source, target, parts)) {
       for (const Field& part : parts)
@@ -244,15 +245,15 @@ void Tile::copy(Field target, Field source) {
       return;
     }
   }
-  Lanes& to = memory_.lanes(target, written());
-  copy_lanes(pixels(), to, memory_.lanes(source, read()));
+  Lanes& to = memory_.lanes(target, blocks_to_overwrite());
+  copy_lanes(pixels(), to, memory_.lanes(source, blocks_to_update()));
 }
 
 void Tile::compare(Comparison comparison, Field left, Field right) {
   if (enabled_ == 0) return;
-  if (use_bits(left, right)) return compare_bits(comparison, left, right);
-  Lanes& s = memory_.lanes(left, read());
-  enabled_ = compare_lanes(pixels(), comparison, s, memory_.lanes(right, read()));
+  if (uses_bits(left, right)) return compare_bits(comparison, left, right);
+  Lanes& s = memory_.lanes(left, blocks_to_update());
+  enabled_ = compare_lanes(pixels(), comparison, s, memory_.lanes(right, blocks_to_update()));
 }
 
 void Tile::compare_bits(Comparison comparison, Field left, Field right) {
@@ -299,10 +300,10 @@ void Tile::combine_bits(Combine combine, Field target, Field left, Field right) 
 
 void Tile::add(Field target, Field source) {
   if (enabled_ == 0) return;
-  if (use_bits(target, source)) return add_bits(target, source);
-  Lanes& to = memory_.lanes(target, read());
+  if (uses_bits(target, source)) return add_bits(target, source);
+  Lanes& to = memory_.lanes(target, blocks_to_update());
   const std::uint32_t low_bits = ~std::uint32_t{0} >> (isa::max_field_width - target.width);
-  add_lanes(pixels(), to, memory_.lanes(source, read()), low_bits);
+  add_lanes(pixels(), to, memory_.lanes(source, blocks_to_update()), low_bits);
 }
 
 /// A full adder on words of pixels, with the carry rippling from bit to bit.

@@ -38,7 +38,7 @@ class alignas(64) Tile {
 
   [[nodiscard]] const Memory& memory() const { return memory_; }
   [[nodiscard]] const TileBits& enable() const { return enable_; }
-  /// A bit of memory, for reading.
+  /// Reads a bit of memory as Memory::read does.
   [[nodiscard]] const TileBits& bit(unsigned number, TileBits& copy) const {
     return memory_.read(number, shape_.blocks(), copy);
   }
@@ -50,14 +50,15 @@ class alignas(64) Tile {
   [[nodiscard]] std::uint32_t value(isa::Field field, std::uint32_t x, std::uint32_t y) const {
     return memory_.value(field, x, y);
   }
-  [[nodiscard]] bool enabled(std::uint32_t x, std::uint32_t y) const {
+  [[nodiscard]] bool is_enabled(std::uint32_t x, std::uint32_t y) const {
     return (enable_.word(block_of(x, y), shape_) >> bit_of(x, y) & 1U) != 0;
   }
 
  private:
-  /// The blocks of an instruction that reads the old values where a pixel is enabled, and of one that does not.
-  [[nodiscard]] Worked read() const { return {enable_.any(), 0}; }
-  [[nodiscard]] Worked written() const { return {enable_.any(), enable_.full()}; }
+  /// The blocks of an instruction that reads the old values of its target.
+  [[nodiscard]] Worked blocks_to_update() const { return {enable_.any(), 0}; }
+  /// The blocks of an instruction that does not read them.
+  [[nodiscard]] Worked blocks_to_overwrite() const { return {enable_.any(), enable_.full()}; }
   [[nodiscard]] Enabled pixels() { return {enable_, shape_, decide_, work_}; }
 
   void invert_enable();
@@ -77,7 +78,7 @@ class alignas(64) Tile {
   void add(isa::Field target, isa::Field source);
   void add_bits(isa::Field target, isa::Field source);
   void xor_constant(isa::Field target, std::uint64_t constant);
-  [[nodiscard]] bool use_bits(isa::Field first, isa::Field second) const;
+  [[nodiscard]] bool uses_bits(isa::Field first, isa::Field second) const;
 
   std::uint32_t x_;
   std::uint32_t y_;

@@ -35,7 +35,7 @@ void each_bit(std::uint64_t word, const Visit& visit) {
 /// edges of the picture.
 class TileShape {
  public:
-  /// 1 to tile_side pixels each way.
+  /// Each side has 1 to tile_side pixels.
   TileShape(std::uint32_t width, std::uint32_t height);
 
   [[nodiscard]] std::uint32_t width() const { return width_; }
@@ -82,7 +82,7 @@ class TileBits {
 
   /// Writes the word of a block; set_blocks must be called for it afterwards.
   void write_word(unsigned block, std::uint64_t word) { words_[block] = word; }
-  /// Sets the state of those blocks: containing a 1 if in `any`, all ones if in `full`.
+  /// Sets the state of those blocks: a block in `any` contains a 1, a block in `full` has only ones.
   void set_blocks(std::uint64_t blocks, std::uint64_t any, std::uint64_t full) {
     any_ = (any_ & ~blocks) | any;
     full_ = (full_ & ~blocks) | full;

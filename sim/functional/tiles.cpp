@@ -91,8 +91,8 @@ std::uint32_t Tiles::value(isa::Field field, std::uint32_t x, std::uint32_t y) c
   return tile_at(x, y).value(field, x % tile_side, y % tile_side);
 }
 
-bool Tiles::enabled(std::uint32_t x, std::uint32_t y) const {
-  return tile_at(x, y).enabled(x % tile_side, y % tile_side);
+bool Tiles::is_enabled(std::uint32_t x, std::uint32_t y) const {
+  return tile_at(x, y).is_enabled(x % tile_side, y % tile_side);
 }
 
 std::vector<std::vector<std::uint64_t>> Tiles::planes() const {

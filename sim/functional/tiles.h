@@ -38,11 +38,11 @@ class Tiles final : public engine::PixelState {
 
   /// Value and enable of one pixel, relative to the region's top left.
   [[nodiscard]] std::uint32_t value(isa::Field field, std::uint32_t x, std::uint32_t y) const;
-  [[nodiscard]] bool enabled(std::uint32_t x, std::uint32_t y) const;
+  [[nodiscard]] bool is_enabled(std::uint32_t x, std::uint32_t y) const;
 
   /// E and every memory bit, in the format of RunState::planes.
   [[nodiscard]] std::vector<std::vector<std::uint64_t>> planes() const;
-  /// Memory and enable must be 0, as after begin.
+  /// Sets E and memory, which must be 0 as after begin, from the result of planes().
   void load(std::span<const std::vector<std::uint64_t>> planes);
 
   /// The work of all segments executed.
@@ -50,7 +50,7 @@ class Tiles final : public engine::PixelState {
 
  private:
   [[nodiscard]] std::size_t tiles_per_row() const { return (region_.width + tile_side - 1) / tile_side; }
-  /// Index of the tile's first word in a plane; its further words are one row of words apart each.
+  /// Index of the tile's first word in a plane; each further word is one row of words later.
   [[nodiscard]] std::size_t first_word(const Tile& tile) const {
     return tile.y() * tiles_per_row() + tile.x() / tile_side;
   }
@@ -61,7 +61,7 @@ class Tiles final : public engine::PixelState {
   Decide decide_;
   isa::Region region_;
   std::vector<Tile> tiles_;  ///< row by row
-  engine::Work earlier_;     ///< work of former tiles
+  engine::Work earlier_;     ///< work in earlier segments
 };
 
 }  // namespace csgsim::functional

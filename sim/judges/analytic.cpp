@@ -55,7 +55,7 @@ class LongCamera {
     return perspective_ ? Line{eye_, forward_ + aside} : Line{eye_ + aside, forward_};
   }
 
-  [[nodiscard]] bool perspective() const { return perspective_; }
+  [[nodiscard]] bool is_perspective() const { return perspective_; }
 
   [[nodiscard]] bool same_depth(long double a, long double b) const {
     return std::abs(b - a) <= same_depth_tolerance * std::max({std::abs(a), std::abs(b), min_unit_});
@@ -78,7 +78,8 @@ class LongCamera {
   LongVector up_{};
   LongVector forward_{};
   long double pixel_ = 0;  ///< orthographic: model units; perspective: tangent
-  /// An orthographic view also shows what is at the eye and behind it; there the size of the picture is the unit.
+  /// Unit of the tolerance: in an orthographic view, which also shows solids at the eye and behind it, the size of the
+  /// picture.
   long double min_unit_ = 0;
 };
 
@@ -96,7 +97,7 @@ Window pixel_window(const TrueSolid& solid, const LongCamera& camera, std::uint3
   for (const LongVector& corner : solid.corners()) {
     const LongVector seen = camera.see(corner);
     // A solid that reaches in front of the near plane may be anywhere in the picture.
-    if (camera.perspective() && seen.z < near) return {0, 0, width, height};
+    if (camera.is_perspective() && seen.z < near) return {0, 0, width, height};
     x0 = std::min(x0, std::floor(seen.x));
     y0 = std::min(y0, std::floor(seen.y));
     x1 = std::max(x1, std::ceil(seen.x) + 1);
@@ -160,7 +161,7 @@ class RayPainter {
       Interval in = solids_[i].on(ray);
       if (in.empty()) continue;
       nearest = std::min(nearest, in.low);
-      if (view_.perspective()) in.low = std::max(in.low, near_);
+      if (view_.is_perspective()) in.low = std::max(in.low, near_);
       if (in.empty()) continue;
       events_.push_back({in.low, i, true});
       events_.push_back({in.high, i, false});
@@ -192,7 +193,7 @@ AnalyticPictures::AnalyticPictures(const model::Tree& tree, const facet::Facetin
                                    std::uint32_t width, std::uint32_t height)
     : tree_(tree), camera_(camera), truth_(empty_truth(width, height)), nearest_(truth_.owner.size(), -infinitely_far) {
   truth_.plane.clear();
-  for (const model::Primitive& primitive : tree.primitives) meant_.push_back(as_meant(primitive, drawn_as));
+  for (const model::Primitive& primitive : tree.primitives) meant_.push_back(intended_solid(primitive, drawn_as));
   for (const model::Primitive& primitive : meant_) solids_.emplace_back(primitive);
 }
 

@@ -17,7 +17,8 @@
 namespace csgsim::judges {
 
 /// The picture of the model's true spheres, cylinders and cones (and boxes and polyhedra) under their transforms, by
-/// the rules of exact_truth. A faceted picture's difference from it is the error of faceting. It has no planes.
+/// the rules of exact_truth. A faceted picture's difference from it is the error of faceting. Its Truth::plane is
+/// empty.
 ///
 /// Computed in long double, relative to the point of a ray nearest to the primitive's origin: depths are accurate to
 /// about 1e-15 of the distance, and to 1e-8 of a curved solid's size at grazing rays. Depths closer than 1e-9 of the
@@ -45,9 +46,10 @@ class AnalyticPictures {
   view::Camera camera_;
   std::vector<model::Primitive> meant_;
   std::vector<TrueSolid> solids_;
-  Truth truth_;                       ///< with the near plane of the last depth scale
-  std::optional<long double> near_;   ///< the near plane of `truth_`
-  std::vector<long double> nearest_;  ///< by pixel: where its ray first meets a solid, regardless of the near plane
+  Truth truth_;                      ///< with the near plane of the last depth scale
+  std::optional<long double> near_;  ///< the near plane of `truth_`
+  std::vector<long double>
+      nearest_;  ///< by pixel: distance at which its ray first meets a solid, without the near plane
 };
 
 }  // namespace csgsim::judges

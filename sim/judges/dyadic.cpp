@@ -30,7 +30,7 @@ Dyadic::Dyadic(const Real& value) {
   exponent_ = exponent - real_digits;
 }
 
-double Dyadic::approximately() const {
+double Dyadic::to_double() const {
   if (mantissa_.is_zero()) return 0.0;
   const Integer size = mantissa_.sign() < 0 ? Integer(-mantissa_) : mantissa_;
   const auto top = static_cast<unsigned>(msb(size)) + 1;
@@ -52,7 +52,7 @@ Dyadic operator-(const Dyadic& a) { return {-a.mantissa_, a.exponent_}; }
 
 Dyadic operator*(const Dyadic& a, const Dyadic& b) { return {a.mantissa_ * b.mantissa_, a.exponent_ + b.exponent_}; }
 
-Vector exactly(const glm::dvec3& v) { return {Dyadic(v.x), Dyadic(v.y), Dyadic(v.z)}; }
+Vector to_exact(const glm::dvec3& v) { return {Dyadic(v.x), Dyadic(v.y), Dyadic(v.z)}; }
 
 Vector operator-(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 

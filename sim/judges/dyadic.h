@@ -11,7 +11,7 @@ namespace csgsim::judges {
 
 using Integer = boost::multiprecision::cpp_int;
 
-/// 100 decimal digits, for square roots, which are taken once per picture.
+/// A number of 100 decimal digits, for square roots, which are computed once per picture.
 using Real = boost::multiprecision::cpp_bin_float_100;
 
 /// An exact number m * 2^e. All finite doubles, and their sums and products, are such numbers.
@@ -27,8 +27,8 @@ class Dyadic {
 
   [[nodiscard]] int sign() const { return mantissa_.sign(); }
 
-  /// Relative error at most 2^-52; 0 or infinite outside the range of doubles.
-  [[nodiscard]] double approximately() const;
+  /// The value with a relative error of at most 2^-52; 0 or infinite outside the range of doubles.
+  [[nodiscard]] double to_double() const;
 
   [[nodiscard]] Real to_real() const;
 
@@ -46,7 +46,7 @@ class Dyadic {
 
 using Vector = std::array<Dyadic, 3>;
 
-Vector exactly(const glm::dvec3& v);
+Vector to_exact(const glm::dvec3& v);
 Vector operator-(const Vector& a, const Vector& b);
 Dyadic dot(const Vector& a, const Vector& b);
 Vector cross(const Vector& a, const Vector& b);

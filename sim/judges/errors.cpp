@@ -26,7 +26,7 @@ DepthError summarise(std::vector<double> errors) {
   return {*std::max_element(at, errors.end()), *at};
 }
 
-/// Placeholder for the rounding bounds and the visibility test of judge(), which compare() does not use.
+/// Stands for the rounding bounds and the visibility test of judge() in compare(), which needs neither.
 struct NoBounds {};
 
 template <class Allowed, class MayShow>
@@ -90,7 +90,7 @@ Errors judge(const Truth& truth, const observe::Frame& frame, const isa::Program
   return measure(
       truth, frame, program,
       [&](std::uint32_t plane, PixelPlace at) {
-        return explainer.steps(plane, place_of(at.column, at.row, truth.width, truth.height));
+        return explainer.steps(plane, make_place(at.column, at.row, truth.width, truth.height));
       },
       [&](PixelPlace at, std::uint32_t owner, std::uint32_t depth) {
         return explainer.may_show(at.column, at.row, owner, depth);

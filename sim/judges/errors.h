@@ -29,7 +29,7 @@ struct PixelPlace {
 struct Errors {
   std::uint64_t pixels = 0;
   std::uint64_t covered = 0;     ///< covered in the true picture
-  std::uint64_t silhouette = 0;  ///< something visible in only one of the pictures
+  std::uint64_t silhouette = 0;  ///< covered in only one of the pictures
   std::uint64_t owner = 0;       ///< covered in both, but by different primitives
   std::uint64_t depth = 0;       ///< right owner, but a depth step outside the rounding bounds of its plane (only from
                                  ///< judge())
@@ -40,6 +40,7 @@ struct Errors {
   DepthError model_units;  ///< distance of the depth step (its near end) minus the true distance
   DepthError steps;        ///< the same in depth steps: floor alone causes up to 1
 
+  /// Number of wrong pixels.
   [[nodiscard]] std::uint64_t wrong() const { return silhouette + owner + depth; }
 };
 

@@ -23,15 +23,15 @@ Dyadic ExactLinear::at(Place place) const {
 
 ExactCamera::ExactCamera(const view::Camera& camera, std::uint32_t picture_width, std::uint32_t picture_height,
                          const isa::DepthScale& depth)
-    : perspective(camera.projection == view::Projection::perspective),
+    : is_perspective(camera.projection == view::Projection::perspective),
       width(picture_width),
       height(picture_height),
-      eye(exactly(camera.eye)),
-      forward(exactly(camera.centre) - exactly(camera.eye)),
-      near(perspective ? depth.near : 1.0) {
+      eye(to_exact(camera.eye)),
+      forward(to_exact(camera.centre) - to_exact(camera.eye)),
+      near(is_perspective ? depth.near : 1.0) {
   const Real length = sqrt(dot(forward, forward).to_real());
-  right = cross(forward, exactly(camera.up));
-  if (sqrt(dot(right, right).to_real()) <= along_up * length) right = cross(forward, exactly({0, 1, 0}));
+  right = cross(forward, to_exact(camera.up));
+  if (sqrt(dot(right, right).to_real()) <= along_up * length) right = cross(forward, to_exact({0, 1, 0}));
   up = cross(right, forward);
   const Real half_pixel = tangent_of_half_field() * length / height;
   right_step = Dyadic(Real(half_pixel / sqrt(dot(right, right).to_real())));

@@ -21,7 +21,7 @@ struct Place {
 };
 
 /// The centre of the pixel in that column and row.
-constexpr Place place_of(std::uint32_t column, std::uint32_t row, std::uint32_t width, std::uint32_t height) {
+constexpr Place make_place(std::uint32_t column, std::uint32_t row, std::uint32_t width, std::uint32_t height) {
   return {2 * static_cast<std::int32_t>(column) - (static_cast<std::int32_t>(width) - 1),
           2 * static_cast<std::int32_t>(row) - (static_cast<std::int32_t>(height) - 1)};
 }
@@ -39,7 +39,7 @@ struct ExactLinear {
 struct ExactCamera {
   ExactCamera(const view::Camera& camera, std::uint32_t width, std::uint32_t height, const isa::DepthScale& depth);
 
-  bool perspective;
+  bool is_perspective;
   std::uint32_t width;
   std::uint32_t height;
   Vector eye;          ///< model space

@@ -64,7 +64,7 @@ class Painter {
 
  private:
   void paint_pixel(const Pieces& pieces, std::uint32_t x, std::uint32_t y) {
-    const Place place = place_of(x, y, truth_.width, truth_.height);
+    const Place place = make_place(x, y, truth_.width, truth_.height);
     events_.clear();
     for (const Piece& piece : pieces.pieces) add_events(pieces, piece, place);
     if (events_.empty()) return;

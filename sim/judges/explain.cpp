@@ -43,7 +43,7 @@ DepthLine depth_line(const isa::Program& program, double unit) {
 
 }  // namespace
 
-/// What a machine may draw for a plane at a place.
+/// The results for a plane at a place that are allowed to a machine.
 struct Explainer::Nature {
   enum class Kind : std::uint8_t {
     surface,
@@ -127,7 +127,7 @@ bool Explainer::add_halfspace(Candidate& candidate, const facet::Halfspace& half
     case Nature::Kind::holds: return halfspace.positive;
     case Nature::Kind::excludes: return !halfspace.positive;
     case Nature::Kind::undecided: candidate.edges.push_back({halfspace.plane, halfspace.positive}); return true;
-    case Nature::Kind::either: candidate.doubtful = true; return true;
+    case Nature::Kind::either: candidate.is_doubtful = true; return true;
   }
   return true;
 }
@@ -138,19 +138,19 @@ bool Explainer::add_quadric(Candidate& candidate, const facet::QuadricSide& side
   QuadricMet met = quadrics_.met(side.quadric, place);
   const std::uint32_t nearer = sight_.surface({side.quadric, Root::nearer});
   const std::uint32_t farther = sight_.surface({side.quadric, Root::farther});
-  if (met.doubtful) {
-    candidate.doubtful = true;
+  if (met.is_doubtful) {
+    candidate.is_doubtful = true;
     return true;
   }
   const bool on_far_nappe = quadric.ahead != 0 && (quadric.ahead < 0) == side.along_axis;
-  if (!met.edge && quadric.opening < 0 && !on_far_nappe) {
+  if (!met.is_edge && quadric.opening < 0 && !on_far_nappe) {
     if (met.is_met == Maybe::unknown) met.nearer.high = std::max(met.nearer.high, line_.farthest());
     if (met.is_met != Maybe::no) candidate.backs.push_back({nearer, met.nearer});
     return true;
   }
   if (met.is_met == Maybe::no) return false;
   if (met.is_met == Maybe::unknown) candidate.edges.push_back({nearer, true});
-  if (met.edge) return true;
+  if (met.is_edge) return true;
   const bool is_from = quadric.opening < 0;
   candidate.fronts.push_back(is_from ? Met{farther, met.farther} : Met{nearer, met.nearer});
   if (!is_from) candidate.backs.push_back({farther, met.farther});
@@ -201,7 +201,7 @@ Ray Explainer::make_ray(Place place) const {
 }
 
 bool Explainer::may_show(std::uint32_t column, std::uint32_t row, std::uint32_t owner, std::uint32_t depth) const {
-  return can_show(tree_, make_ray(place_of(column, row, width_, height_)), owner, depth);
+  return can_show(tree_, make_ray(make_place(column, row, width_, height_)), owner, depth);
 }
 
 }  // namespace csgsim::judges

@@ -23,15 +23,15 @@ namespace csgsim::judges {
 ///
 /// - A plane is F = floor(z + e), |e| <= (1 + dx + dy) 2^-(f+1) steps, plus the rounding of doubles in computing z,
 /// 2^-49 of the sum of its terms times SightPlane::condition. Half-spaces on the same plane have the same F.
-/// - A plane steeper than 2^n steps in `edge_on_fraction` of a pixel contains or excludes the whole ray, by its true
-/// side if all depths from near to far are on that side, more than (1 + dx + dy) 2^-(f+9) pixels from the plane;
-/// otherwise either, but the same for all half-spaces on the plane.
+/// - A plane steeper than 2^n steps in `edge_on_fraction` of a pixel contains or excludes the whole ray. If all depths
+/// from near to far are on one side, more than (1 + dx + dy) 2^-(f+9) pixels from the plane, that side decides.
+/// Otherwise both results are allowed, but only the same one for all half-spaces on the plane.
 /// - A primitive is absent outside the rectangle of its vertices in the picture (including those of the near plane's
 /// cuts), enlarged by a 64th and `edge_on_fraction` of a pixel. On the border it may be present or not.
 /// - A quadric has the depths of host/view/screen_quadric.h, with the errors stated by QuadricBounds.
 ///
-/// A picture is explained at a pixel if some such planes and quadrics produce it. Three-valued logic decides this; it
-/// may allow slightly too much where several planes are uncertain together, but never too little.
+/// A picture is explained at a pixel if some such planes and quadrics produce it. Three-valued logic decides this. It
+/// may explain slightly too many pixels where several planes are uncertain together, but never too few.
 class Explainer {
  public:
   /// Keeps references to the tree and the geometry. The Program defines size, depth scale and accuracy.
@@ -63,7 +63,7 @@ class Explainer {
   const facet::Geometry& geometry_;
   std::uint32_t width_;
   std::uint32_t height_;
-  std::unique_ptr<const Sight> own_sight_;  ///< set if the constructor got no sight
+  std::unique_ptr<const Sight> own_sight_;  ///< null if the caller passed a sight
   const Sight& sight_;
   DepthLine line_;
   QuadricBounds quadrics_;

@@ -44,7 +44,7 @@ model::Polyhedron between(std::span<const Ring> rings, std::uint32_t count) {
   return solid;
 }
 
-/// Number of corners of its circles, if it is meant as a polygon.
+/// Number of corners of the primitive's circles; empty if it is intended as round.
 std::optional<std::uint32_t> polygon(const model::FacetControl& own, const facet::Faceting& faceting) {
   if (!std::isfinite(own.fn) || own.fn <= 0 || own.fn >= min_round_fragments(faceting)) return std::nullopt;
   return std::max(3U, static_cast<std::uint32_t>(own.fn));
@@ -76,7 +76,7 @@ double min_round_fragments(const facet::Faceting& faceting) {
   return faceting.tolerance || faceting.fragments ? 0 : faceting.min_round_sides;
 }
 
-model::Primitive as_meant(const model::Primitive& primitive, const facet::Faceting& faceting) {
+model::Primitive intended_solid(const model::Primitive& primitive, const facet::Faceting& faceting) {
   std::optional<model::Polyhedron> solid;
   if (const auto* sphere = std::get_if<model::Sphere>(&primitive.shape)) solid = polyhedron(*sphere, faceting);
   if (const auto* cylinder = std::get_if<model::Cylinder>(&primitive.shape)) solid = polyhedron(*cylinder, faceting);

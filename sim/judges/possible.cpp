@@ -44,7 +44,7 @@ Surface make_surface(std::span<const Met> planes, bool greatest) {
   return surface;
 }
 
-/// Whether the plane is at the surface's depth or nearer.
+/// Whether the plane is at the surface's depth or nearer, as far as known.
 Maybe not_behind(const Met& met, const Surface& surface) {
   if (surface.is(met.plane) || (surface.greatest && surface.has(met.plane))) return Maybe::yes;
   if (met.steps.high <= surface.steps.low) return Maybe::yes;
@@ -67,7 +67,7 @@ class Branch {
     }
     if (owner >= of_primitive_.size() || of_primitive_[owner] == nullptr) return false;
     const Candidate& shown = *of_primitive_[owner];
-    if (shown.doubtful) return true;
+    if (shown.is_doubtful) return true;
     Surface surface = visible_surface(shown);
     if (depth < surface.steps.low || depth > surface.steps.high) return false;
     surface.steps = {depth, depth};
@@ -79,7 +79,7 @@ class Branch {
  private:
   /// Whether the other primitive's surface certainly hides the one shown at that depth.
   [[nodiscard]] bool certainly_before(const Candidate& other, std::uint32_t owner, const Surface& surface) const {
-    if (other.primitive == owner || other.doubtful) return false;
+    if (other.primitive == owner || other.is_doubtful) return false;
     const Surface hiding = visible_surface(other);
     const bool first = other.primitive < owner;
     const bool nearer = hiding.steps.high < surface.steps.low ||
@@ -99,7 +99,7 @@ class Branch {
   }
 
   [[nodiscard]] Maybe on_ray(const Candidate& candidate) const {
-    Maybe result = candidate.doubtful ? Maybe::unknown : Maybe::yes;
+    Maybe result = candidate.is_doubtful ? Maybe::unknown : Maybe::yes;
     for (const EdgeUse& edge : candidate.edges) {
       const auto at = std::find(ray_.undecided_edges.begin(), ray_.undecided_edges.end(), edge.plane);
       const auto bit = static_cast<std::size_t>(at - ray_.undecided_edges.begin());

@@ -1,4 +1,4 @@
-// Three-valued decisions about what a ray may show.
+// Three-valued decisions whether a ray may show a surface.
 // Used by the explainer and the quadric bounds.
 #pragma once
 
@@ -38,7 +38,7 @@ struct Candidate {
   std::vector<EdgeUse> edges;  ///< the undecided edges; the primitive is inside the decided ones
   std::vector<Met> fronts;
   std::vector<Met> backs;
-  bool doubtful = false;  ///< some of its planes may be edges or surfaces: nothing is known
+  bool is_doubtful = false;  ///< some planes may be edges or surfaces, so any result is allowed
 };
 
 /// Everything that may be on one ray, primitives in tree order.

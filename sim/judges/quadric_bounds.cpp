@@ -82,18 +82,18 @@ QuadricBounds::QuadricBounds(const facet::Geometry& geometry, const Sight& sight
 double QuadricBounds::drift(std::uint32_t index) const {
   const facet::QuadricKind kind = table_.quadrics()[index].kind;
   const SightQuadric& quadric = sight_.quadrics().quadric(index);
-  if (quadric.edge) return 0.0;
-  if (kind == facet::QuadricKind::cone && sight_.perspective()) {
+  if (quadric.is_edge) return 0.0;
+  if (kind == facet::QuadricKind::cone && sight_.is_perspective()) {
     return apex_shift(table_, index, sight_.camera()) * 2.0 * line_.q_half_range;
   }
-  if (kind == facet::QuadricKind::ellipsoid || sight_.perspective()) return infinity;
+  if (kind == facet::QuadricKind::ellipsoid || sight_.is_perspective()) return infinity;
   return section_drift(quadric, line_.q_middle - line_.q_half_range, line_.q_middle + line_.q_half_range);
 }
 
 /// Maximum unit that the design allows: for a cylinder in an orthographic view whose root has some bits more than the
 /// depth, the number of steps that the surface changes within a fraction of a pixel; 0 without a slope.
 int QuadricBounds::max_unit(std::uint32_t index, double greatest_square) const {
-  if (table_.quadrics()[index].kind != facet::QuadricKind::cylinder || sight_.perspective()) return 0;
+  if (table_.quadrics()[index].kind != facet::QuadricKind::cylinder || sight_.is_perspective()) return 0;
   const FilterQuadratic& middle = sight_.quadrics().quadric(index).middle;
   const double slope = 2.0 * line_.z_per_q * std::hypot(middle.x, middle.y);
   const double passed = std::log2(slope * line_.edge_on_fraction) + 0x1p-30;
@@ -109,7 +109,7 @@ QuadricBounds::Bound QuadricBounds::make_bound(std::uint32_t index, const PlaceR
   bound.down = std::max(0.0, reach.y1 - reach.y0) / 4.0;
   if (bound.drift < line_.edge_on_fraction / 2.0) {
     bound.nature = Nature::edge;
-    bound.greatest = std::max(0.0, -least(section(index), reach));
+    bound.greatest = std::max(0.0, -minimum(section(index), reach));
     return bound;
   }
   const bool is_clear = std::isfinite(quadric.square.error) && quadric.condition < max_condition;
@@ -117,7 +117,7 @@ QuadricBounds::Bound QuadricBounds::make_bound(std::uint32_t index, const PlaceR
     bound.nature = Nature::doubtful;
     return bound;
   }
-  bound.greatest = std::max(1.0, line_.z_per_q * line_.z_per_q * judges::greatest(quadric.square, reach));
+  bound.greatest = std::max(1.0, line_.z_per_q * line_.z_per_q * maximum(quadric.square, reach));
   bound.max_unit = max_unit(index, bound.greatest);
   return bound;
 }
@@ -125,9 +125,9 @@ QuadricBounds::Bound QuadricBounds::make_bound(std::uint32_t index, const PlaceR
 QuadricMet QuadricBounds::met(std::uint32_t index, Place place) const {
   const Bound& bound = bounds_[index];
   QuadricMet met;
-  met.doubtful = bound.nature == Nature::doubtful;
-  met.edge = bound.nature == Nature::edge;
-  if (met.edge) met.is_met = edge_holds(index, place);
+  met.is_doubtful = bound.nature == Nature::doubtful;
+  met.is_edge = bound.nature == Nature::edge;
+  if (met.is_edge) met.is_met = edge_holds(index, place);
   if (bound.nature != Nature::roots) return met;
   met = with_unit(index, place, 0);
   for (int unit = 1; unit <= bound.max_unit; ++unit) {

@@ -24,10 +24,11 @@ struct DepthLine {
   unsigned fraction_bits = 0;
   double edge_on_fraction = 0;  ///< fraction of a pixel
 
-  /// Half a unit of a surface's coefficient, depth steps.
+  /// Half a unit in the last place of a surface's coefficient, in depth steps.
   [[nodiscard]] double ulp() const;
 
-  /// Maximum error at the place of a linear function with rounded coefficients, relative to the middle, in ulp().
+  /// Maximum error at the place of a linear function whose coefficients are rounded relative to the middle of the
+  /// picture, in units of ulp().
   static double rounding(Place place);
 
   /// Range of depth steps of a linear function q of the place, rounded by up to `ulps` of ulp(); `condition` as in
@@ -38,10 +39,10 @@ struct DepthLine {
   [[nodiscard]] std::int64_t farthest() const { return (std::int64_t{1} << z_bits) - 1; }
 };
 
-/// What a machine may compute for a quadric at a place.
+/// The results for a quadric at a place that are allowed to a machine.
 struct QuadricMet {
-  bool doubtful = false;     ///< nothing is known
-  bool edge = false;         ///< whole rays are inside or outside
+  bool is_doubtful = false;  ///< any result is allowed
+  bool is_edge = false;      ///< whole rays are inside or outside
   Maybe is_met = Maybe::no;  ///< whether the ray meets it; for an edge, whether the ray is inside
   Steps nearer;              ///< range of the nearer depth, if it is met
   Steps farther;

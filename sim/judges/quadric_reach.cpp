@@ -15,7 +15,7 @@ constexpr PlaceRect no_places{infinity, infinity, -infinity, -infinity};
 /// Two pixels, in places.
 constexpr double margin = 4.0;
 
-glm::dvec3 approximately(const Vector& v) { return {v[0].approximately(), v[1].approximately(), v[2].approximately()}; }
+glm::dvec3 to_double(const Vector& v) { return {v[0].to_double(), v[1].to_double(), v[2].to_double()}; }
 
 PlaceRect hull(const PlaceRect& a, const PlaceRect& b) {
   return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
@@ -25,12 +25,12 @@ PlaceRect hull(const PlaceRect& a, const PlaceRect& b) {
 class Projector {
  public:
   explicit Projector(const ExactCamera& camera)
-      : perspective_(camera.perspective),
-        eye_(approximately(camera.eye)),
-        forward_(per_length(approximately(camera.forward))),
-        right_(per_length(approximately(camera.right)) / camera.right_step.approximately()),
-        down_(-per_length(approximately(camera.up)) / camera.up_step.approximately()),
-        near_(camera.near.approximately() / camera.axis_length.approximately()),
+      : perspective_(camera.is_perspective),
+        eye_(to_double(camera.eye)),
+        forward_(per_length(to_double(camera.forward))),
+        right_(per_length(to_double(camera.right)) / camera.right_step.to_double()),
+        down_(-per_length(to_double(camera.up)) / camera.up_step.to_double()),
+        near_(camera.near.to_double() / camera.axis_length.to_double()),
         picture_{-1.0 * camera.width, -1.0 * camera.height, 1.0 * camera.width, 1.0 * camera.height} {}
 
   /// The places with the margin, clipped to the picture.
@@ -113,35 +113,39 @@ std::vector<PlaceRect> solid_reaches(const facet::Geometry& geometry, const Exac
   return reaches;
 }
 
-double least(const FilterQuadratic& of, const PlaceRect& over) {
-  return -greatest({-of.c, -of.x, -of.y, -of.xx, -of.xy, -of.yy, of.error}, over);
+double minimum(const FilterQuadratic& quadratic, const PlaceRect& rectangle) {
+  return -maximum(
+      {-quadratic.c, -quadratic.x, -quadratic.y, -quadratic.xx, -quadratic.xy, -quadratic.yy, quadratic.error},
+      rectangle);
 }
 
 double apex_shift(const facet::QuadricTable& quadrics, std::uint32_t index, const ExactCamera& camera) {
-  const Vector from_centre = camera.eye - exactly(quadrics.centre());
-  const glm::dvec3 from_apex = approximately(from_centre - exactly(quadrics.quadrics()[index].origin));
+  const Vector from_centre = camera.eye - to_exact(quadrics.centre());
+  const glm::dvec3 from_apex = to_double(from_centre - to_exact(quadrics.quadrics()[index].origin));
   const Projector projector(camera);
   const glm::dvec3 places = projector.lengths(from_apex);
   // The distance of a corner from the middle in places, which are half pixels, equals the picture's size in pixels.
   return (std::hypot(places.x, places.y) + std::abs(places.z) * std::hypot(camera.width, camera.height)) / 2.0;
 }
 
-double greatest(const FilterQuadratic& of, const PlaceRect& over) {
-  if (over.x0 > over.x1 || over.y0 > over.y1) return 0.0;
+double maximum(const FilterQuadratic& quadratic, const PlaceRect& rectangle) {
+  if (rectangle.x0 > rectangle.x1 || rectangle.y0 > rectangle.y1) return 0.0;
   double most = -infinity;
-  const auto take = [&](double x, double y) {
-    most = std::max(most, of.c + x * (of.x + of.xx * x + of.xy * y) + y * (of.y + of.yy * y));
+  const auto include = [&](double x, double y) {
+    most = std::max(most, quadratic.c + x * (quadratic.x + quadratic.xx * x + quadratic.xy * y) +
+                              y * (quadratic.y + quadratic.yy * y));
   };
-  for (const double x : {over.x0, over.x1}) {
-    for (const double y : {over.y0, over.y1}) take(x, y);
-    take(x, peak(of.yy, of.y + of.xy * x, over.y0, over.y1));
+  for (const double x : {rectangle.x0, rectangle.x1}) {
+    for (const double y : {rectangle.y0, rectangle.y1}) include(x, y);
+    include(x, peak(quadratic.yy, quadratic.y + quadratic.xy * x, rectangle.y0, rectangle.y1));
   }
-  for (const double y : {over.y0, over.y1}) take(peak(of.xx, of.x + of.xy * y, over.x0, over.x1), y);
-  const double determinant = 4.0 * of.xx * of.yy - of.xy * of.xy;
+  for (const double y : {rectangle.y0, rectangle.y1})
+    include(peak(quadratic.xx, quadratic.x + quadratic.xy * y, rectangle.x0, rectangle.x1), y);
+  const double determinant = 4.0 * quadratic.xx * quadratic.yy - quadratic.xy * quadratic.xy;
   if (determinant > 0.0) {
-    const double x = (of.xy * of.y - 2.0 * of.yy * of.x) / determinant;
-    const double y = (of.xy * of.x - 2.0 * of.xx * of.y) / determinant;
-    if (over.x0 <= x && x <= over.x1 && over.y0 <= y && y <= over.y1) take(x, y);
+    const double x = (quadratic.xy * quadratic.y - 2.0 * quadratic.yy * quadratic.x) / determinant;
+    const double y = (quadratic.xy * quadratic.x - 2.0 * quadratic.xx * quadratic.y) / determinant;
+    if (rectangle.x0 <= x && x <= rectangle.x1 && rectangle.y0 <= y && y <= rectangle.y1) include(x, y);
   }
   return most;
 }

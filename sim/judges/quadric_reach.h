@@ -23,13 +23,13 @@ struct PlaceRect {
 /// their edges, with a margin of two pixels.
 std::vector<PlaceRect> quadric_reaches(const facet::Geometry& geometry, const ExactCamera& camera);
 
-/// The bounding places of each solid's vertices and of the near plane's cuts of its edges. Empty if the solid is in
+/// The bounding rectangle of each solid's vertices and of the near plane's cuts of its edges. Empty if the solid is in
 /// front of the near plane.
 std::vector<PlaceRect> solid_reaches(const facet::Geometry& geometry, const ExactCamera& camera);
 
-/// Maximum and minimum over a rectangle of places; 0 if that is empty.
-double greatest(const FilterQuadratic& of, const PlaceRect& over);
-double least(const FilterQuadratic& of, const PlaceRect& over);
+/// Maximum and minimum over a rectangle of places; 0 if the rectangle is empty.
+double maximum(const FilterQuadratic& quadratic, const PlaceRect& rectangle);
+double minimum(const FilterQuadratic& quadratic, const PlaceRect& rectangle);
 
 /// Maximum sideways movement in the picture, pixels, of a cone whose apex is near the eye, for each unit of depth q
 /// (Sight), over the picture's corners.

@@ -37,8 +37,8 @@ double sizes(const Rows& rows, const Vector& v) {
   double sum = 0;
   for (const Vector& row : rows) {
     double terms = 0;
-    for (std::size_t i = 0; i < row.size(); ++i) terms += std::abs(row[i].approximately() * v[i].approximately());
-    sum += terms * (2.0 * std::abs(dot(row, v).approximately()) + std::numeric_limits<double>::epsilon() * terms);
+    for (std::size_t i = 0; i < row.size(); ++i) terms += std::abs(row[i].to_double() * v[i].to_double());
+    sum += terms * (2.0 * std::abs(dot(row, v).to_double()) + std::numeric_limits<double>::epsilon() * terms);
   }
   return sum;
 }
@@ -54,7 +54,7 @@ Dyadic QuadricSight::ExactQuadratic::at(Place place) const {
 }
 
 QuadricSight::QuadricSight(const facet::QuadricTable& quadrics, const ExactCamera& camera)
-    : table_(quadrics), camera_(camera), eye_(camera.eye - exactly(quadrics.centre())) {
+    : table_(quadrics), camera_(camera), eye_(camera.eye - to_exact(quadrics.centre())) {
   const auto count = static_cast<std::uint32_t>(quadrics.quadrics().size());
   quadrics_.reserve(count);
   for (std::uint32_t i = 0; i < count; ++i) quadrics_.push_back(make_filter(i));
@@ -64,11 +64,11 @@ QuadricSight::QuadricSight(const facet::QuadricTable& quadrics, const ExactCamer
 /// divides the quadric's equation by t^2.
 QuadricSight::Exact QuadricSight::make_exact(std::uint32_t index) const {
   const facet::Quadric& quadric = table_.quadrics()[index];
-  const Rows rows{exactly(quadric.to_unit[0]), exactly(quadric.to_unit[1]), exactly(quadric.to_unit[2])};
+  const Rows rows{to_exact(quadric.to_unit[0]), to_exact(quadric.to_unit[1]), to_exact(quadric.to_unit[2])};
   const Form form = make_form(rows, quadric.signs());
-  const Vector from_origin = eye_ - exactly(quadric.origin);
-  const Vector& base = camera_.perspective ? camera_.forward : from_origin;
-  const Vector& along = camera_.perspective ? Vector{} - from_origin : camera_.forward;
+  const Vector from_origin = eye_ - to_exact(quadric.origin);
+  const Vector& base = camera_.is_perspective ? camera_.forward : from_origin;
+  const Vector& along = camera_.is_perspective ? Vector{} - from_origin : camera_.forward;
   const Vector form_base = form * base;
   const Vector form_along = form * along;
   const Vector form_right = form * camera_.right;
@@ -84,8 +84,8 @@ QuadricSight::Exact QuadricSight::make_exact(std::uint32_t index) const {
              dot(camera_.right, form_right) * right * right,
              twice(dot(camera_.right, form_up) * right * down),
              dot(camera_.up, form_up) * down * down};
-  exact.sizes_of_a = sizes(rows, along) + (camera_.perspective ? std::abs(quadric.level()) : 0.0);
-  Dyadic& constant = camera_.perspective ? exact.a : exact.q.c;
+  exact.sizes_of_a = sizes(rows, along) + (camera_.is_perspective ? std::abs(quadric.level()) : 0.0);
+  Dyadic& constant = camera_.is_perspective ? exact.a : exact.q.c;
   constant = constant + Dyadic(quadric.level());
   const ExactLinear& l = exact.l;
   const ExactQuadratic& q = exact.q;
@@ -95,7 +95,7 @@ QuadricSight::Exact QuadricSight::make_exact(std::uint32_t index) const {
   if (quadric.kind != facet::QuadricKind::cone) return exact;
   // Points p and p' relative to the apex are in the same nappe if p^T form p' is negative. The point of the ray midway
   // between its depths is base - L / a along.
-  const Vector form_axis = form * exactly(quadric.axis);
+  const Vector form_axis = form * to_exact(quadric.axis);
   const Dyadic ahead = dot(along, form_axis);
   exact.ahead = ahead.sign();
   exact.nappe = {dot(base, form_axis), dot(camera_.right, form_axis) * right, dot(camera_.up, form_axis) * down};
@@ -120,8 +120,8 @@ double QuadricSight::size_over_picture(const FilterQuadratic& of) const {
 }
 
 FilterQuadratic QuadricSight::filter(const ExactQuadratic& from, double over) const {
-  FilterQuadratic to{from.c.approximately() / over,  from.x.approximately() / over,  from.y.approximately() / over,
-                     from.xx.approximately() / over, from.xy.approximately() / over, from.yy.approximately() / over};
+  FilterQuadratic to{from.c.to_double() / over,  from.x.to_double() / over,  from.y.to_double() / over,
+                     from.xx.to_double() / over, from.xy.to_double() / over, from.yy.to_double() / over};
   to.error = quadric_filter_part * size_over_picture(to) + std::numeric_limits<double>::min();
   if (std::isfinite(to.error) && std::isfinite(over) && std::abs(over) >= std::numeric_limits<double>::min()) return to;
   return {0, 0, 0, 0, 0, 0, infinity};
@@ -135,13 +135,13 @@ SightQuadric QuadricSight::make_filter(std::uint32_t index) const {
   SightQuadric quadric;
   quadric.opening = exact.a.sign();
   quadric.ahead = exact.ahead;
-  const double a = quadric.a = exact.a.approximately();
+  const double a = quadric.a = exact.a.to_double();
   const bool no_l = exact.l.l0.sign() == 0 && exact.l.lx.sign() == 0 && exact.l.ly.sign() == 0;
-  quadric.edge = quadric.opening == 0 && no_l;
+  quadric.is_edge = quadric.opening == 0 && no_l;
   quadric.nappe = linear(exact.nappe, 1.0);
   quadric.slope = linear(exact.l, 1.0);
   quadric.value = filter(exact.q, 1.0);
-  if (quadric.edge) {
+  if (quadric.is_edge) {
     quadric.square = filter(exact.q, -1.0);
     return quadric;
   }
@@ -157,10 +157,10 @@ int QuadricSight::discriminant_sign(std::uint32_t index, Place place) const {
   const FilterQuadratic& square = quadrics_[index].square;
   const double value = square.at(place);
   if (std::abs(value) > square.error) return value > 0.0 ? 1 : -1;
-  return quadrics_[index].edge ? -exact(index).q.at(place).sign() : exact(index).discriminant.at(place).sign();
+  return quadrics_[index].is_edge ? -exact(index).q.at(place).sign() : exact(index).discriminant.at(place).sign();
 }
 
-bool QuadricSight::on_nappe(const facet::QuadricSide& side, Place place) const {
+bool QuadricSight::is_on_nappe(const facet::QuadricSide& side, Place place) const {
   if (table_.quadrics()[side.quadric].kind != facet::QuadricKind::cone) return true;
   const FilterQuadratic& nappe = quadrics_[side.quadric].nappe;
   const double value = nappe.at(place);
@@ -173,11 +173,11 @@ Parts QuadricSight::parts(const facet::QuadricSide& side, Place place) const {
   const Part everything;
   const Part until{std::nullopt, Sheet{side.quadric, Root::nearer}};
   const Part from{Sheet{side.quadric, Root::farther}, std::nullopt};
-  if (quadric.opening == 0 && !quadric.edge) return tangent_parts(side, place);
+  if (quadric.opening == 0 && !quadric.is_edge) return tangent_parts(side, place);
   const int sign = discriminant_sign(side.quadric, place);
-  if (quadric.edge) return sign >= 0 && on_nappe(side, place) ? one(everything) : Parts{};
+  if (quadric.is_edge) return sign >= 0 && is_on_nappe(side, place) ? one(everything) : Parts{};
   if (quadric.opening > 0) {
-    return sign > 0 && on_nappe(side, place) ? one({until.back, from.front}) : Parts{};
+    return sign > 0 && is_on_nappe(side, place) ? one({until.back, from.front}) : Parts{};
   }
   if (sign < 0) return one(everything);
   if (quadric.ahead == 0) return {{until, from}, 2};

@@ -65,8 +65,8 @@ struct FilterQuadratic {
 /// A quadric along the rays of the picture, a q^2 + 2 L q + Q <= 0, approximately.
 struct SightQuadric {
   int opening = 0;         ///< sign of a: 1 if a ray is inside between its depths, -1 if outside between them
-  bool edge = false;       ///< a = 0 and L = 0 everywhere: whole rays are inside or outside
-  int ahead = 0;           ///< for a cone: -1 if rays end on the nappe that the axis points into, 1 if they begin there
+  bool is_edge = false;    ///< a = 0 and L = 0 everywhere: whole rays are inside or outside
+  int ahead = 0;           ///< for a cone: -1 if rays end in the nappe in the axis's direction, 1 if they begin there
   double condition = 1;    ///< amplification of the rounding of doubles in a
   FilterQuadratic middle;  ///< -L / a, linear: the depths are middle -+ sqrt(square). Unused if a = 0
   FilterQuadratic square;  ///< (L^2 - a Q) / a^2; for an edge -Q
@@ -129,7 +129,7 @@ class QuadricSight {
   [[nodiscard]] FilterQuadratic filter(const ExactQuadratic& from, double over) const;
   [[nodiscard]] double size_over_picture(const FilterQuadratic& of) const;
   [[nodiscard]] int discriminant_sign(std::uint32_t index, Place place) const;
-  [[nodiscard]] bool on_nappe(const facet::QuadricSide& side, Place place) const;
+  [[nodiscard]] bool is_on_nappe(const facet::QuadricSide& side, Place place) const;
   [[nodiscard]] Parts tangent_parts(const facet::QuadricSide& side, Place place) const;
 
   const facet::QuadricTable& table_;

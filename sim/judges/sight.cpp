@@ -18,9 +18,9 @@ Sight::Sight(const facet::Geometry& geometry, const view::Camera& camera, std::u
              const isa::DepthScale& depth)
     : table_(geometry.planes),
       camera_(camera, width, height, depth),
-      from_middle_(camera_.eye - exactly(geometry.planes.centre())),
+      from_middle_(camera_.eye - to_exact(geometry.planes.centre())),
       quadrics_(geometry.quadrics, camera_),
-      unit_(camera_.axis_length.approximately()) {
+      unit_(camera_.axis_length.to_double()) {
   const auto count = static_cast<std::uint32_t>(table_.planes().size()) + 2;
   planes_.resize(count);
   for (std::uint32_t i = 0; i < count; ++i) planes_[i] = make_filter(i);
@@ -31,13 +31,13 @@ Sight::Exact Sight::make_exact(std::uint32_t index) const {
   if (index == near_plane()) return {{-camera_.axis_length, Dyadic(), Dyadic()}, camera_.near};
   if (index == horizon()) return {{}, Dyadic(-1.0)};
   const facet::Plane& plane = table_.planes()[index];
-  const Vector normal = exactly(plane.normal);
+  const Vector normal = to_exact(plane.normal);
   const Dyadic at_eye = dot(normal, from_middle_) + Dyadic(plane.offset);
   const Dyadic along = dot(normal, camera_.forward);
   // The plane's equation on the ray eye + t v, shifted or rotated by the pixel's place, is at_eye + t * along <= 0.
   Exact exact{{at_eye, dot(normal, camera_.right) * camera_.right_step, -(dot(normal, camera_.up) * camera_.up_step)},
               -along};
-  if (perspective()) {
+  if (is_perspective()) {
     exact.l.l0 = along;
     exact.k = at_eye;
   }
@@ -52,12 +52,12 @@ const Sight::Exact& Sight::exact(std::uint32_t index) const {
 
 /// Sum of the magnitudes of the terms of a plane's denominator k.
 double Sight::denominator_size(std::uint32_t index) const {
-  if (index >= near_plane()) return std::abs(make_exact(index).k.approximately());
+  if (index >= near_plane()) return std::abs(make_exact(index).k.to_double());
   const facet::Plane& plane = table_.planes()[index];
-  const Vector& factor = perspective() ? from_middle_ : camera_.forward;
-  double size = perspective() ? std::abs(plane.offset) : 0.0;
+  const Vector& factor = is_perspective() ? from_middle_ : camera_.forward;
+  double size = is_perspective() ? std::abs(plane.offset) : 0.0;
   for (int axis = 0; axis < 3; ++axis) {
-    size += std::abs(plane.normal[axis] * factor[static_cast<std::size_t>(axis)].approximately());
+    size += std::abs(plane.normal[axis] * factor[static_cast<std::size_t>(axis)].to_double());
   }
   return size;
 }
@@ -65,13 +65,13 @@ double Sight::denominator_size(std::uint32_t index) const {
 SightPlane Sight::make_filter(std::uint32_t index) const {
   const Exact exact = make_exact(index);
   SightPlane plane;
-  double k = exact.k.approximately();
+  double k = exact.k.to_double();
   if (exact.k.sign() != 0) plane.role = exact.k.sign() > 0 ? Role::front : Role::back;
   plane.condition = denominator_size(index) / std::abs(k);
   if (plane.role == Role::edge) k = plane.condition = 1.0;
-  plane.c = exact.l.l0.approximately() / k;
-  plane.a = exact.l.lx.approximately() / k;
-  plane.b = exact.l.ly.approximately() / k;
+  plane.c = exact.l.l0.to_double() / k;
+  plane.a = exact.l.lx.to_double() / k;
+  plane.b = exact.l.ly.to_double() / k;
   plane.error =
       filter_part * (std::abs(plane.c) + std::abs(plane.a) * camera_.width + std::abs(plane.b) * camera_.height) +
       std::numeric_limits<double>::min();
@@ -130,7 +130,7 @@ double Sight::distance(Sheet sheet, Place place) const {
   Estimate depth = estimate(sheet, place);
   const bool fine = depth.error <= 0x1p-45 * std::abs(depth.value);
   if (!fine) depth.value = static_cast<double>(exactly_at(sheet, place).to_real());
-  return perspective() ? -unit_ / depth.value : unit_ * depth.value;
+  return is_perspective() ? -unit_ / depth.value : unit_ * depth.value;
 }
 
 }  // namespace csgsim::judges

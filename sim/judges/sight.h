@@ -58,8 +58,8 @@ class Sight {
   /// Index of the near plane of a perspective view, as a plane that faces forward; after all canonical planes.
   [[nodiscard]] std::uint32_t near_plane() const { return static_cast<std::uint32_t>(planes_.size()) - 2; }
 
-  /// Index of the plane at infinity in a perspective view, which faces away. What is behind the eye is, reversed,
-  /// behind it; bounded solids without planes need it.
+  /// Index of the plane at infinity in a perspective view, which faces away. Points behind the eye count as behind this
+  /// plane; it bounds solids that have no planes.
   [[nodiscard]] std::uint32_t horizon() const { return near_plane() + 1; }
 
   [[nodiscard]] const QuadricSight& quadrics() const { return quadrics_; }
@@ -78,13 +78,13 @@ class Sight {
 
   [[nodiscard]] const ExactCamera& camera() const { return camera_; }
 
-  [[nodiscard]] bool perspective() const { return camera_.perspective; }
+  [[nodiscard]] bool is_perspective() const { return camera_.is_perspective; }
 
   /// |centre - eye|, model units.
   [[nodiscard]] double axis_length() const { return unit_; }
 
-  /// Exact sign of the depth of plane `first` minus that of `second`. Neither may be an edge. A face in the near plane
-  /// is behind it: it is not cut.
+  /// Exact sign of the depth of plane `first` minus that of `second`. Neither may be an edge. A face that lies in the
+  /// near plane counts as behind the near plane, so that it is not cut.
   [[nodiscard]] int compare(std::uint32_t first, std::uint32_t second, Place place) const {
     if (first == second) return 0;
     const SightPlane& a = planes_[first];

@@ -28,7 +28,7 @@ Interval slab(long double low, long double high, long double origin, long double
   return common(below_zero(-direction, low - origin), below_zero(direction, origin - high));
 }
 
-/// The interval of t in `within` with a t^2 + 2 b t + c <= 0. If a < 0 leaves two intervals, the longer one.
+/// The interval of t in `within` with a t^2 + 2 b t + c <= 0; the longer one if a < 0 and there are two.
 Interval below_zero(long double a, long double b, long double c, const Interval& within) {
   const long double discriminant = b * b - a * c;
   if (a == 0) return common(below_zero(2 * b, c), within);

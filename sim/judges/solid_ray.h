@@ -27,7 +27,7 @@ struct Interval {
   [[nodiscard]] bool empty() const { return !(low < high); }
 };
 
-/// A primitive as it is meant, not faceted.
+/// A primitive as the model intends it, without facets.
 class TrueSolid {
  public:
   explicit TrueSolid(const model::Primitive& primitive);

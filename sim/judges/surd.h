@@ -13,7 +13,7 @@ struct Surd {
   Dyadic square{};  ///< not negative
   Dyadic over;      ///< not 0
 
-  /// The value to about 100 digits of the larger of its two terms.
+  /// The value with an error of about 10^-100 of the larger of its two terms.
   [[nodiscard]] Real to_real() const;
 };
 

@@ -22,8 +22,8 @@ struct Range {
 };
 
 Middle tile_middle(const Tile& tile, std::uint32_t width, std::uint32_t height) {
-  const Place first = place_of(tile.x0, tile.y0, width, height);
-  const Place last = place_of(tile.x1 - 1, tile.y1 - 1, width, height);
+  const Place first = make_place(tile.x0, tile.y0, width, height);
+  const Place last = make_place(tile.x1 - 1, tile.y1 - 1, width, height);
   return {(first.x + last.x) / 2.0, (first.y + last.y) / 2.0, (last.x - first.x) / 2.0, (last.y - first.y) / 2.0};
 }
 
@@ -137,8 +137,8 @@ Pieces all_pieces(const facet::Geometry& geometry, const Sight& sight) {
       if (is != Role::edge && !halfspace.positive) is = is == Role::front ? Role::back : Role::front;
       if (is == role) all.halfspaces.push_back(halfspace);
     }
-    if (role == Role::front && sight.perspective()) all.halfspaces.push_back({sight.near_plane(), true});
-    if (role == Role::back && sight.perspective() && !solid.quadrics.empty()) {
+    if (role == Role::front && sight.is_perspective()) all.halfspaces.push_back({sight.near_plane(), true});
+    if (role == Role::back && sight.is_perspective() && !solid.quadrics.empty()) {
       all.halfspaces.push_back({sight.horizon(), true});
     }
     return Run{begin, size()};

@@ -17,27 +17,27 @@ class TreeOnRay {
   /// Starts with the point outside all primitives.
   explicit TreeOnRay(const model::Tree& tree);
 
-  void set(std::uint32_t primitive, bool in);
+  void set(std::uint32_t primitive, bool is_inside);
 
-  [[nodiscard]] bool in_model() const { return root_ != model::no_index && nodes_[root_].value(); }
+  [[nodiscard]] bool is_in_model() const { return root_ != model::no_index && nodes_[root_].value(); }
 
   /// Whether the primitive is subtracted, that is, on the right of an odd number of differences: then its back can be
   /// visible, and the point must be outside it.
-  [[nodiscard]] bool subtracted(std::uint32_t primitive) const { return nodes_[leaf_of_[primitive]].subtracted; }
+  [[nodiscard]] bool is_subtracted(std::uint32_t primitive) const { return nodes_[leaf_of_[primitive]].is_subtracted; }
 
-  /// Whether no operator on the way to the root hides the primitive's surface here: every operator is inside there (or
-  /// outside, where it is itself subtracted).
-  [[nodiscard]] bool shows(std::uint32_t primitive) const;
+  /// Whether the primitive's surface at the point is a surface of the whole tree: the point is inside every operator on
+  /// the path to the root (outside an operator that is subtracted).
+  [[nodiscard]] bool is_exposed(std::uint32_t primitive) const;
 
  private:
   struct Node {
     std::uint32_t parent = model::no_index;
-    bool inverted = false;     ///< the parent subtracts it from its first child
-    bool subtracted = false;   ///< on the right of an odd number of differences
-    std::uint32_t right = 0;   ///< number of children that have the value the operator needs; leaf: 1 if inside
-    std::uint32_t needed = 1;  ///< number of them that make the node inside
+    bool is_inverted = false;    ///< the parent subtracts it from its first child
+    bool is_subtracted = false;  ///< on the right of an odd number of differences
+    std::uint32_t matching = 0;  ///< number of children with the value that the operator needs; leaf: 1 if inside
+    std::uint32_t needed = 1;    ///< number of such children that makes the node inside
 
-    [[nodiscard]] bool value() const { return right >= needed; }
+    [[nodiscard]] bool value() const { return matching >= needed; }
   };
 
   std::vector<Node> nodes_;
@@ -45,24 +45,24 @@ class TreeOnRay {
   std::uint32_t root_;
 };
 
-/// The event at the first depth behind which the point is in the model, of the first primitive in tree order whose
-/// surface shows there; null if the ray meets nothing. Events have members `primitive` and `enters` and are sorted by
-/// depth; those of the same depth are consecutive. The tree must be outside all primitives, and is so again on return.
+/// The event of the visible surface: at the first depth behind which the point is in the model, of the first primitive
+/// in tree order whose surface is exposed there; null if the ray meets nothing. Events have members `primitive` and
+/// `enters` and are sorted by depth. The point must be outside all primitives, and is so again on return.
 template <typename Event, typename SameDepth>
 const Event* first_seen(TreeOnRay& on_ray, std::span<const Event> events, const SameDepth& same_depth) {
   const Event* seen = nullptr;
   std::size_t next = 0;
-  while (next < events.size() && !on_ray.in_model()) {
+  while (next < events.size() && !on_ray.is_in_model()) {
     const std::size_t first = next;
     do {
       on_ray.set(events[next].primitive, events[next].enters);
       ++next;
     } while (next < events.size() && same_depth(events[next - 1], events[next]));
-    if (!on_ray.in_model()) continue;
+    if (!on_ray.is_in_model()) continue;
     for (const Event& event : events.subspan(first, next - first)) {
-      const bool visible_side = event.enters != on_ray.subtracted(event.primitive);
+      const bool visible_side = event.enters != on_ray.is_subtracted(event.primitive);
       const bool before = seen == nullptr || event.primitive < seen->primitive;
-      if (visible_side && before && on_ray.shows(event.primitive)) seen = &event;
+      if (visible_side && before && on_ray.is_exposed(event.primitive)) seen = &event;
     }
   }
   for (const Event& event : events.first(next)) on_ray.set(event.primitive, false);

@@ -18,7 +18,7 @@ class Sight;
 
 inline constexpr std::uint32_t nothing = 0xffffffffU;
 
-/// What is visible at the pixel centres of a picture, in row order from the top left.
+/// The visible surfaces at the pixel centres of a picture, in row order from the top left.
 struct Truth {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
@@ -42,7 +42,7 @@ inline Truth empty_truth(std::uint32_t width, std::uint32_t height) {
 /// docs/algorithm.md (view), in exact arithmetic (sight.h).
 ///
 /// - A primitive fills [front, back) along the ray of a pixel centre: its front is its farthest plane that faces the
-/// eye, its back the nearest that faces away. In perspective it begins no earlier than the near plane, depth.near.
+/// eye, its back the nearest plane that faces away. In perspective it begins at the near plane, depth.near, or later.
 /// - Its quadrics bound it in the same way (quadric_sight.h): a ray exactly on an outline is outside; one in the
 /// surface of a cylinder seen along its axis, or of a cone seen from its apex, is inside.
 /// - The visible depth is the first behind which the point is in the tree of the model.

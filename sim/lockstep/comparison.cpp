@@ -45,7 +45,7 @@ Comparison run_both(const Side& a, const Side& b, LockstepSettings settings) {
   const bool may_be_late = comparison.divergence && comparison.divergence->pixel && settings.whole_every > 1;
   if (!may_be_late) return comparison;
   settings.whole_every = 1;
-  settings.begin = lockstep.whole_until();
+  settings.begin = lockstep.compared_fully_until();
   return run_both(a, b, settings);
 }
 

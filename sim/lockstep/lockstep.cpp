@@ -17,7 +17,8 @@ Lockstep::Lockstep(const isa::Program& a, const isa::Program& b, engine::Run& b_
   b_observers_.push_back(&last_);
 }
 
-void Lockstep::differ(engine::Place place, std::optional<PixelDifference> pixel, std::optional<TwoValues> otherwise) {
+void Lockstep::record_divergence(engine::Place place, std::optional<PixelDifference> pixel,
+                                 std::optional<TwoValues> otherwise) {
   divergence_ = Divergence{place, std::move(pixel), std::move(otherwise)};
   compares_ = false;
 }
@@ -38,18 +39,19 @@ void Lockstep::after_instruction(const engine::Step& step, const engine::PixelSt
     return;
   }
   const std::uint64_t next = b_numbers_.of(b_.place());
-  if (next == number && !b_.finished()) b_.advance(number + 1, b_observers_);
-  if (next != number || last_.place != place) return differ(place, {}, TwoValues{"instruction", number, next});
+  if (next == number && !b_.is_finished()) b_.advance(number + 1, b_observers_);
+  if (next != number || last_.place != place)
+    return record_divergence(place, {}, TwoValues{"instruction", number, next});
   if (number < settings_.begin) return;
   const bool is_whole = (number + 1) % settings_.whole_every == 0;
   std::optional<PixelDifference> pixel =
-      is_whole ? comparison_.whole(state, b_) : comparison_.written(step.instruction, state, b_);
+      is_whole ? comparison_.compare_all(state, b_) : comparison_.compare_written(step.instruction, state, b_);
   if (!pixel && !is_whole) {
     const isa::Instruction& other = b_program_.segments[step.segment].instructions[step.index];
-    if (other.fields != step.instruction.fields) pixel = comparison_.written(other, state, b_);
+    if (other.fields != step.instruction.fields) pixel = comparison_.compare_written(other, state, b_);
   }
-  if (pixel) return differ(place, std::move(pixel), {});
-  if (std::optional<TwoValues> otherwise = other_step(step)) return differ(place, {}, std::move(otherwise));
+  if (pixel) return record_divergence(place, std::move(pixel), {});
+  if (std::optional<TwoValues> otherwise = other_step(step)) return record_divergence(place, {}, std::move(otherwise));
   ++compared_;
   if (is_whole) whole_until_ = number + 1;
 }
@@ -61,8 +63,10 @@ void Lockstep::after_segment(std::uint32_t segment, const engine::PixelState& st
   const engine::Place last{segment,
                            static_cast<std::uint32_t>(a_numbers_.first(segment + 1) - a_numbers_.first(segment) - 1)};
   if (b_.place() != engine::Place{segment, last.index + 1})
-    return differ(last, {}, TwoValues{"instruction", a_numbers_.first(segment + 1), b_numbers_.of(b_.place())});
-  if (std::optional<PixelDifference> pixel = comparison_.whole(state, b_)) return differ(last, std::move(pixel), {});
+    return record_divergence(last, {},
+                             TwoValues{"instruction", a_numbers_.first(segment + 1), b_numbers_.of(b_.place())});
+  if (std::optional<PixelDifference> pixel = comparison_.compare_all(state, b_))
+    return record_divergence(last, std::move(pixel), {});
   whole_until_ = a_numbers_.first(segment + 1);
 }
 

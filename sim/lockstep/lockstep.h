@@ -17,8 +17,8 @@ namespace csgsim::lockstep {
 struct Divergence {
   engine::Place place;  ///< the last instruction before the difference, in A's Program
   std::optional<PixelDifference> pixel;
-  /// The difference if no pixel differs: `clocks`, `enabled pixels`, or `instruction`, the numbers of the instructions
-  /// that each side executes.
+  /// The difference if no pixel differs: `clocks`, `enabled pixels`, or `instruction` (the numbers of the instructions
+  /// that the two sides execute).
   std::optional<TwoValues> otherwise;
 
   bool operator==(const Divergence&) const = default;
@@ -30,18 +30,16 @@ struct LockstepSettings {
   std::uint64_t whole_every = 1;
   /// Number of the first instruction after which states are compared.
   std::uint64_t begin = 0;
-  bool clocks = true;  ///< whether the clocks of each instruction are compared
+  bool clocks = true;  ///< also compare the clocks of each instruction
   /// Number of the first instruction that is no longer compared.
   std::uint64_t end = engine::Run::end;
 };
 
-/// Observes run A and advances run B with it: after each instruction of A, B has executed its instruction with the same
-/// number, and the states are compared until they differ. As far as they are compared, their segments must have the
-/// same regions.
+/// Observes run A and advances run B with it: after each instruction of A, B executes its instruction with the same
+/// number, and the states are compared until they differ. The compared segments must have the same regions.
 class Lockstep final : public engine::Observer {
  public:
-  /// The Programs and `b_run`, which must be at its start, must outlive this object. `b_observers` observe all of B's
-  /// run.
+  /// `b_run` must be at its start. It and the Programs must outlive this object. `b_observers` observe all of B's run.
   Lockstep(const isa::Program& a, const isa::Program& b, engine::Run& b_run, LockstepSettings settings,
            std::span<engine::Observer* const> b_observers = {});
 
@@ -54,7 +52,7 @@ class Lockstep final : public engine::Observer {
 
   [[nodiscard]] const std::optional<Divergence>& divergence() const { return divergence_; }
   /// Number of the last instruction after which all of memory was equal, plus one; 0 if there was none.
-  [[nodiscard]] std::uint64_t whole_until() const { return whole_until_; }
+  [[nodiscard]] std::uint64_t compared_fully_until() const { return whole_until_; }
   /// Number of instructions after which the states were compared and equal.
   [[nodiscard]] std::uint64_t compared() const { return compared_; }
 
@@ -74,7 +72,7 @@ class Lockstep final : public engine::Observer {
     std::uint64_t enabled_pixels = 0;
   };
 
-  void differ(engine::Place place, std::optional<PixelDifference> pixel, std::optional<TwoValues> otherwise);
+  void record_divergence(engine::Place place, std::optional<PixelDifference> pixel, std::optional<TwoValues> otherwise);
   /// The difference between the two steps, if any.
   [[nodiscard]] std::optional<TwoValues> other_step(const engine::Step& step) const;
 

@@ -39,15 +39,16 @@ StateComparison::StateComparison(const isa::Program& names, std::uint32_t memory
   }
 }
 
-std::optional<PixelDifference> StateComparison::whole(const engine::PixelState& a, const engine::PixelState& b) {
+std::optional<PixelDifference> StateComparison::compare_all(const engine::PixelState& a, const engine::PixelState& b) {
   std::vector<const Part*> all;
   all.reserve(parts_.size());
   for (const Part& part : parts_) all.push_back(&part);
   return compare(all, a, b);
 }
 
-std::optional<PixelDifference> StateComparison::written(const isa::Instruction& instruction,
-                                                        const engine::PixelState& a, const engine::PixelState& b) {
+std::optional<PixelDifference> StateComparison::compare_written(const isa::Instruction& instruction,
+                                                                const engine::PixelState& a,
+                                                                const engine::PixelState& b) {
   std::vector<const Part*> touched;
   for (const Part& part : parts_)
     if (isa::may_write(instruction, part.field)) touched.push_back(&part);

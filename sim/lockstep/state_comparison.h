@@ -31,18 +31,18 @@ struct PixelDifference {
   bool operator==(const PixelDifference&) const = default;
 };
 
-/// Compares states of the same segment. Fields have the names of one Program.
+/// Compares states of the same segment. Fields are named as in the Program `names`.
 class StateComparison {
  public:
   /// For Programs with different numbers of memory bits, `memory_bits` is the number that both have.
   StateComparison(const isa::Program& names, std::uint32_t memory_bits);
 
   /// Compares E and all of memory.
-  std::optional<PixelDifference> whole(const engine::PixelState& a, const engine::PixelState& b);
+  std::optional<PixelDifference> compare_all(const engine::PixelState& a, const engine::PixelState& b);
 
   /// Compares E and the fields of memory that an instruction can write.
-  std::optional<PixelDifference> written(const isa::Instruction& instruction, const engine::PixelState& a,
-                                         const engine::PixelState& b);
+  std::optional<PixelDifference> compare_written(const isa::Instruction& instruction, const engine::PixelState& a,
+                                                 const engine::PixelState& b);
 
  private:
   struct Part {

@@ -36,7 +36,7 @@ std::string extension_of(const std::filesystem::path& path) {
 }
 
 std::string encode_by_module(const std::filesystem::path& path, const Raster& raster) {
-  const Module& module = opened_module(path);
+  const Module& module = wait_for_module(path);
   const Target target = module.target_for(path.c_str());
   if (target == Target::none) throw_no_format(path);
   Encoded encoded;
@@ -57,9 +57,9 @@ std::string encode_by_module(const std::filesystem::path& path, const Raster& ra
 void check_format(const std::filesystem::path& path, Samples samples) {
   const std::string extension = extension_of(path);
   if (extension == png_extension && samples == Samples::bytes) return;
-  begin_to_open_module(path);
+  start_opening_module(path);
   if (extension == png_extension || std::ranges::find(known_extensions, extension) != known_extensions.end()) return;
-  if (opened_module(path).target_for(path.c_str()) == Target::none) throw_no_format(path);
+  if (wait_for_module(path).target_for(path.c_str()) == Target::none) throw_no_format(path);
 }
 
 std::string encode(const std::filesystem::path& path, const Raster& raster) {

@@ -10,7 +10,7 @@
 
 namespace csgsim::pictures {
 
-/// The extension of a name belongs to no picture format.
+/// Thrown for a file name whose extension belongs to no picture format.
 class FormatError : public InputError {
  public:
   using InputError::InputError;

@@ -14,7 +14,7 @@ struct Encoded {
   std::string error;  ///< empty on success
 };
 
-/// Target that a format can be written to.
+/// Kinds of output that the encoder of a format supports.
 enum class Target {
   none,    ///< unknown format, or one that creates no file
   memory,  ///< Encoded::bytes

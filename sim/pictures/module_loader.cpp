@@ -48,12 +48,12 @@ constexpr ModuleRole role{
 
 }  // namespace
 
-void begin_to_open_module(const std::filesystem::path& picture) {
+void start_opening_module(const std::filesystem::path& picture) {
   if (!loader().begin()) throw InputError(picture.native() + ": " + module_missing_text(role));
 }
 
-const Module& opened_module(const std::filesystem::path& picture) {
-  begin_to_open_module(picture);
+const Module& wait_for_module(const std::filesystem::path& picture) {
+  start_opening_module(picture);
   const OpenedModule& opened = loader().opened();
   if (opened.symbol == nullptr)
     throw InputError(picture.native() + ": " + module_unusable_text(role, loader().file(), opened.error));

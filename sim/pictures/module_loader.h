@@ -9,10 +9,10 @@
 namespace csgsim::pictures {
 
 /// Starts opening the module on a separate thread, unless already started. Throws InputError, which begins with the
-/// picture's path, if its file does not exist.
-void begin_to_open_module(const std::filesystem::path& picture);
+/// picture's path, if the module's file does not exist.
+void start_opening_module(const std::filesystem::path& picture);
 
-/// The opened module. Throws InputError as above, and if it cannot be opened.
-const Module& opened_module(const std::filesystem::path& picture);
+/// Waits until the module is open and returns it. Throws InputError as above, and if the module cannot be opened.
+const Module& wait_for_module(const std::filesystem::path& picture);
 
 }  // namespace csgsim::pictures

@@ -26,7 +26,7 @@ std::vector<Text> tick_texts(const std::vector<XTick>& ticks, bool is_upright) {
   std::vector<std::string> words;
   words.reserve(ticks.size());
   for (const XTick& tick : ticks) words.push_back(tick.text);
-  words = shortened(words, is_upright ? max_upright_width : max_level_width);
+  words = shorten(words, is_upright ? max_upright_width : max_level_width);
   std::vector<Text> texts;
   for (std::size_t i = 0; i < ticks.size(); ++i) {
     const double below = tick_length + tick_gap + (is_upright ? 0 : line_height / 2);
@@ -54,7 +54,7 @@ std::vector<Text> fitting(const std::vector<Text>& texts, bool is_upright, doubl
 
 void add_title(Drawing& drawing, const std::string& title) {
   drawing.texts.push_back(
-      {shortened(title, drawing.width - 2 * side_margin), {drawing.width / 2, title_height / 2}, Anchor::centre});
+      {shorten(title, drawing.width - 2 * side_margin), {drawing.width / 2, title_height / 2}, Anchor::centre});
 }
 
 std::vector<Tick> make_y_ticks(const Axis& axis, const Extent& extent, double pixels) {
@@ -81,7 +81,7 @@ double add_x_axis(Drawing& drawing, const Axis& axis, const Extent& extent, cons
     drawing.texts.push_back(std::move(text));
   }
   const double middle = (area.left + area.right) / 2;
-  drawing.texts.push_back({shortened(axis.title, 2 * (drawing.width - side_margin - middle)),
+  drawing.texts.push_back({shorten(axis.title, 2 * (drawing.width - side_margin - middle)),
                            {middle, bottom + 6 + line_height / 2},
                            Anchor::centre});
   return bottom + line_height + 14;

@@ -66,7 +66,7 @@ void add_bar(Drawing& drawing, const Bars& plot, const Bar& bar, const std::vect
     const Box box{x(part.begin), row.top, x(part.end), row.bottom};
     const std::string_view colour = fill_of(names, part.name);
     drawing.fills.push_back({box, colour, tip_text(plot, bar, part)});
-    const std::string text = shortened(fmt::format("{} {}", part.name, part.end - part.begin), longest_name);
+    const std::string text = shorten(fmt::format("{} {}", part.name, part.end - part.begin), longest_name);
     if (text_width(text) + 4 <= box.right - box.left) {
       drawing.texts.push_back({text,
                                {(box.left + box.right) / 2, (row.top + row.bottom) / 2},
@@ -88,7 +88,7 @@ Drawing lay_out(const Bars& plot) {
     labels.push_back(plot.bars[i].name);
     maximum = std::max(maximum, plot.bars[i].length);
   }
-  labels = shortened(labels, longest_name);
+  labels = shorten(labels, longest_name);
   double widest = 0;
   for (const std::string& label : labels) widest = std::max(widest, text_width(label));
   const Box area{widest + 20, title_height, plot_width - right_margin,

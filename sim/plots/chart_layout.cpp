@@ -17,7 +17,7 @@ namespace {
 constexpr double between_panels = 24;
 constexpr double mark_size = 9;
 constexpr double small_mark_size = 5;
-constexpr std::size_t many_points = 60;  ///< series with more points have small marks
+constexpr std::size_t many_points = 60;  ///< a series with more points has small marks
 constexpr double longest_label = 220;
 constexpr std::size_t numbers_in_key = 24;
 
@@ -135,7 +135,7 @@ class PanelContent {
       if (series.trace == Trace::level) return {{panel_.area.left, at.y}, {panel_.area.right, at.y}};
       if (series.trace == Trace::upright) return {{at.x, panel_.area.top}, {at.x, panel_.area.bottom}};
       pixels.push_back(at);
-      if (!point.label.empty()) add_label(at, shortened(point.label, longest_label), mark);
+      if (!point.label.empty()) add_label(at, shorten(point.label, longest_label), mark);
     }
     return pixels;
   }

@@ -15,9 +15,9 @@ namespace csgsim::plots {
 using Names = std::vector<std::string>;
 
 /// Maps the series names of several plots to indices into a palette of `looks` looks. A name has the same look in all
-/// plots, and no two names of one plot share a look. Names are served in order of first appearance: each gets one of
-/// the first `apart` looks that is still unused; once these are exhausted, one that no name in the same plots has.
-/// Names for which no look is left are not in the result.
+/// plots, and no two names of one plot share a look. In order of first appearance, each name gets an unused look among
+/// the first `apart` looks; once these are used up, a look that no name in the same plots has. Names for which no look
+/// is left are not in the result.
 Looks common_looks(std::span<const Names> plots, std::size_t apart, std::size_t looks);
 
 /// Gives series with the same name the same look in all charts.

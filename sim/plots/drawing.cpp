@@ -24,8 +24,8 @@ bool is_within(const Box& inner, const Box& outer) {
          inner.bottom <= outer.bottom;
 }
 
-Box around(const Pixel& middle, double half) {
-  return {middle.x - half, middle.y - half, middle.x + half, middle.y + half};
+Box around(const Pixel& middle, double half_side) {
+  return {middle.x - half_side, middle.y - half_side, middle.x + half_side, middle.y + half_side};
 }
 
 bool meets(const Segment& segment, const Box& box) {
@@ -54,9 +54,10 @@ bool cross(const Segment& one, const Segment& other) {
 Box bounding_box(const Text& text) {
   const double width = text_width(text.text);
   const double before = text.anchor == Anchor::left ? 0 : text.anchor == Anchor::centre ? width / 2 : width;
-  const double half = line_height / 2;
-  if (text.is_upright) return {text.at.x - half, text.at.y - (width - before), text.at.x + half, text.at.y + before};
-  return {text.at.x - before, text.at.y - half, text.at.x - before + width, text.at.y + half};
+  const double half_side = line_height / 2;
+  if (text.is_upright)
+    return {text.at.x - half_side, text.at.y - (width - before), text.at.x + half_side, text.at.y + before};
+  return {text.at.x - before, text.at.y - half_side, text.at.x - before + width, text.at.y + half_side};
 }
 
 }  // namespace csgsim::plots

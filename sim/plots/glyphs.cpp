@@ -68,7 +68,7 @@ std::vector<CharacterRange> joined(std::vector<CharacterRange> ranges) {
 std::vector<CharacterRange> installed() {
   const std::array<std::string, 3> words{"fc-list", "-f", "%{fontformat} %{charset}\\n"};
   const std::optional<system::ChildEnd> ended = system::run_child(words, system::MemoryFile("fc-list"), program_limits);
-  if (!ended || !system::is_done(*ended)) return {every_character};
+  if (!ended || !system::has_succeeded(*ended)) return {every_character};
   return joined(ranges_of(ended->output));
 }
 
@@ -82,7 +82,7 @@ bool is_ascii(std::string_view character) { return character.size() == 1; }
 
 }  // namespace
 
-std::string with_glyphs(std::string_view text) {
+std::string replace_missing_glyphs(std::string_view text) {
   const std::string shown = printable(text);
   std::string result;
   for (const std::string_view character : split_characters(shown))

@@ -94,7 +94,7 @@ std::string failure_reason(const system::ChildEnd& end) {
 
 /// Replaces characters that no font of this machine has.
 Drawing with_letters(Drawing drawing) {
-  for (Text& text : drawing.texts) text.text = with_glyphs(text.text);
+  for (Text& text : drawing.texts) text.text = replace_missing_glyphs(text.text);
   return drawing;
 }
 
@@ -131,7 +131,7 @@ std::string gnuplot_script(const Drawing& drawing) {
   return script + "\n";
 }
 
-Drawn draw_png(const std::filesystem::path& file, const Drawing& drawing) {
+PngResult draw_png(const std::filesystem::path& file, const Drawing& drawing) {
   system::MemoryFile input(file);
   input.write(fmt::format("set encoding utf8\nset terminal pngcairo size {:.0f},{:.0f} font 'sans,{}'\nset output\n{}",
                           drawing.width, drawing.height, font_size * points_per_pixel,
@@ -141,7 +141,7 @@ Drawn draw_png(const std::filesystem::path& file, const Drawing& drawing) {
   if (!ended)
     throw InputError(file.native() +
                      ": gnuplot cannot be run; install it (package gnuplot-nox) or omit the plots with --no-plots");
-  if (!system::is_done(*ended) || !is_whole(ended->output)) {
+  if (!system::has_succeeded(*ended) || !is_whole(ended->output)) {
     throw InputError(
         fmt::format("{}: gnuplot drew no picture; {} (package gnuplot-nox can draw it; --no-plots omits plots)",
                     file.native(), failure_reason(*ended)));

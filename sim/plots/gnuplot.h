@@ -18,7 +18,7 @@ std::string gnuplot_text(std::string_view bytes);
 std::string gnuplot_script(const Drawing& drawing);
 
 /// A PNG picture in memory, and gnuplot's messages.
-struct Drawn {
+struct PngResult {
   std::string picture;
   std::string messages;
 };
@@ -26,6 +26,6 @@ struct Drawn {
 /// Draws a PNG picture. gnuplot reads no file name and its messages are not printed: with a complete picture they
 /// concern only the computer's fonts. Throws InputError with the file's name if gnuplot cannot be run or the picture is
 /// incomplete.
-Drawn draw_png(const std::filesystem::path& file, const Drawing& drawing);
+PngResult draw_png(const std::filesystem::path& file, const Drawing& drawing);
 
 }  // namespace csgsim::plots

@@ -31,7 +31,7 @@ double add_key(Drawing& drawing, std::span<const KeyEntry> entries, double left,
   std::vector<std::string> texts;
   texts.reserve(entries.size());
   for (const KeyEntry& entry : entries) texts.push_back(entry.text);
-  texts = shortened(texts, right - left - sample_width - space);
+  texts = shorten(texts, right - left - sample_width - space);
   double widest = 0;
   for (std::size_t i = 0; i < entries.size(); ++i)
     widest = std::max(widest, room_before_text(entries[i]) + text_width(texts[i]));

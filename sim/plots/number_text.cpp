@@ -62,8 +62,8 @@ std::vector<std::string> number_texts(std::span<const double> values, int expone
   return texts;
 }
 
-std::string power_text(int factor, int exponent, bool as_power) {
-  if (as_power) return (factor == 1 ? std::string() : fmt::format("{}\u00b7", factor)) + "10" + raised(exponent);
+std::string power_text(int factor, int exponent, bool is_power) {
+  if (is_power) return (factor == 1 ? std::string() : fmt::format("{}\u00b7", factor)) + "10" + raised(exponent);
   return grouped(fmt::format("{:.{}f}", factor * std::pow(10, exponent), std::max(0, -exponent)));
 }
 

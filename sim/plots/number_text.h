@@ -12,8 +12,8 @@ namespace csgsim::plots {
 /// (T) or powers of ten if the largest has more than six digits or is below 0.001.
 std::vector<std::string> number_texts(std::span<const double> values, int exponent);
 
-/// Text of factor · 10^exponent: `200`, or `2·10²` if `as_power`.
-std::string power_text(int factor, int exponent, bool as_power);
+/// Text of factor · 10^exponent: `200`, or `2·10²` if `is_power`.
+std::string power_text(int factor, int exponent, bool is_power);
 
 /// A number for people: whole numbers with grouped digits, others rounded to an integer from 1,000 on and to four
 /// significant digits below.

@@ -51,7 +51,7 @@ inline constexpr std::string_view leader = "#666666";
 /// Look of series that are not in the key, and of background series.
 inline constexpr Look background{"#9a9a9a", "", Mark::disc};
 
-/// Fills of parts of bars; uncovered room is white.
+/// Fills of parts of bars. The rest of a bar is white.
 inline constexpr auto fills = std::to_array<std::string_view>(
     {"#00366a", "#89bcde", "#d8914e", "#edcc88", "#111111", "#8b0750", "#308a21", "#e76172", "#735229"});
 

@@ -83,7 +83,7 @@ double text_width(std::string_view text) {
   return width;
 }
 
-std::string shortened(std::string_view text, double width) {
+std::string shorten(std::string_view text, double width) {
   std::string shown = printable(text);
   return text_width(shown) <= width ? shown : without_middle(shown, width, ellipsis);
 }
@@ -94,16 +94,16 @@ std::vector<std::string> split_lines(std::string_view text, double width) {
   std::size_t cut = shown.rfind(' ');
   while (cut != std::string::npos && cut > 0 && text_width(std::string_view(shown).substr(0, cut)) > width)
     cut = shown.rfind(' ', cut - 1);
-  if (cut == std::string::npos || cut == 0) return {shortened(shown, width)};
-  return {shown.substr(0, cut), shortened(shown.substr(cut + 1), width)};
+  if (cut == std::string::npos || cut == 0) return {shorten(shown, width)};
+  return {shown.substr(0, cut), shorten(shown.substr(cut + 1), width)};
 }
 
-std::vector<std::string> shortened(const std::vector<std::string>& texts, double width) {
+std::vector<std::string> shorten(const std::vector<std::string>& texts, double width) {
   std::map<std::string, std::set<std::string>> sources;
   std::vector<std::string> result;
   result.reserve(texts.size());
   for (const std::string& text : texts) {
-    result.push_back(shortened(text, width));
+    result.push_back(shorten(text, width));
     sources[result.back()].insert(text);
   }
   for (std::size_t i = 0; i < texts.size(); ++i) {

@@ -17,13 +17,13 @@ inline constexpr double line_height = 18;
 double text_width(std::string_view text);
 
 /// The printable form of the text, with an ellipsis in place of the middle if it is wider than `width` pixels.
-std::string shortened(std::string_view text, double width);
+std::string shorten(std::string_view text, double width);
 
 /// The text in one line, or in two split at a space if it is wider than `width` pixels; lines that are still too wide
 /// are shortened.
 std::vector<std::string> split_lines(std::string_view text, double width);
 
-/// Shortens all texts so that different texts stay different: texts with equal ends get a number.
-std::vector<std::string> shortened(const std::vector<std::string>& texts, double width);
+/// Shortens all texts so that different texts stay different: those that become equal get a number.
+std::vector<std::string> shorten(const std::vector<std::string>& texts, double width);
 
 }  // namespace csgsim::plots

@@ -59,7 +59,7 @@ void give(const Call& call, session::OptionList& list) {
   list.take();
 }
 
-std::vector<session::OptionValue> options_of(const std::string& command) {
+std::vector<session::OptionValue> command_options(const std::string& command) {
   if (command == "render") return values_of<session::RenderRequest>(command);
   if (command == "compile") return values_of<session::ModelRequest>(command);
   if (command == "run") return values_of<session::ProgramRequest>(command);

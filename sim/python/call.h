@@ -11,19 +11,19 @@
 
 namespace csgsim::python {
 
-/// A call from Python: the operands, and options by their long names without dashes, with their texts, or nothing for a
-/// flag.
+/// A call from Python: the operands, and the options by their long names without dashes, each with its text (empty for
+/// a flag).
 struct Call {
   std::string command;
   std::vector<std::string> operands;
   std::vector<std::pair<std::string, std::optional<std::string>>> options;
 };
 
-/// Gives the operands and options of the call to the list and reads them. Throws UsageError.
+/// Sets the operands and options of the list from the call. Throws UsageError.
 void give(const Call& call, session::OptionList& list);
 
 /// The options and operands of a command, in the order of help, with their defaults. Throws UsageError for an unknown
 /// call.
-std::vector<session::OptionValue> options_of(const std::string& command);
+std::vector<session::OptionValue> command_options(const std::string& command);
 
 }  // namespace csgsim::python

@@ -21,7 +21,7 @@ namespace csgsim::python {
 
 namespace py = pybind11;
 
-/// The result of some work, with its warnings.
+/// A result, with the warnings printed while it was computed.
 template <class Result>
 struct WithWarnings {
   Result result;
@@ -29,15 +29,15 @@ struct WithWarnings {
 };
 
 /// Interval at which Python's signals are checked.
-constexpr std::chrono::milliseconds between_looks(50);
+constexpr std::chrono::milliseconds signal_check_interval(50);
 
 /// Runs `work` in a separate thread and checks for Ctrl-C meanwhile. Other Python threads continue. Interrupted work
 /// stops without losing data, and the exception raised by Python's handler, KeyboardInterrupt, is thrown.
 template <class Work>
-auto interruptibly(Work work) {
+auto run_interruptibly(Work work) {
   using Result = decltype(work());
   std::packaged_task<WithWarnings<Result>(std::stop_token)> task([&work](const std::stop_token& stop) {
-    const Interruptible looks_for(stop);
+    const Interruptible interruptible(stop);
     const CollectedLines kept;
     const SilentPrints silent;
     Result result = work();
@@ -48,7 +48,7 @@ auto interruptibly(Work work) {
   {
     const py::gil_scoped_release released;
     std::jthread thread(std::move(task));
-    while (!interruption && done.wait_for(between_looks) != std::future_status::ready) {
+    while (!interruption && done.wait_for(signal_check_interval) != std::future_status::ready) {
       const py::gil_scoped_acquire held;
       if (PyErr_CheckSignals() == 0) continue;
       interruption.emplace();

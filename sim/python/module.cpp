@@ -49,7 +49,7 @@ struct HeldProgram {
 };
 using Held = std::shared_ptr<HeldProgram>;
 
-Held held_of(isa::Program program, machines::Machine machine) {
+Held make_held(isa::Program program, machines::Machine machine) {
   return std::make_shared<HeldProgram>(HeldProgram{std::move(program), std::move(machine)});
 }
 
@@ -60,7 +60,7 @@ struct Drawn {
   Held held;
 };
 
-Drawn drawn_of(session::FinishedRun run, const session::RunRequest& options, Held held) {
+Drawn make_drawn(session::FinishedRun run, const session::RunRequest& options, Held held) {
   const bool is_of_opaque = options.surface == "opaque";
   return {is_of_opaque ? observe::of_opaque(std::move(run.picture)) : std::move(run.picture), std::move(run.stats_file),
           std::move(held)};
@@ -84,7 +84,7 @@ std::unique_lock<std::mutex> alone_if_clocked(const session::RunRequest& options
   return options.level == "cycle" ? std::unique_lock(clocked) : std::unique_lock<std::mutex>();
 }
 
-Drawn rendered(const Call& call, const Text& text) {
+Drawn render_model(const Call& call, const Text& text) {
   Read<session::RenderRequest> read(call);
   session::RenderRequest& request = read.request;
   session::RunOutputs outputs(request.run, request.model.inputs());
@@ -93,17 +93,18 @@ Drawn rendered(const Call& call, const Text& text) {
   session::FinishedRun run =
       session::finish_run(read.list, compiled.subject(request), request.run, outputs,
                           session::advice_of(request, compiled), session::judge_of(request, compiled), {}, true);
-  return drawn_of(std::move(run), request.run, held_of(std::move(compiled.model.program), std::move(compiled.machine)));
+  return make_drawn(std::move(run), request.run,
+                    make_held(std::move(compiled.model.program), std::move(compiled.machine)));
 }
 
-Held compiled(const Call& call, const Text& text) {
+Held compile_program(const Call& call, const Text& text) {
   session::RenderRequest request;
   request.model = Read<session::ModelRequest>(call).request;
   session::Compiled compiled = session::compile(request, studies::choose_bits, {.text = text});
-  return held_of(std::move(compiled.model.program), std::move(compiled.machine));
+  return make_held(std::move(compiled.model.program), std::move(compiled.machine));
 }
 
-Drawn ran(const Call& call, const Held& program) {
+Drawn run_program(const Call& call, const Held& program) {
   const Read<session::ProgramRequest> read(call);
   const session::ProgramRequest& request = read.request;
   session::refuse_misuse(request);
@@ -113,10 +114,10 @@ Drawn ran(const Call& call, const Held& program) {
   session::FinishedRun run =
       session::finish_run(read.list, loaded.subject(), request.run, outputs,
                           session::advice_of(request, loaded.machine), {}, request.checkpoints, true);
-  return drawn_of(std::move(run), request.run, held_of(std::move(loaded.program), std::move(loaded.machine)));
+  return make_drawn(std::move(run), request.run, make_held(std::move(loaded.program), std::move(loaded.machine)));
 }
 
-story::Answer explained(const Call& call, const Text& text, const Held& program) {
+story::Answer explain_pixel(const Call& call, const Text& text, const Held& program) {
   const Read<session::ExplainRequest> read(call);
   const session::InPlace in_place{text, program ? &program->program : nullptr};
   session::refuse_misuse(read.request, read.list, in_place);
@@ -124,7 +125,7 @@ story::Answer explained(const Call& call, const Text& text, const Held& program)
 }
 
 /// The content of a study's JSON file.
-nlohmann::ordered_json studied(const Call& call) {
+nlohmann::ordered_json run_study(const Call& call) {
   const auto rows = studies::all();
   const auto row = std::ranges::find_if(rows, [&](const auto* one) { return one->name == call.command; });
   if (row == rows.end()) throw session::UsageError("there is no study '" + call.command + "'");
@@ -134,12 +135,12 @@ nlohmann::ordered_json studied(const Call& call) {
   return nlohmann::ordered_json::parse(studies::conduct(*study_command));
 }
 
-py::dict dict_of(const Drawn& drawn) {
+py::dict to_dict(const Drawn& drawn) {
   py::dict dict;
-  dict["picture"] = picture_of(drawn.frame, drawn.held->program);
-  dict["depth"] = depth_of(drawn.frame, drawn.held->program);
-  dict["owner"] = owner_of(drawn.frame, drawn.held->program);
-  dict["stats"] = python_of(drawn.stats);
+  dict["picture"] = picture_array(drawn.frame, drawn.held->program);
+  dict["depth"] = depth_array(drawn.frame, drawn.held->program);
+  dict["owner"] = owner_array(drawn.frame, drawn.held->program);
+  dict["stats"] = to_python(drawn.stats);
   dict["program"] = py::cast(drawn.held);
   return dict;
 }
@@ -148,37 +149,37 @@ py::dict dict_of(const Drawn& drawn) {
 using Options = std::vector<std::pair<std::string, Text>>;
 
 py::tuple render(const std::vector<std::string>& operands, const Options& options, const Text& text) {
-  const auto finished = interruptibly([&] { return rendered({"render", operands, options}, text); });
-  return py::make_tuple(dict_of(finished.result), finished.warnings);
+  const auto finished = run_interruptibly([&] { return render_model({"render", operands, options}, text); });
+  return py::make_tuple(to_dict(finished.result), finished.warnings);
 }
 
 py::tuple compile(const std::vector<std::string>& operands, const Options& options, const Text& text) {
-  auto finished = interruptibly([&] { return compiled({"compile", operands, options}, text); });
+  auto finished = run_interruptibly([&] { return compile_program({"compile", operands, options}, text); });
   return py::make_tuple(std::move(finished.result), finished.warnings);
 }
 
 py::tuple run(const std::vector<std::string>& operands, const Options& options, const Held& program) {
-  const auto finished = interruptibly([&] { return ran({"run", operands, options}, program); });
-  return py::make_tuple(dict_of(finished.result), finished.warnings);
+  const auto finished = run_interruptibly([&] { return run_program({"run", operands, options}, program); });
+  return py::make_tuple(to_dict(finished.result), finished.warnings);
 }
 
 py::tuple explain(const std::vector<std::string>& operands, const Options& options, const Text& text,
                   const Held& program) {
-  const auto finished = interruptibly([&] { return explained({"explain", operands, options}, text, program); });
-  return py::make_tuple(python_of(finished.result.json), finished.result.text, finished.warnings);
+  const auto finished = run_interruptibly([&] { return explain_pixel({"explain", operands, options}, text, program); });
+  return py::make_tuple(to_python(finished.result.json), finished.result.text, finished.warnings);
 }
 
 py::tuple study(const std::string& name, const std::vector<std::string>& operands, const Options& options) {
-  const auto finished = interruptibly([&] { return studied({name, operands, options}); });
-  return py::make_tuple(python_of(finished.result), finished.warnings);
+  const auto finished = run_interruptibly([&] { return run_study({name, operands, options}); });
+  return py::make_tuple(to_python(finished.result), finished.warnings);
 }
 
 py::tuple load(const std::string& file) {
   session::refuse_model(file);
-  auto finished = interruptibly([&] {
+  auto finished = run_interruptibly([&] {
     isa::Program program = session::read_program(file);
     machines::Machine machine = session::machine_for(program, file, "", {});
-    return held_of(std::move(program), std::move(machine));
+    return make_held(std::move(program), std::move(machine));
   });
   return py::make_tuple(std::move(finished.result), finished.warnings);
 }
@@ -193,7 +194,7 @@ std::string text_of(const Held& held) {
   return std::move(text).str();
 }
 
-py::list fields_of(const Held& held) {
+py::list field_list(const Held& held) {
   py::list rows;
   for (const isa::NamedField& named : held->program.facts->fields) {
     py::dict row;
@@ -211,7 +212,7 @@ constexpr auto takes_names = std::to_array<const char*>({"flag", "whole number",
 
 py::list option_rows(const std::string& command) {
   py::list rows;
-  for (const session::OptionValue& option : options_of(command)) {
+  for (const session::OptionValue& option : command_options(command)) {
     py::dict row;
     row["name"] = option.name;
     row["takes"] = takes_names.at(static_cast<std::size_t>(option.takes));
@@ -252,13 +253,13 @@ void define_program(py::module_& module) {
   py::class_<HeldProgram, std::shared_ptr<HeldProgram>>(module, "Program")
       .def("save", &save)
       .def("text", &text_of)
-      .def("instructions", [](const Held& held) { return instructions_of(held->program, held->machine); })
+      .def("instructions", [](const Held& held) { return instruction_list(held->program, held->machine); })
       .def("__len__", [](const Held& held) { return csgsim::isa::first_numbers(held->program).back(); })
-      .def("fields", &fields_of)
+      .def("fields", &field_list)
       .def("primitives", [](const Held& held) { return held->program.facts->primitives; })
       .def("size", [](const Held& held) { return std::pair(held->program.shape.width, held->program.shape.height); })
       .def("memory_bits", [](const Held& held) { return held->program.shape.memory_bits; })
-      .def("machine", [](const Held& held) { return description_of(held->machine); });
+      .def("machine", [](const Held& held) { return machine_description(held->machine); });
 }
 
 }  // namespace
@@ -280,7 +281,7 @@ PYBIND11_MODULE(_csgsim, module) {
   module.def("studies", &study_names);
   module.def("machines", &csgsim::kinds::built_in_names);
   module.def("machine", [](const std::string& name, const std::vector<std::string>& changes) {
-    return description_of(csgsim::kinds::load(name, changes));
+    return machine_description(csgsim::kinds::load(name, changes));
   });
-  module.def("png", &png_of);
+  module.def("png", &to_png);
 }

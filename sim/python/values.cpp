@@ -22,15 +22,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-py::object object_of(const Json& json) {
+py::object to_object(const Json& json) {
   py::dict object;
-  for (const auto& [key, value] : json.items()) object[py::str(key)] = python_of(value);
+  for (const auto& [key, value] : json.items()) object[py::str(key)] = to_python(value);
   return object;
 }
 
-py::object list_of(const Json& json) {
+py::object to_list(const Json& json) {
   py::list list;
-  for (const Json& value : json) list.append(python_of(value));
+  for (const Json& value : json) list.append(to_python(value));
   return list;
 }
 
@@ -47,10 +47,10 @@ py::array_t<Value> image(const observe::Frame& frame) {
 
 }  // namespace
 
-py::object python_of(const Json& json) {
+py::object to_python(const Json& json) {
   switch (json.type()) {
-    case Json::value_t::object: return object_of(json);
-    case Json::value_t::array: return list_of(json);
+    case Json::value_t::object: return to_object(json);
+    case Json::value_t::array: return to_list(json);
     case Json::value_t::string: return text_of(json.get_ref<const std::string&>());
     case Json::value_t::boolean: return py::bool_(json.get<bool>());
     case Json::value_t::number_integer: return py::int_(json.get<std::int64_t>());
@@ -63,7 +63,7 @@ py::object python_of(const Json& json) {
   return py::none();
 }
 
-py::array picture_of(const observe::Frame& frame, const isa::Program& program) {
+py::array picture_array(const observe::Frame& frame, const isa::Program& program) {
   py::array_t<std::uint8_t> picture({py::ssize_t{frame.height}, py::ssize_t{frame.width}, py::ssize_t{3}});
   std::uint8_t* at = picture.mutable_data();
   for (const std::uint32_t colour : frame.colour)
@@ -71,7 +71,7 @@ py::array picture_of(const observe::Frame& frame, const isa::Program& program) {
   return picture;
 }
 
-py::array depth_of(const observe::Frame& frame, const isa::Program& program) {
+py::array depth_array(const observe::Frame& frame, const isa::Program& program) {
   py::array_t<double> depth = image<double>(frame);
   double* at = depth.mutable_data();
   const unsigned bits = isa::field_of(program, isa::FieldRole::depth).width;
@@ -79,7 +79,7 @@ py::array depth_of(const observe::Frame& frame, const isa::Program& program) {
   return depth;
 }
 
-py::array owner_of(const observe::Frame& frame, const isa::Program& program) {
+py::array owner_array(const observe::Frame& frame, const isa::Program& program) {
   py::array_t<std::int32_t> owners = image<std::int32_t>(frame);
   std::int32_t* at = owners.mutable_data();
   for (const std::uint32_t owner : frame.owner) {
@@ -89,7 +89,7 @@ py::array owner_of(const observe::Frame& frame, const isa::Program& program) {
   return owners;
 }
 
-py::bytes png_of(const py::array_t<std::uint8_t, py::array::c_style>& picture) {
+py::bytes to_png(const py::array_t<std::uint8_t, py::array::c_style>& picture) {
   if (picture.ndim() != 3 || picture.shape(2) != 3 || picture.size() == 0)
     throw session::UsageError("picture", "must have rows, columns and three channels");
   const auto side = [&](int axis) { return static_cast<std::uint32_t>(picture.shape(axis)); };
@@ -100,30 +100,31 @@ py::bytes png_of(const py::array_t<std::uint8_t, py::array::c_style>& picture) {
 namespace {
 
 /// The label of a piece, or None.
-py::object label_of(const isa::Facts& facts, std::uint32_t piece, std::uint32_t nothing) {
+py::object label(const isa::Facts& facts, std::uint32_t piece, std::uint32_t nothing) {
   return piece == nothing ? py::object(py::none()) : py::object(py::str(isa::piece_label(facts, piece)));
 }
 
-py::object effect_of(const isa::Facts& facts, std::uint8_t effect) {
+py::object effect_name(const isa::Facts& facts, std::uint8_t effect) {
   if (effect == isa::no_effect) return py::none();
   return py::str(facts.compile.effects.at(effect));
 }
 
-py::dict row_of(const isa::Instruction& instruction, const isa::Facts& facts, const machines::Machine& machine) {
+py::dict instruction_row(const isa::Instruction& instruction, const isa::Facts& facts,
+                         const machines::Machine& machine) {
   py::dict row;
   row["name"] = isa::info(instruction.opcode).name;
   row["text"] = isa::text_of(instruction, facts.fields);
   row["clocks"] = machines::clocks(instruction, machine);
   row["purpose"] = isa::info(instruction.origin.purpose).name;
-  row["primitive"] = label_of(facts, instruction.origin.primitive, isa::no_primitive);
-  row["against"] = label_of(facts, instruction.origin.node, isa::no_node);
-  row["effect"] = effect_of(facts, instruction.origin.effect);
+  row["primitive"] = label(facts, instruction.origin.primitive, isa::no_primitive);
+  row["against"] = label(facts, instruction.origin.node, isa::no_node);
+  row["effect"] = effect_name(facts, instruction.origin.effect);
   return row;
 }
 
 }  // namespace
 
-py::list instructions_of(const isa::Program& program, const machines::Machine& machine) {
+py::list instruction_list(const isa::Program& program, const machines::Machine& machine) {
   py::list rows;
   std::uint64_t number = 0;
   for (std::size_t segment = 0; segment < program.segments.size(); ++segment) {
@@ -131,14 +132,14 @@ py::list instructions_of(const isa::Program& program, const machines::Machine& m
       py::dict row;
       row["instruction"] = number++;
       row["segment"] = segment;
-      row.attr("update")(row_of(instruction, *program.facts, machine));
+      row.attr("update")(instruction_row(instruction, *program.facts, machine));
       rows.append(row);
     }
   }
   return rows;
 }
 
-py::dict description_of(const machines::Machine& machine) {
+py::dict machine_description(const machines::Machine& machine) {
   py::list figures;
   for (const machines::Figure& figure : machine.figures) {
     py::dict row;

@@ -105,15 +105,15 @@ void ReferenceArray::at_enabled_with_f(const isa::Instruction& instruction, cons
   });
 }
 
-template <class Becomes>
-void ReferenceArray::set_enable(const Becomes& becomes) {
+template <class NewEnable>
+void ReferenceArray::set_enable(const NewEnable& new_enable) {
   for (std::uint32_t y = 0; y < region_.height; ++y) {
     for (std::uint32_t x0 = 0; x0 < region_.width; x0 += bits_per_word) {
       std::uint64_t& word = enable_[enable_word(x0, y)];
       const std::uint32_t pixels = std::min(bits_per_word, region_.width - x0);
       std::uint64_t after = 0;
       for (std::uint32_t bit = 0; bit < pixels; ++bit)
-        after |= std::uint64_t{becomes(pixel_at(x0 + bit, y), (word >> bit & 1U) != 0)} << bit;
+        after |= std::uint64_t{new_enable(pixel_at(x0 + bit, y), (word >> bit & 1U) != 0)} << bit;
       word = after;
     }
   }

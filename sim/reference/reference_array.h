@@ -13,8 +13,8 @@ namespace csgsim::reference {
 /// A mask of the low `width` bits.
 constexpr std::uint64_t low_bits(unsigned width) { return (std::uint64_t{1} << width) - 1; }
 
-/// The pixels of a segment, processed one after the other, directly by the definitions in hw/isa/opcodes.h. The other
-/// engines are checked against it. Memory and enable start as 0.
+/// The pixels of a segment, processed one after the other, directly by the definitions in hw/isa/opcodes.h. Tests
+/// compare the other engines with it. Memory and enable bits start as 0.
 class ReferenceArray final : public engine::PixelState {
  public:
   ReferenceArray(isa::Region region, std::uint32_t memory_bits);
@@ -30,7 +30,7 @@ class ReferenceArray final : public engine::PixelState {
   /// Number of enabled pixels, over all instructions executed, at which the sum exceeded its width.
   [[nodiscard]] std::uint64_t overflows() const { return overflows_; }
 
-  [[nodiscard]] bool enabled(std::uint32_t x, std::uint32_t y) const {
+  [[nodiscard]] bool is_enabled(std::uint32_t x, std::uint32_t y) const {
     return (enable_[enable_word(x, y)] >> x % bits_per_word & 1U) != 0;
   }
   [[nodiscard]] std::uint32_t read(isa::Field field, std::uint32_t x, std::uint32_t y) const;
@@ -52,14 +52,15 @@ class ReferenceArray final : public engine::PixelState {
   }
   [[nodiscard]] std::int64_t get(std::size_t pixel, isa::Field field) const;
   void put(std::size_t pixel, isa::Field field, std::uint64_t value);
-  /// Calls `act` at the pixels whose E is 1; E becomes its result. The second form also passes the instruction's F.
+  /// Calls `act` at each pixel whose E is 1 and stores the result in E. The second form also passes the instruction's
+  /// F.
   template <class Act>
   void at_enabled(const Act& act);
   template <class Act>
   void at_enabled_with_f(const isa::Instruction& instruction, const Act& act);
   /// Sets E of every pixel to a function of the pixel and the old E.
-  template <class Becomes>
-  void set_enable(const Becomes& becomes);
+  template <class NewEnable>
+  void set_enable(const NewEnable& new_enable);
   void apply(const isa::Instruction& instruction);
 
   isa::Region region_;

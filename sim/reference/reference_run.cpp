@@ -41,15 +41,15 @@ void ReferenceRun::begin_segment(std::uint32_t segment) {
   result_.overflows += array_.overflows();
   array_ = ReferenceArray(program_.segments[segment].region, program_.shape.memory_bits);
   place_ = {segment, 0};
-  end_notified_ = false;
+  is_end_notified_ = false;
 }
 
-bool ReferenceRun::finished() const {
-  return program_.segments.empty() || (end_notified_ && place_.segment + 1 == program_.segments.size());
+bool ReferenceRun::is_finished() const {
+  return program_.segments.empty() || (is_end_notified_ && place_.segment + 1 == program_.segments.size());
 }
 
 void ReferenceRun::advance(std::uint64_t number, std::span<engine::Observer* const> observers) {
-  while (!finished()) {
+  while (!is_finished()) {
     const std::uint64_t next = numbers_.of(place_);
     const bool has_more = place_.index < program_.segments[place_.segment].instructions.size();
     if (has_more && next >= number) return;
@@ -57,11 +57,11 @@ void ReferenceRun::advance(std::uint64_t number, std::span<engine::Observer* con
       execute(observers);
       continue;
     }
-    if (!end_notified_) {
+    if (!is_end_notified_) {
       for (engine::Observer* observer : observers) observer->after_segment(place_.segment, array_);
-      end_notified_ = true;
+      is_end_notified_ = true;
     }
-    if (finished() || next >= number) return;
+    if (is_finished() || next >= number) return;
     begin_segment(place_.segment + 1);
   }
 }
@@ -75,7 +75,7 @@ void ReferenceRun::execute(std::span<engine::Observer* const> observers) {
   met_.after(place_, instruction, array_);
   if (instruction.opcode == isa::Opcode::global_or) result_.answers.push_back(enabled > 0);
   engine::Step step{place_.segment, place_.index, instruction, machines::clocks(instruction, machine_), enabled};
-  if (met_.asks()) {
+  if (met_.is_needed()) {
     step.at_pixels = machine_.kind->clocks_at_pixels(program_.segments[place_.segment], place_.index, machine_,
                                                      &met_.met(place_.segment));
   }
@@ -90,7 +90,7 @@ void ReferenceRun::execute(std::span<engine::Observer* const> observers) {
 
 engine::RunState ReferenceRun::save() const {
   engine::RunState state{
-      place_, end_notified_, result_.overflows + array_.overflows(), result_.skipped, result_.answers, skips_, {}};
+      place_, is_end_notified_, result_.overflows + array_.overflows(), result_.skipped, result_.answers, skips_, {}};
   if (program_.segments.empty()) return state;
   const isa::Region region = array_.region();
   const std::size_t words = (region.width + word_bits - 1) / word_bits * static_cast<std::size_t>(region.height);
@@ -99,7 +99,7 @@ engine::RunState ReferenceRun::save() const {
     bool any = false;
     for (std::uint32_t y = 0; y < region.height; ++y) {
       for (std::uint32_t x = 0; x < region.width; ++x) {
-        const bool one = plane == 0 ? array_.enabled(x, y) : array_.read(bit_field(plane - 1), x, y) != 0;
+        const bool one = plane == 0 ? array_.is_enabled(x, y) : array_.read(bit_field(plane - 1), x, y) != 0;
         const Bit at = bit_position(x, y, region.width);
         bits[at.word] |= std::uint64_t{one} << at.shift;
         any = any || one;
@@ -118,7 +118,7 @@ void ReferenceRun::restore(const engine::RunState& state) {
   place_ = state.place;
   if (const isa::Instruction* const squares = isa::pending_squares(program_.segments[place_.segment], place_.index))
     array_.execute(*squares);
-  end_notified_ = state.end_reported;
+  is_end_notified_ = state.is_end_reported;
   result_.overflows = state.overflows;
   result_.skipped = state.skipped;
   result_.answers = state.answers;

@@ -16,7 +16,7 @@ class ReferenceRun final : public engine::Run {
   ReferenceRun(const isa::Program& program, const machines::Machine& machine);
 
   [[nodiscard]] engine::Place place() const override { return place_; }
-  [[nodiscard]] bool finished() const override;
+  [[nodiscard]] bool is_finished() const override;
   void advance(std::uint64_t number, std::span<engine::Observer* const> observers) override;
   [[nodiscard]] engine::RunState save() const override;
   void restore(const engine::RunState& state) override;
@@ -30,7 +30,7 @@ class ReferenceRun final : public engine::Run {
   [[nodiscard]] std::uint32_t value(isa::Field field, std::uint32_t x, std::uint32_t y) const override {
     return array_.read(field, x, y);
   }
-  [[nodiscard]] bool enabled(std::uint32_t x, std::uint32_t y) const override { return array_.enabled(x, y); }
+  [[nodiscard]] bool is_enabled(std::uint32_t x, std::uint32_t y) const override { return array_.is_enabled(x, y); }
 
  private:
   /// Moves to the segment's first instruction and clears all pixels.
@@ -42,7 +42,7 @@ class ReferenceRun final : public engine::Run {
   machines::Machine machine_;
   engine::Numbers numbers_;
   engine::Place place_;
-  bool end_notified_ = false;
+  bool is_end_notified_ = false;
   ReferenceArray array_{isa::Region{}, 0};
   engine::RunResult result_;
   std::vector<machines::Skip> skips_;

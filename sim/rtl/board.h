@@ -12,7 +12,7 @@ namespace csgsim::rtl {
 struct BoardWires {
   unsigned colour_bits = 0;  ///< bits of a pixel
   unsigned scan_pixels = 0;  ///< pixels shown per clock
-  bool has_line = false;     ///< a serial line to the host instead of a Program in memory
+  bool has_line = false;     ///< the design has a serial line to the host instead of a Program in memory
 };
 
 /// Maximum bits per channel on a board: enough for a small video DAC.

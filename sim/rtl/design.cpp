@@ -41,8 +41,8 @@ void check_picture(const isa::Program& program) {
   throw InputError("the Program has no colours, so nothing would be scanned out; compile a model that draws a picture");
 }
 
-std::vector<Filling> fillings_of(const machines::Machine& machine, const isa::Program* program,
-                                 const std::vector<Parameter>& parameters) {
+std::vector<Filling> make_fillings(const machines::Machine& machine, const isa::Program* program,
+                                   const std::vector<Parameter>& parameters) {
   const std::uint32_t colour_bits = value_of(parameters, "COLOUR_BITS");
   const std::uint32_t scan_pixels = value_of(parameters, "SCAN_PIXELS");
   const std::array<unsigned, 3> channels = isa::channel_widths(colour_bits);
@@ -64,7 +64,7 @@ std::vector<Filling> fillings_of(const machines::Machine& machine, const isa::Pr
   };
   add_board(fillings, {.colour_bits = colour_bits, .scan_pixels = scan_pixels, .has_line = program == nullptr});
   const auto add_filled = [&](std::string_view name, std::string_view text) {
-    fillings.push_back({name, filled(template_text(text), fillings)});
+    fillings.push_back({name, fill_template(template_text(text), fillings)});
   };
   add_filled("TARGETS", program != nullptr ? "picture_targets.mk" : "no_picture_targets.mk");
   add_filled("MACHINE_PORTS", "machine_ports.v");
@@ -76,8 +76,8 @@ std::vector<Filling> fillings_of(const machines::Machine& machine, const isa::Pr
 
 std::vector<DesignFile> design_files(const machines::Machine& machine, const isa::Program* program) {
   if (program != nullptr) check_picture(*program);
-  const std::vector<Parameter> parameters = parameters_of(machine, program);
-  std::vector<Filling> fillings = fillings_of(machine, program, parameters);
+  const std::vector<Parameter> parameters = verilog_parameters(machine, program);
+  std::vector<Filling> fillings = make_fillings(machine, program, parameters);
   std::vector<DesignFile> files;
   for (const EmbeddedFile& file : verilog_files())
     files.push_back({"rtl/" + std::string(file.name), std::string(file.text)});
@@ -89,7 +89,7 @@ std::vector<DesignFile> design_files(const machines::Machine& machine, const isa
     files.push_back({"begins.hex", std::move(memory.begins)});
   }
   const auto add = [&](const std::string& path, std::string_view text) {
-    files.push_back({path, filled(template_text(text), fillings)});
+    files.push_back({path, fill_template(template_text(text), fillings)});
   };
   add("system.v", program != nullptr ? "system.v" : "bare_system.v");
   add("board.v", "board.v");

@@ -16,9 +16,9 @@ struct DesignFile {
   std::string content;
 };
 
-/// The machine in Verilog with a testbench, a Makefile, board constraints and a README. A Program is stored in a memory
-/// beside the machine; without one (null), a serial line takes its place. Throws InputError as parameters_of does, and
-/// for a Program without a picture.
+/// The machine in Verilog with a testbench, a Makefile, board constraints and a README. The Program is stored in a
+/// memory beside the machine; without a Program (null), the design has a serial line instead. Throws InputError like
+/// verilog_parameters, and for a Program without a picture.
 std::vector<DesignFile> design_files(const machines::Machine& machine, const isa::Program* program);
 
 }  // namespace csgsim::rtl

@@ -17,7 +17,7 @@ namespace {
 
 void refuse_other_kind(const machines::Machine& machine) {
   if (machine.kind == &pixel_planes::kind) return;
-  throw InputError(fmt::format("{} is of the kind {}, which has no Verilog; take a machine of the kind {}, such as {}",
+  throw InputError(fmt::format("{} is of the kind {}, which has no Verilog; use a machine of the kind {}, such as {}",
                                machine.name, machine.kind->name, pixel_planes::kind.name, "pixel-planes-4"));
 }
 
@@ -37,7 +37,7 @@ bool takes_root(const isa::Program& program) {
 
 }  // namespace
 
-std::vector<Parameter> parameters_of(const machines::Machine& machine, const isa::Program* program) {
+std::vector<Parameter> verilog_parameters(const machines::Machine& machine, const isa::Program* program) {
   refuse_other_kind(machine);
   refuse_above_one(machine, "evaluator.bits", machine.evaluator_bits);
   refuse_above_one(machine, "evaluator.register_levels", machine.register_levels);

@@ -22,8 +22,8 @@ struct Parameter {
 inline constexpr std::uint32_t max_chip_pixels = 64;
 
 /// The module parameters of a machine, in the order of the module. Pixels have the flag for roots if the trees have
-/// degree 2 or the Program, if given, takes a root. Throws InputError with a fix for machines that the Verilog does not
-/// support: another kind, trees that process several bits per clock or have fewer registers.
-std::vector<Parameter> parameters_of(const machines::Machine& machine, const isa::Program* program = nullptr);
+/// degree 2 or the Program (if not null) contains the instruction `root`. Throws InputError with a fix for machines
+/// that the Verilog does not support: another kind, trees that process several bits per clock or have fewer registers.
+std::vector<Parameter> verilog_parameters(const machines::Machine& machine, const isa::Program* program = nullptr);
 
 }  // namespace csgsim::rtl

@@ -17,7 +17,7 @@ const std::string& value_of(std::string_view name, std::span<const Filling> fill
 
 }  // namespace
 
-std::string filled(std::string_view text, std::span<const Filling> fillings) {
+std::string fill_template(std::string_view text, std::span<const Filling> fillings) {
   std::string out;
   while (true) {
     const std::size_t mark = text.find('@');

@@ -15,6 +15,6 @@ struct Filling {
 };
 
 /// Replaces every @NAME@, in capitals. Throws std::logic_error for a name without a filling.
-std::string filled(std::string_view text, std::span<const Filling> fillings);
+std::string fill_template(std::string_view text, std::span<const Filling> fillings);
 
 }  // namespace csgsim::rtl

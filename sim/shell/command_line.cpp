@@ -55,7 +55,7 @@ void refuse_problem(const Option& option, const Setting& setting) {
   if (!problem.empty()) throw InputError(fmt::format("{}: {}: {}", setting.place, option.shown_name(), problem));
 }
 
-/// Gives the settings that the command line does not override.
+/// Applies the settings that the command line does not override.
 void give(std::span<const Setting> settings, Command& command) {
   std::vector<std::pair<Option*, const Setting*>> to_give;
   for (const Setting& setting : settings) {
@@ -119,7 +119,7 @@ std::vector<SettableOption> CommandLine::options_of(std::string_view command) co
 
 CommandLine::Read CommandLine::read_words(std::span<const std::string> arguments, bool takes_settings) {
   Read read{arguments.size() < 2 ? nullptr : command_named(arguments[1]), {}};
-  if (read.command == nullptr) throw UsageError("no command");  // explained() replaces this message
+  if (read.command == nullptr) throw UsageError("no command");  // explain_failure() replaces this message
   read.command->clear();
   CLI::App app;
   std::deque<Tokens> all;
@@ -150,7 +150,7 @@ std::vector<Setting> CommandLine::settings_in(const std::string& file, const Com
 
 /// One line about a command line that could not be parsed, with the given reason. For unknown commands and options it
 /// suggests the nearest known one.
-std::string CommandLine::explained(std::string_view reason, std::span<const std::string> arguments) const {
+std::string CommandLine::explain_failure(std::string_view reason, std::span<const std::string> arguments) const {
   if (arguments.size() < 2) return "a subcommand is required; see csgsim --help";
   const std::string_view first = arguments[1];
   const auto command = std::ranges::find(commands_, first, &Command::name);
@@ -183,17 +183,17 @@ void CommandLine::carry_out(std::span<const std::string> arguments, const std::f
     const Command* const command = arguments.size() < 2 ? nullptr : command_named(arguments[1]);
     const std::string place = command == nullptr ? "" : command->place_of(error.what());
     if (!place.empty()) throw InputError(place + ": " + error.what());
-    throw UsageError(explained(error.what(), arguments));
+    throw UsageError(explain_failure(error.what(), arguments));
   }
 }
 
 /// Handles the options of the program itself. The first argument is the program's name.
-bool CommandLine::is_answered(std::span<const std::string> arguments) const {
+bool CommandLine::handle_program_options(std::span<const std::string> arguments) const {
   if (arguments.size() < 2) return false;
   const std::string_view first = arguments[1];
   constexpr std::string_view describing = "--describe";
   if (first == "--help" || first == "-h") {
-    fmt::print("{}", help_of_all(description_, helps_of(commands_)));
+    fmt::print("{}", overview_text(description_, make_helps(commands_)));
   } else if (has_own_options_ && first == "--version") {
     fmt::print("{}\n", version_page());
   } else if (has_own_options_ && first == describing && arguments.size() > 2) {
@@ -206,11 +206,11 @@ bool CommandLine::is_answered(std::span<const std::string> arguments) const {
 
 void CommandLine::run(std::span<char* const> arguments) {
   const std::vector<std::string> words(arguments.begin(), arguments.end());
-  if (is_answered(words)) return;
+  if (handle_program_options(words)) return;
   carry_out(words, [&] {
     const Read read = read_words(words, true);
     Command& command = *read.command;
-    if (read.wants_help) return fmt::print("{}", help_of(help_of_command(command)));
+    if (read.wants_help) return fmt::print("{}", help_text(make_help(command)));
     give(settings_in(read.settings_file, command), command);
     if (read.wants_dump) {
       command.take_given();

@@ -19,7 +19,7 @@ class Command : public OptionList {
  public:
   using OptionList::OptionList;
 
-  /// Adds --quiet, which suppresses all output of the command except errors and warnings.
+  /// Adds --quiet, which suppresses all text of the command on standard output.
   void prints_summary();
 
   /// Sets the action, which runs after the command line has been parsed.
@@ -54,7 +54,7 @@ class CommandLine {
   [[nodiscard]] std::vector<SettableOption> options_of(std::string_view command) const;
 
   /// Runs the command that the arguments (the first is the program's name) select, or prints help. Throws UsageError
-  /// with a one-line message, and what the command throws.
+  /// with a one-line message, and exceptions of the command.
   void run(std::span<char* const> arguments);
 
   /// Runs the command that the first word names, with settings recorded in another file; `watch` observes its run.
@@ -66,9 +66,9 @@ class CommandLine {
 
   [[nodiscard]] Command* command_named(std::string_view name);
   [[nodiscard]] Read read_words(std::span<const std::string> arguments, bool takes_settings);
-  [[nodiscard]] bool is_answered(std::span<const std::string> arguments) const;
+  [[nodiscard]] bool handle_program_options(std::span<const std::string> arguments) const;
   [[nodiscard]] std::vector<Setting> settings_in(const std::string& file, const Command& command) const;
-  [[nodiscard]] std::string explained(std::string_view reason, std::span<const std::string> arguments) const;
+  [[nodiscard]] std::string explain_failure(std::string_view reason, std::span<const std::string> arguments) const;
   void carry_out(std::span<const std::string> arguments, const std::function<void()>& act);
 
   std::string description_;

@@ -52,7 +52,7 @@ std::vector<isa::Program> compile_frames(const ModelRequest& model, const Turnta
   programs.push_back(std::move(first.program));
   for (std::uint32_t i = 1; i < turntable.frames; ++i) {
     const double radians = i * turntable.degrees * std::numbers::pi / 180.0;
-    programs.push_back(compile_seen_by(view::turned(first.camera, radians), first, model, machine));
+    programs.push_back(compile_for_camera(view::turned(first.camera, radians), first, model, machine));
   }
   return programs;
 }

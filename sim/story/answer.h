@@ -14,12 +14,12 @@ namespace csgsim::story {
 
 /// The explanation of a pixel.
 struct Answer {
-  std::string text;             ///< text: why a primitive is not visible, if requested, and then the history
+  std::string text;             ///< why a primitive is not visible, if requested, followed by the history
   nlohmann::ordered_json json;  ///< the same as JSON; docs/debugging.md describes every key with its unit
 };
 
-/// `missed`: a primitive for which the answer explains why it is not visible. Throws InputError as Teller and its
-/// story_of do.
+/// Explains the pixel and, if `missed` is given, why that primitive is not visible there. Throws InputError like Teller
+/// and Teller::story_of.
 Answer answer_of(const Subject& subject, const machines::Machine& machine, std::uint32_t x, std::uint32_t y,
                  std::optional<std::uint32_t> missed);
 

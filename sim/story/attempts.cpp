@@ -14,17 +14,17 @@ using Events = std::span<const Event>;
 bool goes_on(const Event& event, std::uint32_t primitive, std::uint32_t segment) {
   const isa::Origin& origin = event.origin;
   if (event.segment != segment) return false;
-  switch (event.what) {
-    case What::depth_test:
-    case What::comparison:
-    case What::bits:
-    case What::merge:
-    case What::skip: return origin.primitive == primitive && origin.purpose != isa::Purpose::render;
-    case What::shade: return origin.primitive == primitive || origin.node == primitive;
-    case What::setup:
-    case What::surface:
-    case What::stored:
-    case What::effect: return false;
+  switch (event.kind) {
+    case EventKind::depth_test:
+    case EventKind::comparison:
+    case EventKind::bits:
+    case EventKind::merge:
+    case EventKind::skip: return origin.primitive == primitive && origin.purpose != isa::Purpose::render;
+    case EventKind::shade: return origin.primitive == primitive || origin.node == primitive;
+    case EventKind::setup:
+    case EventKind::surface:
+    case EventKind::stored:
+    case EventKind::effect: return false;
   }
   return false;
 }
@@ -37,28 +37,29 @@ std::optional<std::size_t> last_that(Events events, const Attempt& attempt, Hold
   return std::nullopt;
 }
 
-std::optional<std::size_t> last_of(Events events, const Attempt& attempt, What what) {
-  return last_that(events, attempt, [what](const Event& event) { return event.what == what; });
+std::optional<std::size_t> last_of(Events events, const Attempt& attempt, EventKind kind) {
+  return last_that(events, attempt, [kind](const Event& event) { return event.kind == kind; });
 }
 
 /// Number of depth tests that the pixel passed: one per product, where products are tested one by one.
 std::ptrdiff_t passed_tests(Events events, const Attempt& attempt) {
   const Events own = events.subspan(attempt.first_event, attempt.last_event + 1 - attempt.first_event);
-  return std::ranges::count_if(
-      own, [](const Event& event) { return event.what == What::depth_test && event.decision && event.enabled_after; });
+  return std::ranges::count_if(own, [](const Event& event) {
+    return event.kind == EventKind::depth_test && event.decision && event.enabled_after;
+  });
 }
 
-/// The attempt up to the withdrawal of Z1, if the surface is not admitted: all later depth tests are without effect.
+/// The attempt up to the withdrawal of Z1, if the surface is not admitted; later depth tests have no effect.
 Attempt until_withdrawn(const isa::Program& program, Events events, const Attempt& attempt) {
   Attempt until = attempt;
   const auto withdrawn = last_that(events, attempt, [&](const Event& event) {
-    return event.what == What::bits && event.change_of(program, isa::FieldRole::candidate_depth) != nullptr;
+    return event.kind == EventKind::bits && event.change_of(program, isa::FieldRole::candidate_depth) != nullptr;
   });
   until.last_event = withdrawn.value_or(attempt.last_event);
   return until;
 }
 
-/// Whether the depth test itself disabled the pixel, rather than an instruction beside it.
+/// Whether the comparison of the depth test disabled the pixel, not another instruction of the event.
 bool is_behind(const Event& surface, const Event& test) {
   return test.cut && test.decision && surface.decision &&
          test.cut->instruction.fields[0] == surface.decision->instruction.fields[0];
@@ -68,19 +69,20 @@ void find_classification(const isa::Program& program, Events events, Attempt& at
   attempt.fate = Fate::classified;
   const auto emptied = last_that(events, attempt, [&](const Event& event) {
     const Change* const mask = event.change_of(program, isa::FieldRole::mask);
-    return event.what == What::bits && mask != nullptr && mask->before == 1 && mask->after == 0;
+    return event.kind == EventKind::bits && mask != nullptr && mask->before == 1 && mask->after == 0;
   });
   attempt.deciding_event = emptied.value_or(attempt.last_event);
   Attempt until = attempt;
   until.last_event = attempt.deciding_event;
-  const auto comparison = last_of(events, until, What::comparison);
+  const auto comparison = last_of(events, until, EventKind::comparison);
   const auto count = std::count_if(events.begin() + static_cast<std::ptrdiff_t>(until.first_event),
                                    events.begin() + static_cast<std::ptrdiff_t>(until.last_event) + 1,
-                                   [](const Event& event) { return event.what == What::comparison; });
+                                   [](const Event& event) { return event.kind == EventKind::comparison; });
   // The leaf that a label waits for depends on earlier results.
   const bool has_labels = isa::field_of(program, isa::FieldRole::label).width > 0;
   const bool has_products = passed_tests(events, attempt) > 1;
-  const bool is_alone = count == 1 || (emptied && !events[*emptied].by_results && !has_labels && !has_products);
+  const bool is_alone =
+      count == 1 || (emptied && !events[*emptied].uses_several_results && !has_labels && !has_products);
   if (comparison && is_alone) attempt.deciding_comparison = comparison;
 }
 
@@ -92,9 +94,9 @@ bool writes(const Event& event, isa::Field field) {
 /// Whether an event after the merge removes the merged surface from the pixel: another merge of the same drawing into
 /// that depth field, or a new beginning of that drawing or of the whole picture.
 bool covers(const isa::Program& program, const Event& event, const Event& merge) {
-  if (event.what == What::setup)
+  if (event.kind == EventKind::setup)
     return writes(event, merge.merged_into) || event.change_of(program, isa::FieldRole::depth) != nullptr;
-  return event.what == What::merge && event.merged_into == merge.merged_into &&
+  return event.kind == EventKind::merge && event.merged_into == merge.merged_into &&
          event.origin.effect == merge.origin.effect;
 }
 
@@ -108,11 +110,11 @@ std::optional<std::size_t> covered_by(const isa::Program& program, Events events
 /// Finds the fate of a surface that was at the pixel but was not merged.
 void find_unmerged_fate(const isa::Program& program, Events events, Attempt& attempt) {
   const Attempt tested = until_withdrawn(program, events, attempt);
-  const auto test = last_of(events, tested, What::depth_test);
+  const auto test = last_of(events, tested, EventKind::depth_test);
   if (!test || !events[*test].enabled_before) {
     // another piece of the same solid is compared before the depth test
     const auto joint =
-        last_that(events, tested, [](const Event& event) { return event.what == What::comparison && !event.cut; });
+        last_that(events, tested, [](const Event& event) { return event.kind == EventKind::comparison && !event.cut; });
     if (joint) {
       attempt.fate = Fate::classified;
       attempt.deciding_event = *joint;
@@ -135,7 +137,7 @@ void find_fate(const isa::Program& program, Events events, Attempt& attempt) {
     attempt.fate = surface.decision ? Fate::no_depth : Fate::outside;
     return;
   }
-  const auto merge = last_of(events, attempt, What::merge);
+  const auto merge = last_of(events, attempt, EventKind::merge);
   if (!merge) return find_unmerged_fate(program, events, attempt);
   if (events[*merge].takes_pixel) attempt.shown = events[attempt.last_event].owner_after;
   const auto covering = covered_by(program, events, *merge);
@@ -157,10 +159,10 @@ void mark_blended(Events events, std::span<Attempt> attempts, std::uint32_t owne
 
 }  // namespace
 
-std::vector<Attempt> attempts_of(const isa::Program& program, std::span<const Event> events, std::uint32_t owner) {
+std::vector<Attempt> find_attempts(const isa::Program& program, std::span<const Event> events, std::uint32_t owner) {
   std::vector<Attempt> attempts;
   for (std::size_t i = 0; i < events.size(); ++i) {
-    if (events[i].what != What::surface) continue;
+    if (events[i].kind != EventKind::surface) continue;
     Attempt attempt;
     attempt.primitive = attempt.shown = events[i].origin.primitive;
     attempt.first_event = attempt.last_event = i;

@@ -34,8 +34,8 @@ bool may_set_depth(Opcode opcode) {
 /// Whether the instruction produced the pixel's depth.
 bool sets_depth(Opcode opcode, const PixelStep& step) {
   if (!step.enabled_before) return false;
-  if (opcode == Opcode::keep_max) return step.value > static_cast<std::int64_t>(step.met);
-  if (opcode == Opcode::keep_min) return step.value < static_cast<std::int64_t>(step.met);
+  if (opcode == Opcode::keep_max) return step.value > static_cast<std::int64_t>(step.first_operand);
+  if (opcode == Opcode::keep_min) return step.value < static_cast<std::int64_t>(step.first_operand);
   return true;
 }
 
@@ -73,7 +73,7 @@ class Narrator {
 
   [[nodiscard]] Decision decision_of(const PixelStep& step) const {
     const isa::Instruction& instruction = instruction_of(step);
-    Decision decision{step.segment, number_of(step), instruction, step.value, step.met, step.met_too};
+    Decision decision{step.segment, number_of(step), instruction, step.value, step.first_operand, step.second_operand};
     if (const isa::Instruction* const squares = isa::pending_squares(program_.segments[step.segment], step.index))
       decision.squares = *squares;
     if (uses_quadric(instruction)) decision.quadric = quadric_;
@@ -108,7 +108,7 @@ class Narrator {
 
   /// Whether the surface's colours are being written beside Z1.
   [[nodiscard]] bool goes_on_with_surface(const isa::Origin& origin) const {
-    return open_ && open_->event.what == What::surface &&
+    return open_ && open_->event.kind == EventKind::surface &&
            (origin.purpose == Purpose::shade ||
             (origin.purpose == Purpose::render && origin.primitive == open_->event.origin.primitive));
   }
@@ -117,34 +117,35 @@ class Narrator {
     return instruction.opcode == Opcode::copy && z1_.width > 0 && instruction.fields[1] == z1_;
   }
 
-  [[nodiscard]] What what_of(const isa::Instruction& instruction) const {
+  [[nodiscard]] EventKind find_kind(const isa::Instruction& instruction) const {
     const isa::Origin& origin = instruction.origin;
-    if (goes_on_with_surface(origin)) return What::surface;
+    if (goes_on_with_surface(origin)) return EventKind::surface;
     switch (origin.purpose) {
-      case Purpose::setup: return What::setup;
-      case Purpose::render: return What::surface;
-      case Purpose::classify: return stores(origin) ? What::stored : What::comparison;
-      case Purpose::stack: return What::bits;
-      case Purpose::shade: return What::shade;
-      case Purpose::effect: return What::effect;
+      case Purpose::setup: return EventKind::setup;
+      case Purpose::render: return EventKind::surface;
+      case Purpose::classify: return stores(origin) ? EventKind::stored : EventKind::comparison;
+      case Purpose::stack: return EventKind::bits;
+      case Purpose::shade: return EventKind::shade;
+      case Purpose::effect: return EventKind::effect;
       case Purpose::merge: {
-        const bool goes_on = open_ && open_->event.what == What::merge &&
+        const bool goes_on = open_ && open_->event.kind == EventKind::merge &&
                              open_->event.origin.primitive == origin.primitive && !compares_fields(instruction.opcode);
-        return goes_on || copies_depth(instruction) ? What::merge : What::depth_test;
+        return goes_on || copies_depth(instruction) ? EventKind::merge : EventKind::depth_test;
       }
     }
-    return What::effect;
+    return EventKind::effect;
   }
 
   void take(const PixelStep& step) {
     const isa::Instruction& instruction = instruction_of(step);
     if (instruction.opcode == Opcode::skip_if_none) return take_question(step);
-    const What what = what_of(instruction);
-    const bool goes_on = open_ && open_->event.what == what &&
-                         (what == What::surface || what == What::merge || open_->event.origin == instruction.origin);
-    if (!goes_on) begin(what, instruction.origin, step);
+    const EventKind kind = find_kind(instruction);
+    const bool goes_on =
+        open_ && open_->event.kind == kind &&
+        (kind == EventKind::surface || kind == EventKind::merge || open_->event.origin == instruction.origin);
+    if (!goes_on) begin(kind, instruction.origin, step);
     note_quadric(instruction, step);
-    if (what == What::surface && instruction.origin.purpose == Purpose::render) note_depth(instruction, step);
+    if (kind == EventKind::surface && instruction.origin.purpose == Purpose::render) note_depth(instruction, step);
     note_bits(instruction, step);
     note_change(step);
     note_cut(instruction, step);
@@ -152,15 +153,15 @@ class Narrator {
     if (compares_fields(instruction.opcode)) {
       open_->tests_depth = true;
       // Within a surface, the comparison concerns a facet's depth and does not decide the final result.
-      if (step.enabled_before && what != What::surface) open_->event.decision = decision_of(step);
+      if (step.enabled_before && kind != EventKind::surface) open_->event.decision = decision_of(step);
     }
-    if (what == What::shade && instruction.opcode == Opcode::linear_eq && step.enabled_after)
+    if (kind == EventKind::shade && instruction.opcode == Opcode::linear_eq && step.enabled_after)
       open_->event.decision = decision_of(step);
     open_->is_met = open_->is_met || step.enabled_before || step.enabled_after;
     open_->event.last = number_of(step);
     open_->event.enabled_after = step.enabled_after;
     open_->event.owner_after = step.owner;
-    if (what == What::merge && copies_depth(instruction)) {
+    if (kind == EventKind::merge && copies_depth(instruction)) {
       open_->event.merged_into = step.target;
       open_->event.takes_pixel = step.takes_pixel;
     }
@@ -171,7 +172,7 @@ class Narrator {
     close();
     const std::uint64_t after = number_of(step) + 1;
     Event event;
-    event.what = What::skip;
+    event.kind = EventKind::skip;
     event.segment = step.segment;
     event.first = after;
     event.last = after + step.skipped - 1;
@@ -181,16 +182,16 @@ class Narrator {
     events_.push_back(event);
   }
 
-  void begin(What what, const isa::Origin& origin, const PixelStep& step) {
+  void begin(EventKind kind, const isa::Origin& origin, const PixelStep& step) {
     close();
     open_.emplace();
-    open_->event.what = what;
+    open_->event.kind = kind;
     open_->event.segment = step.segment;
     open_->event.first = number_of(step);
     open_->event.origin = origin;
     open_->event.enabled_before = step.enabled_before;
     open_->event.owner_before = owner_;
-    if (what == What::surface) {
+    if (kind == EventKind::surface) {
       z1_ = {};
       with_results_ = false;
     }
@@ -225,8 +226,8 @@ class Narrator {
     } else if (adds_to_expression(instruction.opcode)) {
       quadric_->depth_number = number_of(step);
       quadric_->middle = step.value;
-      quadric_->offset = step.met;
-      quadric_->far = instruction.opcode == Opcode::linear_plus;
+      quadric_->offset = step.first_operand;
+      quadric_->is_far = instruction.opcode == Opcode::linear_plus;
     }
   }
 
@@ -245,7 +246,7 @@ class Narrator {
     }
     const bool meets_mask = has_role(instruction.fields[0], FieldRole::mask);
     if (!meets_mask) return;
-    if (step.before == 1 && step.after == 0 && step.target.width > 0) open_->event.by_results = with_results_;
+    if (step.before == 1 && step.after == 0 && step.target.width > 0) open_->event.uses_several_results = with_results_;
     if (instruction.opcode == Opcode::enable_load || step.target.width > 0) with_results_ = false;
   }
 
@@ -282,17 +283,17 @@ class Narrator {
   [[nodiscard]] static bool is_reported(const Open& open) {
     const std::vector<Change>& changes = open.event.changes;
     const bool differs = std::any_of(changes.begin(), changes.end(), [](const Change& one) { return one.differs(); });
-    switch (open.event.what) {
-      case What::setup:
-      case What::stored:
-      case What::shade: return !changes.empty();
-      case What::surface: return open.is_met;
-      case What::merge: return !changes.empty();
-      case What::depth_test: return (open.tests_depth || open.event.cut) && (open.event.enabled_before || differs);
-      case What::comparison: return open.event.enabled_before;
-      case What::bits:
-      case What::effect:
-      case What::skip: return differs;
+    switch (open.event.kind) {
+      case EventKind::setup:
+      case EventKind::stored:
+      case EventKind::shade: return !changes.empty();
+      case EventKind::surface: return open.is_met;
+      case EventKind::merge: return !changes.empty();
+      case EventKind::depth_test: return (open.tests_depth || open.event.cut) && (open.event.enabled_before || differs);
+      case EventKind::comparison: return open.event.enabled_before;
+      case EventKind::bits:
+      case EventKind::effect:
+      case EventKind::skip: return differs;
     }
     return false;
   }
@@ -310,8 +311,8 @@ class Narrator {
 
 }  // namespace
 
-std::vector<Event> events_of(const isa::Program& program, const PixelRun& run,
-                             std::span<const std::uint64_t> first_numbers) {
+std::vector<Event> find_events(const isa::Program& program, const PixelRun& run,
+                               std::span<const std::uint64_t> first_numbers) {
   return Narrator(program, run, first_numbers).narrate();
 }
 

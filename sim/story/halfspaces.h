@@ -35,7 +35,7 @@ struct ModelQuadric {
   glm::dvec3 axis{0};    ///< unit vector of cylinders and cones
 };
 
-/// Finds the plane that an instruction streams by its coefficients, since a Program does not record it.
+/// Finds the half-space whose plane an instruction streams, by the plane's coefficients: a Program does not record it.
 class HalfspaceFinder {
  public:
   /// Keeps a reference to the geometry.
@@ -44,13 +44,13 @@ class HalfspaceFinder {
   /// The view of the half-spaces.
   [[nodiscard]] const view::View& view() const { return view_; }
 
-  /// A half-space of the primitive whose surface is drawn or compared, or of one that forms one convex solid with it.
-  /// Nothing if the instruction has no linear expression, or one of another origin: a rectangle of pixels, a sample
-  /// beside the pixel's centre, a model in a mirror.
+  /// A half-space of the primitive whose surface is drawn or compared, or of a primitive that forms one convex solid
+  /// with it. Nothing if the instruction has no linear expression, or if the expression does not stem from a half-space
+  /// at the pixel's centre: a rectangle of pixels, another sample, a model in a mirror.
   [[nodiscard]] std::optional<ModelHalfspace> find(const isa::Instruction& instruction,
                                                    const isa::Region& region) const;
 
-  /// The same for a discriminant, whose coefficients are streamed by two instructions.
+  /// The quadric whose discriminant the two instructions stream; otherwise like the half-space.
   [[nodiscard]] std::optional<ModelQuadric> find(const isa::Instruction& squares, const isa::Instruction& linear,
                                                  const isa::Region& region) const;
 

@@ -18,7 +18,7 @@ namespace csgsim::story {
 
 namespace {
 
-constexpr std::array<std::string_view, 10> what_names{"setup", "surface", "depth_test", "comparison", "bits",
+constexpr std::array<std::string_view, 10> kind_names{"setup", "surface", "depth_test", "comparison", "bits",
                                                       "merge", "shade",   "effect",     "skip",       "stored"};
 constexpr std::array<std::string_view, 8> fate_names{"outside",    "no_depth", "refused", "behind",
                                                      "classified", "covered",  "blended", "seen"};
@@ -33,7 +33,7 @@ const isa::NamedField* find(const isa::Program& program, isa::Field field) {
 
 }  // namespace
 
-std::string_view name_of(What what) { return what_names.at(static_cast<std::size_t>(what)); }
+std::string_view name_of(EventKind kind) { return kind_names.at(static_cast<std::size_t>(kind)); }
 std::string_view name_of(Fate fate) { return fate_names.at(static_cast<std::size_t>(fate)); }
 std::string_view name_of(facet::QuadricKind kind) { return quadric_names.at(static_cast<std::size_t>(kind)); }
 
@@ -127,13 +127,14 @@ std::string working_text(const isa::Program& program, const QuadricDepth& depth)
   const isa::Field root{static_cast<std::uint16_t>(depth.field.base + half + 1U), half};
   return fmt::format("i{}..i{} D = {}; i{} root {} in {}; i{} {} depth = {} {} {}", depth.load_number - 1,
                      depth.load_number, depth.discriminant, depth.root_number, depth.root, field_name(program, root),
-                     depth.depth_number, depth.far ? "far" : "near", depth.middle, depth.far ? "+" : "-", depth.offset);
+                     depth.depth_number, depth.is_far ? "far" : "near", depth.middle, depth.is_far ? "+" : "-",
+                     depth.offset);
 }
 
 std::string quadric_text(const Subject& subject, const Decision& decision) {
   std::string text;
   if (const std::optional<ModelQuadric> found = quadric_of(subject, decision)) {
-    const std::string_view which = decision.squares ? "outline" : decision.quadric->far ? "far depth" : "near depth";
+    const std::string_view which = decision.squares ? "outline" : decision.quadric->is_far ? "far depth" : "near depth";
     text =
         fmt::format("{} of quadric {} of {} of {}: {} about {}", which, found->index + 1, found->count,
                     primitive_text(subject.program, found->primitive), name_of(found->kind), place_text(found->origin));

@@ -19,7 +19,7 @@ struct Subject {
   const HalfspaceFinder* model = nullptr;
 };
 
-std::string_view name_of(What what);
+std::string_view name_of(EventKind kind);
 std::string_view name_of(Fate fate);
 std::string_view name_of(facet::QuadricKind kind);
 

@@ -24,7 +24,7 @@ bool has_linear(const isa::Instruction& instruction) {
   return isa::has_operand(isa::operands_of(instruction.opcode), isa::OperandKind::linear);
 }
 
-/// An instruction as seen by the only pixel of an array: the streamed bits of the sum, with preceding squares, become a
+/// The instruction for an array of this pixel only: the streamed bits of the sum, with preceding squares, become a
 /// constant.
 struct AtPixel {
   isa::Instruction instruction;
@@ -51,7 +51,7 @@ AtPixel at_pixel(const isa::Segment& segment, std::size_t index, std::uint32_t x
 
 isa::Field target_of(const isa::Program& program, const isa::Instruction& instruction) {
   const bool writes = isa::operands_of(instruction.opcode)[0] == isa::OperandKind::target;
-  return writes ? named_around(program, instruction.fields[0]) : isa::Field{};
+  return writes ? enclosing_named_field(program, instruction.fields[0]) : isa::Field{};
 }
 
 /// Value of a field of any width; 0 for no field.
@@ -114,14 +114,14 @@ class Runner {
     step.index = index;
     step.fits = here.fits;
     step.value = has_linear(instruction) ? linear.c >> linear.shift : 0;
-    step.enabled_before = pixel.enabled(0, 0);
-    step.met = value_of(instruction.fields[0]);
-    step.met_too = value_of(instruction.fields[1]);
+    step.enabled_before = pixel.is_enabled(0, 0);
+    step.first_operand = value_of(instruction.fields[0]);
+    step.second_operand = value_of(instruction.fields[1]);
     step.target = target_of(program_, instruction);
     step.before = value_of(step.target);
     pixel.execute(here.instruction);
     frame_.after_instruction({number, index, instruction, 0, step.enabled_before ? 1U : 0U}, pixel);
-    step.enabled_after = pixel.enabled(0, 0);
+    step.enabled_after = pixel.is_enabled(0, 0);
     step.after = value_of(step.target);
     step.takes_pixel = step.enabled_after && frame_.merges(instruction);
     step.owner = current_owner(pixel);
@@ -145,7 +145,7 @@ class Runner {
 
 }  // namespace
 
-isa::Field named_around(const isa::Program& program, isa::Field field) {
+isa::Field enclosing_named_field(const isa::Program& program, isa::Field field) {
   isa::Field smallest = field;
   bool is_found = false;
   for (const isa::NamedField& named : program.facts->fields) {
@@ -159,7 +159,7 @@ isa::Field named_around(const isa::Program& program, isa::Field field) {
   return smallest;
 }
 
-machines::RunRecord record_of(const isa::Program& program, const machines::Machine& machine) {
+machines::RunRecord make_run_record(const isa::Program& program, const machines::Machine& machine) {
   machines::check_runs_on(program, machine);
   return functional::make_run_record(program, machine);
 }

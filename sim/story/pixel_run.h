@@ -17,16 +17,16 @@ struct PixelStep {
   std::uint32_t index = 0;  ///< within the segment
   bool enabled_before = false;
   bool enabled_after = false;
-  bool fits = true;           ///< A*x + B*y + C fits the width, or may be cut
-  std::int64_t value = 0;     ///< F at the pixel; 0 without a linear expression
-  std::uint64_t met = 0;      ///< value of the instruction's first field before it; 0 without one
-  std::uint64_t met_too = 0;  ///< the same for the second field
-  isa::Field target;          ///< field of pixel memory that it may write; of width 0 if none
-  std::uint64_t before = 0;   ///< value of the target before
-  std::uint64_t after = 0;    ///< value of the target after
-  std::uint32_t owner = 0;    ///< primitive that owns the pixel afterwards; observe::no_owner if none
-  bool takes_pixel = false;   ///< the instruction made its primitive the owner
-  std::uint64_t skipped = 0;  ///< number of following instructions that it skips
+  bool fits = true;                  ///< A*x + B*y + C fits the width, or may be cut
+  std::int64_t value = 0;            ///< F at the pixel; 0 without a linear expression
+  std::uint64_t first_operand = 0;   ///< value of the instruction's first field before it; 0 without one
+  std::uint64_t second_operand = 0;  ///< the same for the second field
+  isa::Field target;                 ///< field of pixel memory that it may write; of width 0 if none
+  std::uint64_t before = 0;          ///< value of the target before
+  std::uint64_t after = 0;           ///< value of the target after
+  std::uint32_t owner = 0;           ///< primitive that owns the pixel afterwards; observe::no_owner if none
+  bool takes_pixel = false;          ///< the instruction made its primitive the owner
+  std::uint64_t skipped = 0;         ///< number of following instructions that it skips
 };
 
 /// A visible surface of a finished picture at a pixel.
@@ -44,20 +44,21 @@ struct PixelRun {
   std::uint32_t colour = 0;  ///< colour as the colour field holds it
 };
 
-/// Executes one pixel's part of a Program bit by bit (sim/reference). Other pixels matter only for the instructions
-/// that a skip_if_none skips, which `skips` lists. A picture drawn several times, one over the other, has several
-/// segments that contain the pixel. Throws InputError if the picture has no such pixel.
+/// Executes one pixel's part of a Program bit by bit (sim/reference). `skips` lists the skips of the whole run, the
+/// only effect of other pixels. A picture drawn several times, one over the other, has several segments that contain
+/// the pixel. Throws InputError if the picture has no such pixel.
 ///
-/// If a target lies within a named field of the Program, the change is reported for the whole field (named_around).
+/// If a target lies within a named field of the Program, the change is reported for the whole field
+/// (enclosing_named_field).
 PixelRun run_pixel(const isa::Program& program, std::span<const machines::Skip> skips, std::uint32_t x,
                    std::uint32_t y);
 
-/// Run-time outcomes that the Program's clocks depend on, from a run of all pixels at the functional level. Throws
+/// Run-time outcomes on which the Program's clocks depend, from a run of all pixels at the functional level. Throws
 /// InputError if the machine cannot run the Program.
-machines::RunRecord record_of(const isa::Program& program, const machines::Machine& machine);
+machines::RunRecord make_run_record(const isa::Program& program, const machines::Machine& machine);
 
-/// The smallest named field that contains this one, the first of several; the field itself if there is none. A part of
-/// a depth field does not count as contained, since effects use the bits of depths as scratch in between.
-isa::Field named_around(const isa::Program& program, isa::Field field);
+/// The smallest named field that contains this field (the first of several), or else the field itself. A part of a
+/// depth field does not count as contained, since effects use the bits of depth fields for intermediate values.
+isa::Field enclosing_named_field(const isa::Program& program, isa::Field field);
 
 }  // namespace csgsim::story

@@ -18,7 +18,7 @@ namespace {
 /// segment's instructions at the pixel.
 machines::ClockSpan clocks_of(const Event& event, std::uint64_t first_number,
                               const std::vector<machines::ClockSpan>& clocks) {
-  if (event.what == What::skip) return {};
+  if (event.kind == EventKind::skip) return {};
   return {clocks[static_cast<std::size_t>(event.first - first_number)].begin,
           clocks[static_cast<std::size_t>(event.last - first_number)].end};
 }
@@ -39,7 +39,7 @@ Teller::Teller(const isa::Program& program, const machines::Machine& machine)
     : program_(program),
       machine_(machine),
       first_numbers_(isa::first_numbers(program)),
-      record_(record_of(program, machine)),
+      record_(make_run_record(program, machine)),
       timeline_(machine.kind->timeline(program, machine, record_.outcome())) {}
 
 Story Teller::story_of(std::uint32_t x, std::uint32_t y) const {
@@ -52,7 +52,7 @@ Story Teller::story_of(std::uint32_t x, std::uint32_t y) const {
   story.opaque_owner = run.opaque.owner;
   story.opaque_depth = run.opaque.depth;
   story.colour = run.colour;
-  story.events = events_of(program_, run, first_numbers_);
+  story.events = find_events(program_, run, first_numbers_);
   for (const std::uint32_t segment : run.segments) {
     story.segments.push_back({segment, first_numbers_[segment], first_numbers_[segment + 1]});
     if (!timeline_) continue;
@@ -60,7 +60,7 @@ Story Teller::story_of(std::uint32_t x, std::uint32_t y) const {
     for (Event& event : story.events)
       if (event.segment == segment) event.clocks = clocks_of(event, first_numbers_[segment], clocks);
   }
-  story.attempts = attempts_of(program_, story.events, story.owner);
+  story.attempts = find_attempts(program_, story.events, story.owner);
   return story;
 }
 

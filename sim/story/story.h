@@ -17,17 +17,17 @@
 namespace csgsim::story {
 
 /// Kind of a stretch of instructions at a pixel.
-enum class What : std::uint8_t {
+enum class EventKind : std::uint8_t {
   setup,       ///< initial values, before any surface
-  surface,     ///< a primitive's visible surface into Z1
-  depth_test,  ///< Z1 against Z2
-  comparison,  ///< Z1 against a primitive of the active tree
-  bits,        ///< results of comparisons combined
-  merge,       ///< Z1 becomes Z2
-  shade,       ///< colour
+  surface,     ///< a primitive's visible surface is written into Z1
+  depth_test,  ///< comparison of Z1 with Z2
+  comparison,  ///< comparison of Z1 with a primitive of the active tree
+  bits,        ///< combination of the results of comparisons
+  merge,       ///< Z1 is copied to Z2
+  shade,       ///< the colour is written
   effect,      ///< work of an effect for no particular surface
   skip,        ///< instructions skipped by a skip_if_none
-  stored,      ///< a primitive's depths into separate fields
+  stored,      ///< a primitive's depths are stored in separate fields
 };
 
 /// A written field. For several writes, the value before the first and after the last.
@@ -53,7 +53,7 @@ struct QuadricDepth {
   std::uint64_t depth_number = 0;  ///< number of the instruction that computed the depth from it
   std::int64_t middle = 0;         ///< F of that instruction: M, or M + (1 << unit) for the far depth
   std::uint64_t offset = 0;        ///< q << unit
-  bool far = false;
+  bool is_far = false;
 };
 
 /// A deciding instruction, with its operands at the pixel.
@@ -62,15 +62,15 @@ struct Decision {
   std::uint64_t number = 0;
   isa::Instruction instruction;
   std::int64_t value = 0;                     ///< F; 0 without a linear expression
-  std::uint64_t met = 0;                      ///< value of the instruction's first field before it
-  std::uint64_t met_too = 0;                  ///< value of its second field
+  std::uint64_t first_operand = 0;            ///< value of the instruction's first field before it
+  std::uint64_t second_operand = 0;           ///< value of its second field
   std::optional<isa::Instruction> squares{};  ///< quadratic terms of its expression, if it has any
   std::optional<QuadricDepth> quadric{};      ///< the depth that it compares or copies, if it belongs to a quadric
 };
 
 /// Consecutive instructions of one origin that found the pixel enabled or wrote its memory.
 struct Event {
-  What what{};
+  EventKind kind{};
   std::uint32_t segment = 0;
   std::uint64_t first = 0;     ///< number of the first instruction (hw/isa/instruction_numbers.h)
   std::uint64_t last = 0;      ///< number of the last instruction
@@ -80,42 +80,43 @@ struct Event {
   bool enabled_after = false;
   /// The instruction that disabled the pixel, if it is disabled afterwards.
   std::optional<Decision> cut;
-  /// surface: the instruction that set Z1; shade: that found the facet; depth_test: the comparison with Z2.
+  /// For a surface, the instruction that set Z1; for shade, the one that found the facet; for depth_test, the
+  /// comparison with Z2.
   std::optional<Decision> decision;
   std::optional<Decision> misfit;  ///< the first instruction whose A*x + B*y + C did not fit its width while the pixel
                                    ///< was enabled
   std::vector<Change> changes;
-  isa::Field merged_into;          ///< merge: the field that received the depth
-  bool takes_pixel = false;        ///< merge: its primitive becomes the owner
-  bool by_results = false;         ///< bits: several comparison results took part, not only the last one
-  std::uint32_t owner_before = 0;  ///< primitive that owns the pixel before; observe::no_owner if none
-  std::uint32_t owner_after = 0;   ///< primitive that owns the pixel after
+  isa::Field merged_into;             ///< merge: the field that received the depth
+  bool takes_pixel = false;           ///< merge: its primitive becomes the owner
+  bool uses_several_results = false;  ///< bits: several comparison results took part, not only the last one
+  std::uint32_t owner_before = 0;     ///< primitive that owns the pixel before; observe::no_owner if none
+  std::uint32_t owner_after = 0;      ///< primitive that owns the pixel after
 
   /// The first change of a field with that role; null if there is none.
   [[nodiscard]] const Change* change_of(const isa::Program& program, isa::FieldRole role) const;
 };
 
-/// The fate of a drawn surface at the pixel.
+/// Result for a drawn surface at the pixel.
 enum class Fate : std::uint8_t {
-  outside,     ///< disabled before it had a depth: beside the primitive's outline
+  outside,     ///< the pixel, beside the primitive's outline, was disabled before it had a depth
   no_depth,    ///< nothing remains between the half-spaces of its other side, or within the depth range
   refused,     ///< rejected by an effect or a mirror
   behind,      ///< Z1 is not nearer than Z2
   classified,  ///< removed by primitives of its active tree
   covered,     ///< merged, and later covered by another merge
-  blended,     ///< merged and a part of the colour, but not nearest: seen through glass, in a mirror, by a sample
+  blended,     ///< merged and a part of the colour, but not nearest: behind glass, in a mirror, at another sample
   seen,        ///< merged and nearest: final owner of the pixel
 };
 
 /// A surface of a primitive, or of several that form one convex solid, from its rendering to its merge.
 struct Attempt {
   std::uint32_t primitive = 0;  ///< the first one, if there are several
-  std::uint32_t shown = 0;      ///< if merged: the one whose facet is at the pixel, as far as colours tell
+  std::uint32_t shown = 0;      ///< if merged: the primitive whose facet is at the pixel, found by its colour
   std::size_t first_event = 0;  ///< index into Story::events: its rendering
   std::size_t last_event = 0;   ///< the last event before another surface is rendered, or an effect begins
   Fate fate{};
-  /// The deciding event: surface, depth_test, the bits that emptied the mask, the merge that covered it, or its own
-  /// merge.
+  /// Index of the deciding event: surface, depth_test, the bits that emptied the mask, the merge that covered the
+  /// surface, or its own merge.
   std::size_t deciding_event = 0;
   /// classified: the comparison that decided alone, if there is one.
   std::optional<std::size_t> deciding_comparison;

@@ -58,7 +58,7 @@ Json quadric_json(const Subject& subject, const ModelQuadric& quadric) {
 /// The computation of a quadric's depth; instructions by their numbers.
 Json working_json(const QuadricDepth& depth) {
   return {
-      {"side", depth.far ? "far" : "near"},
+      {"side", depth.is_far ? "far" : "near"},
       {"discriminant", {{"instructions", {depth.load_number - 1, depth.load_number}}, {"value", depth.discriminant}}},
       {"root",
        {{"instruction", depth.root_number},
@@ -80,8 +80,8 @@ Json decision_json(const Subject& subject, const Decision& decision) {
     const isa::Linear& squares = decision.squares->linear;
     json["squares"] = {{"xx", squares.a}, {"xy", squares.b}, {"yy", squares.c}};
   }
-  if (decision.instruction.fields[0].width > 0) json["met"] = decision.met;
-  if (decision.instruction.fields[1].width > 0) json["met_too"] = decision.met_too;
+  if (decision.instruction.fields[0].width > 0) json["met"] = decision.first_operand;
+  if (decision.instruction.fields[1].width > 0) json["met_too"] = decision.second_operand;
   if (const auto found = halfspace_of(subject, decision)) {
     json["halfspace"] = {{"primitive", primitive_json(subject.program, found->primitive)},
                          {"index", found->index},
@@ -96,7 +96,7 @@ Json decision_json(const Subject& subject, const Decision& decision) {
 
 Json event_json(const Subject& subject, const Event& event) {
   const isa::Program& program = subject.program;
-  Json json{{"what", name_of(event.what)}, {"segment", event.segment}, {"first", event.first}, {"last", event.last}};
+  Json json{{"what", name_of(event.kind)}, {"segment", event.segment}, {"first", event.first}, {"last", event.last}};
   if (!event.clocks.empty()) json["clocks"] = {event.clocks.begin, event.clocks.end};
   json["purpose"] = isa::info(event.origin.purpose).name;
   if (event.origin.primitive != isa::no_primitive) json["primitive"] = primitive_json(program, event.origin.primitive);

@@ -51,7 +51,7 @@ std::string indented(std::string_view text, std::size_t indent) {
   return out;
 }
 
-/// Titles of events, indexed by What.
+/// Titles of events, indexed by EventKind.
 constexpr std::array<std::string_view, 10> titles{"setup", "surface", "depth test", "classify", "bits",
                                                   "merge", "shade",   "effect",     "skipped",  "store"};
 
@@ -134,9 +134,10 @@ class Writer {
     if (!event.decision) return changes_text(event);
     const std::string owner =
         event.owner_before == observe::no_owner ? "" : " of " + primitive_text(program_, event.owner_before);
-    return fmt::format("Z1 {} {} Z2 {}{}", depth_text(program_, static_cast<std::uint32_t>(event.decision->met)),
+    return fmt::format("Z1 {} {} Z2 {}{}",
+                       depth_text(program_, static_cast<std::uint32_t>(event.decision->first_operand)),
                        event.enabled_after ? "is nearer than" : "is not nearer than",
-                       depth_text(program_, static_cast<std::uint32_t>(event.decision->met_too)), owner);
+                       depth_text(program_, static_cast<std::uint32_t>(event.decision->second_operand)), owner);
   }
 
   [[nodiscard]] std::string misfit_text(const Event& event) const {
@@ -144,23 +145,23 @@ class Writer {
   }
 
   [[nodiscard]] std::string text_of_event(const Event& event) const {
-    switch (event.what) {
-      case What::surface: return surface_text(event);
-      case What::stored: return primitive_text(program_, event.origin.primitive) + ": " + changes_text(event);
-      case What::depth_test: return depth_test_text(event);
-      case What::comparison:
+    switch (event.kind) {
+      case EventKind::surface: return surface_text(event);
+      case EventKind::stored: return primitive_text(program_, event.origin.primitive) + ": " + changes_text(event);
+      case EventKind::depth_test: return depth_test_text(event);
+      case EventKind::comparison:
         return fmt::format("against {}: {}", primitive_text(program_, event.origin.node),
                            event.cut ? "out" + decided("by", *event.cut) : "in");
-      case What::merge:
+      case EventKind::merge:
         return fmt::format("{}; owner {}, was {}", changes_text(event), primitive_text(program_, event.owner_after),
                            primitive_text(program_, event.owner_before));
-      case What::shade: return changes_text(event) + (event.decision ? decided("where", *event.decision) : "");
-      case What::skip:
+      case EventKind::shade: return changes_text(event) + (event.decision ? decided("where", *event.decision) : "");
+      case EventKind::skip:
         return fmt::format("no pixel was enabled at i{}, for {}", event.decision->number,
                            primitive_text(program_, event.origin.primitive));
-      case What::setup:
-      case What::bits:
-      case What::effect: return changes_text(event);
+      case EventKind::setup:
+      case EventKind::bits:
+      case EventKind::effect: return changes_text(event);
     }
     return "";
   }
@@ -171,14 +172,15 @@ class Writer {
     return fmt::format("[{}] ", printable(effects[event.origin.effect]));
   }
 
-  /// Whether the primitive whose depths are stored is at the pixel: absent ones are initialised last.
+  /// Whether the primitive whose depths are stored is at the pixel; for an absent primitive the last event initialises
+  /// the depths.
   static bool is_here(const Event& stored) { return !stored.enabled_after; }
 
   /// Marks the events that get a line: no surfaces beside the pixel, no skipped instructions.
   [[nodiscard]] std::vector<bool> reported() const {
     std::vector<bool> reported;
     for (const Event& event : story_.events)
-      reported.push_back(event.what != What::skip && (event.what != What::stored || is_here(event)));
+      reported.push_back(event.kind != EventKind::skip && (event.kind != EventKind::stored || is_here(event)));
     for (const Attempt& attempt : story_.attempts) {
       for (std::size_t i = attempt.first_event; i <= attempt.last_event; ++i)
         reported[i] = attempt.fate != Fate::outside;
@@ -201,8 +203,8 @@ class Writer {
                            primitive_text(program_, comparison.origin.node));
       }
       case Fate::covered:
-        return deciding.what == What::setup ? fmt::format("the picture restarts at i{}", deciding.first)
-                                            : fmt::format("merged; covered at i{}", deciding.first);
+        return deciding.kind == EventKind::setup ? fmt::format("the picture restarts at i{}", deciding.first)
+                                                 : fmt::format("merged; covered at i{}", deciding.first);
       case Fate::blended: return "merged; contributes to the colour";
       case Fate::seen: return "merged; this is the visible surface";
     }
@@ -260,7 +262,7 @@ class Writer {
       const Event& event = story_.events[i];
       begin_part();
       line("  {:<{}}  {:<{}}  {:<{}}{}{}", numbers_text(event), numbers, clocks_text(event), clocks,
-           titles.at(static_cast<std::size_t>(event.what)), title_width, effect_text(event),
+           titles.at(static_cast<std::size_t>(event.kind)), title_width, effect_text(event),
            indented(text_of_event(event) + misfit_text(event), numbers + clocks + title_width + 6));
       parts_.back().end = event.last + 1;
       write_verdict(i, numbers + clocks + 6);

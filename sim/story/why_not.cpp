@@ -52,14 +52,15 @@ std::string with_halfspace(const Subject& subject, const Decision& decision) {
 std::string behind_text(const Subject& subject, const Event& test) {
   const isa::Program& program = subject.program;
   return fmt::format("behind {}: i{}, Z1 {} is not less than Z2 {}", primitive_text(program, test.owner_before),
-                     test.decision->number, depth_text(program, static_cast<std::uint32_t>(test.decision->met)),
-                     depth_text(program, static_cast<std::uint32_t>(test.decision->met_too)));
+                     test.decision->number,
+                     depth_text(program, static_cast<std::uint32_t>(test.decision->first_operand)),
+                     depth_text(program, static_cast<std::uint32_t>(test.decision->second_operand)));
 }
 
 std::string comparison_text(const Subject& subject, const Event& comparison) {
   const std::string other = primitive_text(subject.program, comparison.origin.node);
   if (!comparison.cut) return fmt::format("in {} (i{}..i{})", other, comparison.first, comparison.last);
-  return fmt::format("out of {} by {}", other, with_halfspace(subject, *comparison.cut));
+  return fmt::format("outside {} by {}", other, with_halfspace(subject, *comparison.cut));
 }
 
 std::string classified_text(const Subject& subject, const Story& story, const Attempt& attempt) {
@@ -68,7 +69,7 @@ std::string classified_text(const Subject& subject, const Story& story, const At
   std::string text = fmt::format("classified out at i{}: it is ", story.events[attempt.deciding_event].last);
   bool is_first = true;
   for (std::size_t i = attempt.first_event; i <= attempt.deciding_event; ++i) {
-    if (story.events[i].what != What::comparison) continue;
+    if (story.events[i].kind != EventKind::comparison) continue;
     text += (is_first ? "" : ", ") + comparison_text(subject, story.events[i]);
     is_first = false;
   }
@@ -76,7 +77,7 @@ std::string classified_text(const Subject& subject, const Story& story, const At
 }
 
 std::string covered_text(const Subject& subject, const Event& by) {
-  if (by.what == What::setup) return fmt::format("merged, but the picture restarted at i{}", by.first);
+  if (by.kind == EventKind::setup) return fmt::format("merged, but the picture restarted at i{}", by.first);
   return fmt::format("merged, but {} was merged over it at i{}", primitive_text(subject.program, by.origin.primitive),
                      by.first);
 }
@@ -135,10 +136,10 @@ WhyNot why_not(const Subject& subject, const Story& story, std::uint32_t primiti
 
 std::string fate_text(const Subject& subject, const Story& story, const Attempt& attempt) {
   const Event& event = story.events[attempt.deciding_event];
-  const auto cut = [&] { return event.cut ? with_halfspace(subject, *event.cut) : std::string("E"); };
+  const auto cut = [&] { return event.cut ? with_halfspace(subject, *event.cut) : std::string("not enabled"); };
   switch (attempt.fate) {
-    case Fate::outside: return "outside it by " + cut();
-    case Fate::no_depth: return "no part of it remains here, by " + cut();
+    case Fate::outside: return "the pixel is outside its outline: " + cut();
+    case Fate::no_depth: return "no part of it remains here: " + cut();
     case Fate::refused: return "not admitted by " + cut();
     case Fate::behind: return behind_text(subject, event);
     case Fate::classified: return classified_text(subject, story, attempt);
@@ -154,7 +155,7 @@ std::string text_of(const Subject& subject, const Story& story, const WhyNot& an
   const std::string name = name_text(subject, answer);
   const bool is_whole = answer.pieces.count == 1;
   std::string text = fmt::format("why not {}\n", name);
-  if (answer.is_seen) text += fmt::format("  {} is what the pixel shows\n", name);
+  if (answer.is_seen) text += fmt::format("  the pixel shows {}\n", name);
   if (is_whole && answer.drawn_as != answer.pieces.first)
     text += fmt::format("  drawn with {}, as one convex solid\n", primitive_text(subject.program, answer.drawn_as));
   if (answer.attempts.empty()) text += fmt::format("  {}\n", nowhere_text(subject, story, answer));

@@ -31,11 +31,11 @@ class CsvFile {
   /// The lines below `begin` that the file had when it was opened.
   [[nodiscard]] const std::vector<std::string>& found() const { return found_; }
 
-  /// Throws InputError that names the line `found` and the reason why it cannot be used.
+  /// Throws InputError that names the line with index `found` in found(), and the reason why it cannot be used.
   [[noreturn]] void refuse(std::size_t found, std::string_view why) const;
 
-  /// Appends a line (or several separated by line breaks) and syncs the file. Throws InputError on failure, and then
-  /// removes the partial line unless truncating fails too.
+  /// Appends a line (or several separated by line breaks) and syncs the file. On failure it removes the partial line,
+  /// if the file can be truncated, and throws InputError.
   void append(const std::string& line) const;
 
   /// Atomically replaces all lines below `begin`.

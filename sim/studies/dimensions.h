@@ -9,7 +9,6 @@
 #include "host/emit/options.h"
 #include "sim/session/options/lists.h"
 
-/// Option values that several studies vary.
 namespace csgsim::studies {
 
 /// Names of strategies, colourings and similar choices.

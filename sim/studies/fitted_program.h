@@ -25,7 +25,7 @@ struct Fitted {
 /// Memory bits per pixel to compile with.
 struct MemoryGuess {
   std::uint32_t likely = 0;       ///< expected number of bits used; 0 if unknown
-  std::uint32_t upper_bound = 0;  ///< upper bound
+  std::uint32_t upper_bound = 0;  ///< maximum number of bits; more are an error
 };
 
 /// Compiles for the machine with exactly the memory bits that the Program uses. A correct guess saves time and does not

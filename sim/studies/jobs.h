@@ -52,9 +52,9 @@ class JobMaker {
   struct Read {
     std::shared_ptr<const Subject> subject;
     std::string reason;
-    std::string hash;  ///< hash of what was read; if reading failed, of the available bytes and the reason
+    std::string hash;  ///< hash of the files; if they cannot be read, of the readable bytes and the reason
   };
-  /// What facets and quadrics depend on, apart from options that all machines of a study share.
+  /// The data on which facets and quadrics depend, without the options that all machines of a study share.
   using Key = std::tuple<std::string, std::uint32_t, std::uint32_t, std::string>;
 
   static Key key(const session::ModelRequest& options, const machines::Machine& machine);

@@ -11,8 +11,8 @@
 
 namespace csgsim::studies {
 
-void JsonExport::add_to(session::OptionList& command, const std::string& what) {
-  command.option("--json", file_, what + " to a .json file, or - for standard output").check(session::not_empty);
+void JsonExport::add_to(session::OptionList& command, const std::string& action) {
+  command.option("--json", file_, action + " to a .json file, or - for standard output").check(session::not_empty);
 }
 
 void JsonExport::write(std::span<const std::filesystem::path> inputs,

@@ -16,8 +16,8 @@ namespace csgsim::studies {
 /// Option --json of a study: exports the inputs of its counts, so that other programs can verify them.
 class JsonExport {
  public:
-  /// `what` describes the content of the file.
-  void add_to(session::OptionList& command, const std::string& what);
+  /// `action` begins the help text, as in `Write the vertices of each mesh`.
+  void add_to(session::OptionList& command, const std::string& action);
 
   [[nodiscard]] bool is_requested() const { return !file_.empty(); }
 

@@ -37,8 +37,8 @@ void parallel_for(std::size_t count, unsigned threads, const Work& work) {
     return !failure;
   };
   const std::stop_token stop = thread_stop_token();
-  const auto take = [&] {
-    const Interruptible looks_for(stop);
+  const auto run_jobs = [&] {
+    const Interruptible interruptible(stop);
     for (std::size_t i = next++; i < count; i = next++) {
       try {
         work(i, finish);
@@ -49,7 +49,7 @@ void parallel_for(std::size_t count, unsigned threads, const Work& work) {
   };
   {
     std::vector<std::jthread> workers;
-    for (std::size_t i = 0; i < std::min<std::size_t>(threads, count); ++i) workers.emplace_back(take);
+    for (std::size_t i = 0; i < std::min<std::size_t>(threads, count); ++i) workers.emplace_back(run_jobs);
   }
   if (failure) std::rethrow_exception(failure);
 }

@@ -21,7 +21,8 @@ std::vector<software::Priced> parse_processors(const std::string& list) {
 void add_processors(session::OptionList& command, std::string& list) {
   command
       .option("--processors", list,
-              "Processors to compute costs for, as names or .toml files separated by commas; this-computer is measured")
+              "Processors for which seconds are computed: names or .toml files, separated by commas; this-computer is "
+              "measured")
       .check(session::is_read_by(parse_processors));
 }
 

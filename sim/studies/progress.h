@@ -18,17 +18,17 @@ namespace csgsim::studies {
 class Progress {
  public:
   /// `known` points were measured before; `threads` points are measured concurrently.
-  Progress(std::size_t points, std::size_t known, bool wanted, unsigned threads = 1)
-      : points_(points), known_(known), threads_(threads), show_(wanted) {
+  Progress(std::size_t points, std::size_t known, bool is_shown, unsigned threads = 1)
+      : points_(points), known_(known), threads_(threads), is_shown_(is_shown) {
     show();
   }
   ~Progress() {
-    if (show_) tell("\r\x1b[K");
+    if (is_shown_) tell("\r\x1b[K");
   }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void done() {
+  void finish_point() {
     ++measured_;
     // Points that are measured concurrently are assumed to be nearly done.
     const std::size_t missing = points_ - known_;
@@ -39,7 +39,7 @@ class Progress {
 
  private:
   void show() const {
-    if (!show_) return;
+    if (!is_shown_) return;
     tell(fmt::format("\r\x1b[K{} of {} points", known_ + measured_, points_));
     if (measured_ > 0) {
       const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
@@ -53,7 +53,7 @@ class Progress {
   std::size_t known_;
   std::size_t threads_;
   std::size_t measured_ = 0;
-  bool show_;
+  bool is_shown_;
   observe::LongWork work_{"this study", "fewer points and a smaller --size take less time; measured points are kept"};
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };

@@ -17,7 +17,7 @@ namespace csgsim::studies {
 /// Column names of a row type as a line of CSV. Row::columns(row, visit) calls visit(name, member) for each column in
 /// order.
 template <class Row>
-std::string header_of() {
+std::string header_line() {
   std::string line;
   const Row none{};
   Row::columns(none, [&](const char* name, const auto&) { line += (line.empty() ? "" : ",") + std::string(name); });
@@ -52,7 +52,7 @@ Row from_line(const std::string& line) {
   return row;
 }
 
-/// What a table needs to handle rows as lines.
+/// Properties of a row type that a table needs to handle rows as lines.
 struct RowFormat {
   std::string columns;                              ///< column names as a line
   std::size_t point_columns = 0;                    ///< number of leading columns that identify the point
@@ -61,8 +61,9 @@ struct RowFormat {
 
 /// The first `Row::point_columns` columns identify the point.
 template <class Row>
-RowFormat format_of() {
-  return {header_of<Row>(), Row::point_columns, [](const std::string& row) { static_cast<void>(from_line<Row>(row)); }};
+RowFormat row_format() {
+  return {header_line<Row>(), Row::point_columns,
+          [](const std::string& row) { static_cast<void>(from_line<Row>(row)); }};
 }
 
 }  // namespace csgsim::studies

@@ -54,13 +54,13 @@ std::string points_text(const std::string& title, std::size_t points, const SetP
 std::string file_text(const nlohmann::ordered_json& json);
 
 template <class Row>
-SetPoint setter_of(std::span<const Row> rows) {
+SetPoint make_setter(std::span<const Row> rows) {
   return [rows](nlohmann::ordered_json& json, std::size_t point) { set_columns(json, rows[point]); };
 }
 
 template <class Row>
 std::string rows_json(const std::string& title, std::span<const Row> rows) {
-  return points_text(title, rows.size(), setter_of(rows));
+  return points_text(title, rows.size(), make_setter(rows));
 }
 
 }  // namespace csgsim::studies

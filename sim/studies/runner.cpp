@@ -68,7 +68,7 @@ Rows complete(StudyCommand& request, std::span<const PointRequest> points, Table
     measure(request, missing, [&](std::size_t /*point*/, std::string row) {
       pending.push_back(std::move(row));
       if (pending.size() == at_once) write();
-      progress.done();
+      progress.finish_point();
       end_if_interrupted();
     });
     write();
@@ -111,7 +111,7 @@ void run_shard(StudyCommand& request) {
                       session::shows_progress(request.options.progress));
     measure(request, run.missing(), [&](std::size_t point, std::string row) {
       run.add(point, std::move(row));
-      progress.done();
+      progress.finish_point();
     });
   }
   run.print();

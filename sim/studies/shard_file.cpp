@@ -74,8 +74,8 @@ std::string stem_of(const ShardHeader& header) {
 
 fs::path shards_folder(const fs::path& study) { return study / "shards"; }
 
-std::vector<fs::path> shard_files(const fs::path& study, const std::optional<ShardHeader>& of) {
-  const std::string stem = of ? stem_of(*of) : "";
+std::vector<fs::path> shard_files(const fs::path& study, const std::optional<ShardHeader>& shard) {
+  const std::string stem = shard ? stem_of(*shard) : "";
   std::vector<fs::path> files;
   std::error_code error;
   for (auto entry = fs::directory_iterator(shards_folder(study), error); !error && entry != fs::directory_iterator();
@@ -84,7 +84,7 @@ std::vector<fs::path> shard_files(const fs::path& study, const std::optional<Sha
     const bool is_shard = name.ends_with(ending) || name.ends_with(former_ending);
     if (is_shard && name.starts_with(stem) && !name.starts_with('.')) files.push_back(entry->path());
   }
-  const bool is_new = of && error == std::errc::no_such_file_or_directory;
+  const bool is_new = shard && error == std::errc::no_such_file_or_directory;
   if (error && !is_new) {
     throw InputError(fmt::format("{}: contains no shards of a study ({}); specify the folder given to them with -o",
                                  study.native(), error.message()));

@@ -80,8 +80,8 @@ class Study {
 
   [[nodiscard]] virtual RowFormat format() const = 0;
 
-  /// Receives the rows of the requested points in their order; the functions below refer to them. `are_read` says that
-  /// some rows were not measured by this process.
+  /// Receives the rows of the requested points in their order; the functions below refer to them. `are_read`: some rows
+  /// were not measured by this process.
   virtual void take(std::span<const std::string> rows, bool are_read) = 0;
   /// Further points to measure, given all rows taken until now; their numbers follow those of the earlier points.
   virtual std::vector<PointRequest> more() { return {}; }
@@ -101,7 +101,7 @@ class Study {
   virtual void refuse() const {}
 };
 
-/// How a study's output folder is chosen.
+/// Rule for a study's output folder.
 enum class Folder : std::uint8_t {
   named,     ///< -o is required
   usual,     ///< Study::default_folder() if -o is not given
@@ -111,7 +111,7 @@ enum class Folder : std::uint8_t {
 /// A row of the table of studies.
 struct StudyRow {
   const char* name;
-  const char* does;     ///< one-line summary
+  const char* does;     ///< one-line summary that begins with a verb
   const char* example;  ///< example and notes below the help text
   const char* plots;    ///< description, such as `plots (.png, .svg) of clocks`
   Folder folder = Folder::named;
@@ -128,7 +128,7 @@ struct StudyRow {
 template <class Row>
 class RowsOf : public Study {
  public:
-  [[nodiscard]] RowFormat format() const final { return format_of<Row>(); }
+  [[nodiscard]] RowFormat format() const final { return row_format<Row>(); }
 
   void take(std::span<const std::string> rows, bool are_read) final {
     rows_.clear();

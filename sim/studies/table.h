@@ -57,14 +57,14 @@ class Table {
   /// way, with the rows of other points at the end.
   std::vector<std::string> in_order(std::span<const PointRequest> requested);
 
-  /// Takes the rows measured by shards; none may be missing. Throws InputError if a row cannot be read, or if
-  /// the table has rows that the shards lack.
+  /// Stores and returns the rows measured by shards; none may be missing. Throws InputError if a row cannot be read, or
+  /// if the table has rows that the shards lack.
   std::vector<std::string> put(const Gathered& gathered);
 
  private:
   [[nodiscard]] std::string point_of(const std::string& row) const;
   [[nodiscard]] bool has_inputs(const std::string& row, const PointRequest& requested) const;
-  /// The row that serves a point.
+  /// The row with the results of the requested point of that index; null if there is none.
   [[nodiscard]] const std::string* find(std::span<const PointRequest> requested, std::size_t point) const;
   void take(std::vector<std::string> rows);
 

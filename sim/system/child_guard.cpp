@@ -46,7 +46,7 @@ void report_to(int file, const GuardReport& report) {
   static_cast<void>(!::write(file, &report, sizeof report));
 }
 
-/// Requests the signal for the end of the parent process, and raises it if the parent has ended already.
+/// Requests that the signal is sent when the parent process ends, and raises it if the parent has ended already.
 void follow(pid_t parent, int signal) {
   ::prctl(PR_SET_PDEATHSIG, signal);
   if (::getppid() != parent) ::raise(signal);

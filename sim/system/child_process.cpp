@@ -155,7 +155,7 @@ std::optional<ChildEnd> run_child(std::span<const std::string> words, const Memo
   return ended;
 }
 
-bool is_done(const ChildEnd& end) { return end.exceeded == Exceeded::nothing && end.status == 0; }
+bool has_succeeded(const ChildEnd& end) { return end.exceeded == Exceeded::nothing && end.status == 0; }
 
 std::string why_failed(const ChildEnd& end, const ChildLimits& limits) {
   switch (end.exceeded) {

@@ -37,17 +37,17 @@ struct ChildEnd {
 };
 
 /// Runs the program named by the first word, found on the PATH like in a shell, and waits for its end. It reads `input`
-/// and gets no other file of this process. It runs in a separate process group; no process of the group survives this
-/// function, nor this process, whatever signal ends it. Returns nothing if the program does not exist. Throws
+/// and inherits no other file of this process. It runs in a separate process group, which ends with this function, and
+/// with this process even if a signal kills it. Returns nothing if the program does not exist. Throws
 /// InputError, which begins with the first word, if it cannot be run for another reason, and Interrupted if the current
 /// thread's work must stop.
 std::optional<ChildEnd> run_child(std::span<const std::string> words, const MemoryFile& input,
                                   const ChildLimits& limits);
 
-/// Whether it ended successfully and within the limits.
-bool is_done(const ChildEnd& end);
+/// Whether the program ended successfully and within the limits.
+bool has_succeeded(const ChildEnd& end);
 
-/// Why it failed: the limit, the signal, or the first line of its messages.
+/// Why the program failed: the limit, the signal, or the first line of its messages.
 std::string why_failed(const ChildEnd& end, const ChildLimits& limits);
 
 }  // namespace csgsim::system

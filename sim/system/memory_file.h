@@ -11,12 +11,13 @@
 
 namespace csgsim::system {
 
-/// A file in memory, for libraries and programs that write to files without reporting errors. No disk can be full under
-/// it, but a file size limit (ulimit -f) applies. Linux only. Each function throws InputError that begins with the
-/// purpose.
+/// A file in memory, for libraries and programs that write files without reporting errors. It cannot fail because a
+/// disk is full, but a file size limit (ulimit -f) applies. Linux only. Each function throws InputError that begins
+/// with the purpose.
 class MemoryFile {
  public:
-  /// `purpose` is the file that the content is for, in messages. Throws if the system provides no such file.
+  /// `purpose` names, in messages, the file for which the content is intended. Throws if the system provides no files
+  /// in memory.
   explicit MemoryFile(std::filesystem::path purpose);
 
   /// A path by which this process can open it for reading or writing.

@@ -8,13 +8,14 @@
 
 #include "sim/viewer/http.h"
 
-/// Access control: only the page that csgsim itself has sent to a browser on this computer is admitted.
+// Only the page that csgsim itself has sent to a browser on this computer is admitted.
 namespace csgsim::viewer {
 
 /// 128 random bits in hexadecimal, the secret part of the page's address. Throws InputError if the system provides no
 /// random numbers.
 std::string make_token();
 
+/// The port and the token of a server, which a request must name.
 struct Door {
   std::uint16_t port = 0;
   std::string token;
@@ -24,8 +25,8 @@ struct Door {
 };
 
 /// Result of checking a request: the path behind the token (`draw` of `/TOKEN/draw`), or the reply that refuses it.
-/// Rejected are foreign host names (DNS rebinding), pages of another origin, a wrong token, and anything but JSON in a
-/// POST.
+/// A request is refused if it has a foreign host name (DNS rebinding), comes from a page of another origin, has a wrong
+/// token, or is a POST of anything but JSON.
 struct Admission {
   bool is_admitted = false;
   std::string_view path{};  ///< path of the request behind the token

@@ -26,7 +26,7 @@ std::optional<std::string> source_in(const Json& wish) {
   return text.is_null() ? std::nullopt : std::optional(text.get<std::string>());
 }
 
-/// Rejects machine files other than the one that the session began with.
+/// Rejects machine files other than that of the command line that started the session.
 void refuse_other_file(const std::string& machine, const Json& begun_with) {
   const std::string_view file = machines::file_of(machine);
   const std::string known = begun_with.is_string() ? begun_with.get<std::string>() : "";
@@ -75,7 +75,7 @@ std::vector<std::string> Drawings::words_of(const Json& wish) const {
   return words;
 }
 
-Drawings::ParsedWish Drawings::parsed(const Json& request) const {
+Drawings::ParsedWish Drawings::parse(const Json& request) const {
   Json wish{{"knobs", object_in(request, "knobs")}};
   const std::optional<std::string> source = source_in(request);
   if (source) wish["source"] = *source;
@@ -94,7 +94,7 @@ session::ModelFile Drawings::model_of(const ParsedWish& parsed) const {
                  : session::read_model_text(parsed.options, parsed.text);
 }
 
-std::shared_ptr<Drawing> Drawings::evaluated(ParsedWish parsed) const {
+std::shared_ptr<Drawing> Drawings::evaluate(ParsedWish parsed) const {
   const CollectedLines messages;
   const auto begin = std::chrono::steady_clock::now();
   machines::Machine machine = session::machine_of(parsed.options);
@@ -120,7 +120,7 @@ std::shared_ptr<const Drawing> Drawings::latest() const {
   return kept_.empty() ? nullptr : kept_.front();
 }
 
-std::shared_ptr<Drawing> Drawings::kept(const ParsedWish& parsed) {
+std::shared_ptr<Drawing> Drawings::find_kept(const ParsedWish& parsed) {
   const std::lock_guard lock(mutex_);
   const auto is_same = [&](const auto& one) { return one->wish == parsed.wish && one->text == parsed.text; };
   const auto same = std::ranges::find_if(kept_, is_same);
@@ -135,7 +135,7 @@ void Drawings::keep(const std::shared_ptr<Drawing>& next) {
   if (kept_.size() > max_kept) kept_.pop_back();
 }
 
-std::shared_ptr<std::mutex> Drawings::turn_of(const ParsedWish& parsed) {
+std::shared_ptr<std::mutex> Drawings::find_turn(const ParsedWish& parsed) {
   const std::lock_guard lock(mutex_);
   std::erase_if(turns_, [](const auto& one) { return one.second.expired(); });
   std::weak_ptr<std::mutex>& turn = turns_[hash_of(parsed.wish, parsed.text)];
@@ -144,21 +144,21 @@ std::shared_ptr<std::mutex> Drawings::turn_of(const ParsedWish& parsed) {
   return mine;
 }
 
-std::shared_ptr<Drawing> Drawings::compiled(const Json& wish, Evaluation& evaluation) {
-  ParsedWish request = parsed(wish);
-  if (std::shared_ptr<Drawing> same = kept(request)) return same;
-  const std::shared_ptr<std::mutex> turn = turn_of(request);
+std::shared_ptr<Drawing> Drawings::compile(const Json& wish, Evaluation& evaluation) {
+  ParsedWish request = parse(wish);
+  if (std::shared_ptr<Drawing> same = find_kept(request)) return same;
+  const std::shared_ptr<std::mutex> turn = find_turn(request);
   const std::lock_guard waits(*turn);
-  if (std::shared_ptr<Drawing> same = kept(request)) return same;
-  evaluation.begin(Doing::evaluating);
-  std::shared_ptr<Drawing> next = evaluated(std::move(request));
-  evaluation.begin(Doing::drawing);
+  if (std::shared_ptr<Drawing> same = find_kept(request)) return same;
+  evaluation.begin(Stage::evaluating);
+  std::shared_ptr<Drawing> next = evaluate(std::move(request));
+  evaluation.begin(Stage::drawing);
   keep(next);
   return next;
 }
 
-std::shared_ptr<Drawing> Drawings::drawn(const Json& wish, Evaluation& evaluation) {
-  std::shared_ptr<Drawing> drawing = compiled(wish, evaluation);
+std::shared_ptr<Drawing> Drawings::draw(const Json& wish, Evaluation& evaluation) {
+  std::shared_ptr<Drawing> drawing = compile(wish, evaluation);
   const std::lock_guard lock(drawing->found->mutex);
   std::optional<session::Drawn>& drawn = drawing->found->drawn;
   if (!drawn) drawn = session::draw(drawing->model.program, drawing->machine);

@@ -38,7 +38,7 @@ struct DrawingResults {
   std::shared_ptr<const Lanes> lanes{};  ///< lanes of the whole frame
 };
 
-/// A compiled wish. Its address is stable and it is immutable, except for `found`.
+/// The compiled model of a wish (wish.h). Its address is stable, and it is immutable except for `found`.
 struct Drawing {
   Json wish;
   std::string text;  ///< text of the model as it was read
@@ -63,16 +63,17 @@ class Drawings {
 
   [[nodiscard]] const Beginning& beginning() const { return beginning_; }
 
-  /// Returns the existing drawing if none of its inputs has changed. Throws WishError, InputError, UsageError for
-  /// invalid options, and Interrupted.
-  std::shared_ptr<Drawing> compiled(const Json& wish, Evaluation& evaluation);
-  std::shared_ptr<Drawing> drawn(const Json& wish, Evaluation& evaluation);
+  /// Compiles the wish, or returns the existing drawing if none of its inputs has changed. Throws WishError,
+  /// InputError, UsageError for invalid options, and Interrupted.
+  std::shared_ptr<Drawing> compile(const Json& wish, Evaluation& evaluation);
+  /// The same, and draws it.
+  std::shared_ptr<Drawing> draw(const Json& wish, Evaluation& evaluation);
 
   /// The drawing requested last; null before the first.
   [[nodiscard]] std::shared_ptr<const Drawing> latest() const;
 
  private:
-  /// A wish with the command line and the text that it stands for.
+  /// A wish, and the command line and model text that result from it.
   struct ParsedWish {
     Json wish;
     std::vector<std::string> words;
@@ -81,18 +82,18 @@ class Drawings {
   };
 
   [[nodiscard]] std::vector<std::string> words_of(const Json& wish) const;
-  [[nodiscard]] ParsedWish parsed(const Json& request) const;
+  [[nodiscard]] ParsedWish parse(const Json& request) const;
   [[nodiscard]] session::ModelFile model_of(const ParsedWish& parsed) const;
-  [[nodiscard]] std::shared_ptr<Drawing> evaluated(ParsedWish parsed) const;
-  std::shared_ptr<Drawing> kept(const ParsedWish& parsed);
+  [[nodiscard]] std::shared_ptr<Drawing> evaluate(ParsedWish parsed) const;
+  std::shared_ptr<Drawing> find_kept(const ParsedWish& parsed);
   void keep(const std::shared_ptr<Drawing>& next);
-  std::shared_ptr<std::mutex> turn_of(const ParsedWish& parsed);
+  std::shared_ptr<std::mutex> find_turn(const ParsedWish& parsed);
 
   Beginning beginning_;
   mutable std::mutex mutex_;                                ///< protects the members below; never held for long
   std::vector<std::shared_ptr<Drawing>> kept_;              ///< the latest first
-  std::map<std::size_t, std::weak_ptr<std::mutex>> turns_;  ///< one per running evaluation, by a hash of what it
-                                                            ///< evaluates
+  std::map<std::size_t, std::weak_ptr<std::mutex>> turns_;  ///< one per running evaluation, by a hash of the wish
+                                                            ///< and the text
 };
 
 }  // namespace csgsim::viewer

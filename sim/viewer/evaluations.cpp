@@ -7,11 +7,11 @@ namespace csgsim::viewer {
 
 namespace {
 
-const char* text_of(Doing doing) {
-  switch (doing) {
-    case Doing::waiting: return "waiting";
-    case Doing::evaluating: return "evaluating the model";
-    case Doing::drawing: return "drawing";
+const char* text_of(Stage stage) {
+  switch (stage) {
+    case Stage::waiting: return "waiting";
+    case Stage::evaluating: return "evaluating the model";
+    case Stage::drawing: return "drawing";
   }
   return "";
 }
@@ -20,8 +20,8 @@ double seconds(std::chrono::steady_clock::duration time) { return std::chrono::d
 
 }  // namespace
 
-void Evaluations::end(Entry& entry, Ended why) {
-  if (entry.ended != Ended::not_yet) return;
+void Evaluations::end(Entry& entry, EndReason why) {
+  if (entry.ended != EndReason::not_yet) return;
   entry.ended = why;
   entry.stop.request_stop();
 }
@@ -29,21 +29,21 @@ void Evaluations::end(Entry& entry, Ended why) {
 void Evaluations::cancel(std::string_view name) {
   const std::lock_guard lock(mutex_);
   for (Entry& entry : entries_) {
-    if (!name.empty() && entry.name == name) end(entry, Ended::cancelled);
+    if (!name.empty() && entry.name == name) end(entry, EndReason::cancelled);
   }
 }
 
 void Evaluations::close() {
   const std::lock_guard lock(mutex_);
   is_closed_ = true;
-  for (Entry& entry : entries_) end(entry, Ended::closed);
+  for (Entry& entry : entries_) end(entry, EndReason::closed);
 }
 
 void Evaluations::end_overdue() {
   const std::lock_guard lock(mutex_);
   const Clock::time_point now = Clock::now();
   for (Entry& entry : entries_) {
-    if (entry.doing == Doing::evaluating && now - entry.since > most_) end(entry, Ended::overdue);
+    if (entry.stage == Stage::evaluating && now - entry.since > time_limit_) end(entry, EndReason::overdue);
   }
 }
 
@@ -51,34 +51,34 @@ Json Evaluations::progress(std::string_view name) const {
   const std::lock_guard lock(mutex_);
   const auto entry = std::ranges::find(entries_, name, &Entry::name);
   if (name.empty() || entry == entries_.end()) return Json::object();
-  Json progress{{"doing", text_of(entry->doing)}, {"seconds", seconds(Clock::now() - entry->since)}};
-  if (entry->doing == Doing::evaluating) progress["most"] = seconds(most_);
+  Json progress{{"doing", text_of(entry->stage)}, {"seconds", seconds(Clock::now() - entry->since)}};
+  if (entry->stage == Stage::evaluating) progress["most"] = seconds(time_limit_);
   return progress;
 }
 
-std::list<Evaluations::Entry>::iterator Evaluation::entered(Evaluations& all, std::string name) {
+std::list<Evaluations::Entry>::iterator Evaluation::enter(Evaluations& all, std::string name) {
   const std::lock_guard lock(all.mutex_);
   all.entries_.push_back({.name = std::move(name)});
   const auto entry = std::prev(all.entries_.end());
-  if (all.is_closed_) Evaluations::end(*entry, Ended::closed);
+  if (all.is_closed_) Evaluations::end(*entry, EndReason::closed);
   return entry;
 }
 
 Evaluation::Evaluation(Evaluations& all, std::string name)
-    : all_(all), entry_(entered(all, std::move(name))), interruptible_(entry_->stop.get_token()) {}
+    : all_(all), entry_(enter(all, std::move(name))), interruptible_(entry_->stop.get_token()) {}
 
 Evaluation::~Evaluation() {
   const std::lock_guard lock(all_.mutex_);
   all_.entries_.erase(entry_);
 }
 
-void Evaluation::begin(Doing doing) {
+void Evaluation::begin(Stage stage) {
   const std::lock_guard lock(all_.mutex_);
-  entry_->doing = doing;
+  entry_->stage = stage;
   entry_->since = Evaluations::Clock::now();
 }
 
-Ended Evaluation::ended() const {
+EndReason Evaluation::end_reason() const {
   const std::lock_guard lock(all_.mutex_);
   return entry_->ended;
 }

@@ -15,23 +15,22 @@
 
 namespace csgsim::viewer {
 
-/// Stage of the work on an answer.
-enum class Doing : std::uint8_t {
+/// Stage of the work on an answer. Only evaluating has a time limit.
+enum class Stage : std::uint8_t {
   waiting,
-  evaluating,  ///< the model's text: OpenSCAD, reading, compiling; has a time limit
+  evaluating,  ///< OpenSCAD, reading and compiling the model's text
   drawing,
 };
 
 /// Reason why work was stopped before its end.
-enum class Ended : std::uint8_t { not_yet, cancelled, overdue, closed };
+enum class EndReason : std::uint8_t { not_yet, cancelled, overdue, closed };
 
 class Evaluation;
 
 /// The answers in progress, so that the page can show their progress and cancel them. All functions are thread-safe.
 class Evaluations {
  public:
-  /// `most` is the time limit of an evaluation.
-  explicit Evaluations(std::chrono::milliseconds most) : most_(most) {}
+  explicit Evaluations(std::chrono::milliseconds time_limit) : time_limit_(time_limit) {}
 
   /// Cancels the evaluations with this name, which the page has chosen.
   void cancel(std::string_view name);
@@ -46,7 +45,7 @@ class Evaluations {
   /// has a limit. Empty if there is no such evaluation.
   [[nodiscard]] Json progress(std::string_view name) const;
 
-  [[nodiscard]] std::chrono::milliseconds most() const { return most_; }
+  [[nodiscard]] std::chrono::milliseconds time_limit() const { return time_limit_; }
 
  private:
   friend class Evaluation;
@@ -55,14 +54,14 @@ class Evaluations {
   struct Entry {
     std::string name;
     std::stop_source stop{};
-    Doing doing = Doing::waiting;
+    Stage stage = Stage::waiting;
     Clock::time_point since = Clock::now();
-    Ended ended = Ended::not_yet;
+    EndReason ended = EndReason::not_yet;
   };
 
-  static void end(Entry& entry, Ended why);
+  static void end(Entry& entry, EndReason why);
 
-  std::chrono::milliseconds most_;
+  std::chrono::milliseconds time_limit_;
   mutable std::mutex mutex_;
   std::list<Entry> entries_;
   bool is_closed_ = false;
@@ -78,11 +77,11 @@ class Evaluation {
   Evaluation(const Evaluation&) = delete;
   Evaluation& operator=(const Evaluation&) = delete;
 
-  void begin(Doing doing);
-  [[nodiscard]] Ended ended() const;
+  void begin(Stage stage);
+  [[nodiscard]] EndReason end_reason() const;
 
  private:
-  static std::list<Evaluations::Entry>::iterator entered(Evaluations& all, std::string name);
+  static std::list<Evaluations::Entry>::iterator enter(Evaluations& all, std::string name);
 
   Evaluations& all_;
   std::list<Evaluations::Entry>::iterator entry_;

@@ -121,7 +121,7 @@ std::vector<std::uint8_t> Instants::pixels_of(isa::Field field, std::string& sca
     }
     return pixels;
   }
-  const debug::FieldPicture made = debug::picture_of(field, *run_, program_);
+  const debug::FieldPicture made = debug::draw_field(field, *run_, program_);
   scale = made.scale;
   if (made.picture.channels == 3) return made.picture.bytes;
   for (const std::uint8_t grey : made.picture.bytes) pixels.insert(pixels.end(), 3, grey);
@@ -164,7 +164,7 @@ std::uint64_t Instants::number_of(const InstantWish& wish) {
 /// Adds the clocks of issue, or the reason why the machine's kind does not provide them.
 void Instants::put_clocks(engine::Place place, nlohmann::ordered_json& instant) {
   try {
-    const machines::ClockSpan span = clocks_.issued(place);
+    const machines::ClockSpan span = clocks_.issue_span(place);
     instant["clocks"] = {span.begin, span.end};
   } catch (const InputError& error) {
     instant["no_clocks"] = error.what();

@@ -29,13 +29,13 @@ struct InstantWish {
 /// A run at the functional level that can be inspected before any of its instructions.
 class Instants {
  public:
-  /// Both have to outlive it.
+  /// Both arguments must outlive this object.
   Instants(const isa::Program& program, const machines::Machine& machine);
   ~Instants();
 
-  /// Pixel memory at that instant as a picture, and the next instruction: what it serves, its clocks of issue, its
-  /// segment, the piece it draws; and the instructions around it. A skip may pass the number: `number` is the actual
-  /// position. Throws InputError for an unknown field.
+  /// Pixel memory at that instant as a picture, the next instruction (its purpose, its clocks of issue, its segment,
+  /// the piece that it draws), and the instructions around it. If a skip passes the requested number, `number` of the
+  /// result is the actual position. Throws InputError for an unknown field.
   nlohmann::ordered_json at(const InstantWish& wish);
 
   /// Names of the available fields.

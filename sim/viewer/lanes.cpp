@@ -15,7 +15,7 @@ constexpr std::uint64_t resolution = 400;  ///< stretches per lane
 
 }  // namespace
 
-/// The stretches of a lane in the form sent to the page; short neighbours are merged.
+/// The stretches of a lane in the format that the page receives; short neighbours are merged.
 class Lanes::Shortened {
  public:
   Shortened(const std::vector<std::string>& texts, std::uint64_t grain) : texts_(texts), grain_(grain) {}

@@ -15,9 +15,9 @@ namespace csgsim::viewer {
 
 /// Time limits of a connection.
 struct ConnectionTimes {
-  std::chrono::milliseconds request = std::chrono::seconds(10);  ///< time for a request, from the answer before it or
-                                                                 ///< from the beginning
-  std::chrono::milliseconds reply = std::chrono::seconds(60);    ///< time for the client to take the reply
+  std::chrono::milliseconds request = std::chrono::seconds(10);  ///< time for a request, from the previous reply or
+                                                                 ///< from the beginning of the connection
+  std::chrono::milliseconds reply = std::chrono::seconds(60);    ///< time for the client to receive the reply
   std::chrono::milliseconds leave = std::chrono::seconds(2);     ///< time for the client to close after a last reply
   std::chrono::milliseconds between_events{500};                 ///< between events to an open page
 };
@@ -31,7 +31,7 @@ struct Serving {
   std::function<void(std::uint16_t)> begun;   ///< called with the port, before the first request
   RequestReader::Gate gate;                   ///< called with each header, before the body is read
   Handler handler;                            ///< answers all requests that the gate admits
-  std::function<bool(const Request&)> stays;  ///< whether a GET is the request that a page keeps open
+  std::function<bool(const Request&)> stays;  ///< whether a GET is the event stream that an open page keeps
   std::function<void()> tick;                 ///< called ten times a second
   std::function<void()> ending;               ///< called before the server waits for the requests in progress
 };

@@ -23,12 +23,12 @@ std::string own_program() {
 
 }  // namespace
 
-std::string recorded(const isa::Program& program, std::span<const std::string> options) {
-  return recorded_by(own_program(), program, options);
+std::string record_wave(const isa::Program& program, std::span<const std::string> options) {
+  return record_wave_with(own_program(), program, options);
 }
 
-std::string recorded_by(const std::string& csgsim, const isa::Program& program, std::span<const std::string> options,
-                        const system::ChildLimits& limits) {
+std::string record_wave_with(const std::string& csgsim, const isa::Program& program,
+                             std::span<const std::string> options, const system::ChildLimits& limits) {
   std::vector<std::string> words{csgsim, "wave", "/dev/stdin"};
   words.insert(words.end(), options.begin(), options.end());
   words.insert(words.end(), {"--output", "-"});
@@ -37,7 +37,7 @@ std::string recorded_by(const std::string& csgsim, const isa::Program& program, 
   input.write(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
   std::optional<system::ChildEnd> end = system::run_child(words, input, limits);
   if (!end) throw InputError("cannot run csgsim wave: the program file has been moved");
-  if (system::is_done(*end)) return std::move(end->output);
+  if (system::has_succeeded(*end)) return std::move(end->output);
   const std::string why = system::why_failed(*end, limits);
   if (end->exceeded == system::Exceeded::nothing) throw InputError(why);
   throw InputError("csgsim wave: " + why + "; use a smaller picture, or record it with csgsim wave and a --window");

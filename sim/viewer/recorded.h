@@ -14,14 +14,14 @@ namespace csgsim::viewer {
 
 /// Output of `csgsim wave` for the Program with these options. It runs in a separate process, since SystemC allows one
 /// elaboration per process. Throws InputError with its message, or if it exceeds three minutes or 512 MB of output.
-std::string recorded(const isa::Program& program, std::span<const std::string> options);
+std::string record_wave(const isa::Program& program, std::span<const std::string> options);
 
 /// Limits of that process.
 inline constexpr system::ChildLimits wave_limits{
     .time = std::chrono::minutes(3), .output = std::size_t{512} << 20U, .errors = 1U << 16U};
 
-/// The same with the program of that name.
-std::string recorded_by(const std::string& csgsim, const isa::Program& program, std::span<const std::string> options,
-                        const system::ChildLimits& limits = wave_limits);
+/// The same with the program of that path.
+std::string record_wave_with(const std::string& csgsim, const isa::Program& program,
+                             std::span<const std::string> options, const system::ChildLimits& limits = wave_limits);
 
 }  // namespace csgsim::viewer

@@ -115,17 +115,17 @@ bool is_drawn(const Drawing& drawing) {
 }
 
 /// The answer to a question whose work was stopped.
-Reply ended_reply(Ended why, const std::string& model, std::chrono::milliseconds most) {
+Reply ended_reply(EndReason why, const std::string& model, std::chrono::milliseconds time_limit) {
   switch (why) {
-    case Ended::overdue:
+    case EndReason::overdue:
       return json_reply(
           {{"error", fmt::format("{}: evaluating it takes longer than {:g} s; simplify the model, or start csgsim "
                                  "view with a longer --evaluation-time SECONDS",
-                                 model, std::chrono::duration<double>(most).count())}},
+                                 model, std::chrono::duration<double>(time_limit).count())}},
           422);
-    case Ended::closed: return json_reply({{"error", "csgsim view is stopping"}}, 503);
-    case Ended::not_yet:
-    case Ended::cancelled: break;
+    case EndReason::closed: return json_reply({{"error", "csgsim view is stopping"}}, 503);
+    case EndReason::not_yet:
+    case EndReason::cancelled: break;
   }
   return json_reply({{"error", model + ": cancelled"}, {"cancelled", true}}, 422);
 }
@@ -133,7 +133,7 @@ Reply ended_reply(Ended why, const std::string& model, std::chrono::milliseconds
 }  // namespace
 
 Json Session::draw(const Json& wish, Evaluation& evaluation) {
-  const std::shared_ptr<Drawing> held = drawings_.drawn(wish, evaluation);
+  const std::shared_ptr<Drawing> held = drawings_.draw(wish, evaluation);
   const Drawing& drawing = *held;
   const session::Drawn& done = *drawing.found->drawn;
   const report::Picture picture = report::picture_of(done.frame, drawing.model.program, "", "");
@@ -148,7 +148,7 @@ Json Session::draw(const Json& wish, Evaluation& evaluation) {
 }
 
 Json Session::explain(const Json& wish, Evaluation& evaluation) {
-  const std::shared_ptr<Drawing> held = drawings_.compiled(wish, evaluation);
+  const std::shared_ptr<Drawing> held = drawings_.compile(wish, evaluation);
   const Drawing& drawing = *held;
   const isa::Program& program = drawing.model.program;
   const session::Pixel pixel = session::pixel_named(program, text_in(wish, "pixel"), "pixel");
@@ -163,7 +163,7 @@ Json Session::explain(const Json& wish, Evaluation& evaluation) {
 }
 
 Json Session::instant(const Json& wish, Evaluation& evaluation) {
-  const std::shared_ptr<Drawing> held = drawings_.compiled(wish, evaluation);
+  const std::shared_ptr<Drawing> held = drawings_.compile(wish, evaluation);
   const Drawing& drawing = *held;
   const InstantWish instant{.number = number_in(wish, "number").value_or(0),
                             .field = text_in(wish, "field"),
@@ -186,16 +186,16 @@ Json Session::instant(const Json& wish, Evaluation& evaluation) {
 }
 
 Json Session::tree(const Json& wish, Evaluation& evaluation) {
-  const std::shared_ptr<Drawing> drawing = drawings_.compiled(wish, evaluation);
-  return {{"tree", tree_of(drawing->model.tree, *drawing->model.program.facts)}};
+  const std::shared_ptr<Drawing> drawing = drawings_.compile(wish, evaluation);
+  return {{"tree", tree_json(drawing->model.tree, *drawing->model.program.facts)}};
 }
 
-std::string Session::recorded_of(const isa::Program& program, const std::vector<std::string>& options) {
+std::string Session::record(const isa::Program& program, const std::vector<std::string>& options) {
   const std::lock_guard one_at_a_time(recording_);
   return options_.recorder(program, options);
 }
 
-std::shared_ptr<const Lanes> Session::lanes_of(const Drawing& drawing, const Json& wish) {
+std::shared_ptr<const Lanes> Session::find_lanes(const Drawing& drawing, const Json& wish) {
   // Lanes without a pixel cover the whole frame and are recorded once.
   const bool is_probed = wish.contains("pixel");
   if (!is_probed) {
@@ -204,15 +204,15 @@ std::shared_ptr<const Lanes> Session::lanes_of(const Drawing& drawing, const Jso
   }
   std::vector<std::string> options = probing_options(wish);
   options.push_back("--lanes");
-  auto lanes = std::make_shared<const Lanes>(recorded_of(drawing.model.program, options));
+  auto lanes = std::make_shared<const Lanes>(record(drawing.model.program, options));
   if (is_probed) return lanes;
   const std::lock_guard lock(drawing.found->mutex);
   return drawing.found->lanes = std::move(lanes);
 }
 
 Json Session::lanes(const Json& wish, Evaluation& evaluation) {
-  const std::shared_ptr<Drawing> drawing = drawings_.compiled(wish, evaluation);
-  const std::shared_ptr<const Lanes> lanes = lanes_of(*drawing, wish);
+  const std::shared_ptr<Drawing> drawing = drawings_.compile(wish, evaluation);
+  const std::shared_ptr<const Lanes> lanes = find_lanes(*drawing, wish);
   const std::uint64_t begin = number_in(wish, "begin").value_or(lanes->begin());
   const std::uint64_t end = number_in(wish, "end").value_or(lanes->end());
   return {{"first", lanes->begin()},
@@ -223,12 +223,12 @@ Json Session::lanes(const Json& wish, Evaluation& evaluation) {
 }
 
 Json Session::wave(const Json& wish, Evaluation& evaluation) {
-  const std::shared_ptr<Drawing> drawing = drawings_.compiled(wish, evaluation);
-  return {{"wave", recorded_of(drawing->model.program, probing_options(wish))}};
+  const std::shared_ptr<Drawing> drawing = drawings_.compile(wish, evaluation);
+  return {{"wave", record(drawing->model.program, probing_options(wish))}};
 }
 
 Json Session::advice(const Json& wish, Evaluation& evaluation) {
-  const std::shared_ptr<Drawing> drawing = drawings_.drawn(wish, evaluation);
+  const std::shared_ptr<Drawing> drawing = drawings_.draw(wish, evaluation);
   const engine::RunResult& result = drawing->found->drawn->result;
   const session::Advice advice{
       .machine = drawing->options.machine, .is_asked = true, .ask = {}, .settings = [&](const engine::RunResult& of) {
@@ -239,16 +239,16 @@ Json Session::advice(const Json& wish, Evaluation& evaluation) {
 }
 
 Json Session::verdict(const Json& wish, Evaluation& evaluation) {
-  const std::shared_ptr<Drawing> drawing = drawings_.drawn(wish, evaluation);
+  const std::shared_ptr<Drawing> drawing = drawings_.draw(wish, evaluation);
   Json accuracy;
   std::string text = session::verdict(drawing->model, drawing->options, drawing->found->drawn->frame, accuracy);
   return {{"accuracy", std::move(accuracy)}, {"text", std::move(text)}};
 }
 
 Json Session::two(const Json& wish, Evaluation& evaluation) {
-  const std::shared_ptr<Drawing> a = drawings_.drawn(object_in(wish, "a"), evaluation);
-  const std::shared_ptr<Drawing> b = drawings_.drawn(object_in(wish, "b"), evaluation);
-  return two_at_once({a->model.program, a->found->drawn->frame}, {b->model.program, b->found->drawn->frame});
+  const std::shared_ptr<Drawing> a = drawings_.draw(object_in(wish, "a"), evaluation);
+  const std::shared_ptr<Drawing> b = drawings_.draw(object_in(wish, "b"), evaluation);
+  return compare_drawings({a->model.program, a->found->drawn->frame}, {b->model.program, b->found->drawn->frame});
 }
 
 std::string Session::report() const {
@@ -275,7 +275,7 @@ Json Session::about() const {
           {"machines", std::move(machines)},
           {"strategies", session::strategy_names()},
           {"effects", effects_form()},
-          {"evaluation_time", std::chrono::duration<double>(evaluations_.most()).count()},
+          {"evaluation_time", std::chrono::duration<double>(evaluations_.time_limit()).count()},
           {"usual", {{"machine", usual.machine}, {"strategy", usual.strategy}, {"z-bits", usual.z_bits}}}};
 }
 
@@ -291,9 +291,9 @@ const Session::Question Session::questions[] = {
     {"advice", &Session::advice}, {"verdict", &Session::verdict}, {"two", &Session::two},
 };
 
-Reply Session::answered_post(const Request& request, std::string_view path) {
+Reply Session::answer_post(const Request& request, std::string_view path) {
   constexpr session::JsonLimits limits{.depth = 16, .values = 10'000};
-  const Json wish = session::parsed_json(request.body, limits);
+  const Json wish = session::parse_json(request.body, limits);
   if (!wish.is_object()) throw WishError("a wish must be an object");
   const std::string evaluation_name = text_in(wish, "evaluation");
   if (path == "progress") return json_reply(evaluations_.progress(evaluation_name));
@@ -307,12 +307,13 @@ Reply Session::answered_post(const Request& request, std::string_view path) {
   try {
     return json_reply((this->*question->answer)(wish, evaluation));
   } catch (const Interrupted&) {
-    return ended_reply(evaluation.ended(), session::shown_name(drawings_.beginning().model), evaluations_.most());
+    return ended_reply(evaluation.end_reason(), session::shown_name(drawings_.beginning().model),
+                       evaluations_.time_limit());
   }
 }
 
-Reply Session::answered(const Request& request, std::string_view path) {
-  if (request.method == "POST") return answered_post(request, path);
+Reply Session::answer_request(const Request& request, std::string_view path) {
+  if (request.method == "POST") return answer_post(request, path);
   if (request.method == "GET" && path == "about") return json_reply(about());
   if (request.method == "GET" && path == "report")
     return {.type = "text/html; charset=utf-8", .body = report(), .has_scripts = true};
@@ -321,7 +322,7 @@ Reply Session::answered(const Request& request, std::string_view path) {
 
 Reply Session::answer(const Request& request, std::string_view path) {
   try {
-    return answered(request, path);
+    return answer_request(request, path);
   } catch (const Json::exception& error) {
     return json_reply({{"error", error.what()}}, 400);
   } catch (const session::JsonLimitError& error) {

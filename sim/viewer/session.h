@@ -24,10 +24,10 @@ struct SessionOptions {
   /// Time limit for evaluating a model's text.
   std::chrono::milliseconds evaluation_time = std::chrono::seconds(10);
   /// Records waveforms of the machine (recorded.h).
-  std::function<std::string(const isa::Program& program, std::span<const std::string> options)> recorder = recorded;
+  std::function<std::string(const isa::Program& program, std::span<const std::string> options)> recorder = record_wave;
 };
 
-/// Answers the page's questions about a model. A question is sent with a wish, an object with
+/// Answers the page's questions about a model. A question is sent with a wish (wish.h), an object with
 /// - `knobs`: texts by option name (knobs.h); an array of texts for `set`; true for flags;
 /// - `source`: the edited text of the model, instead of the text of its file;
 /// - `evaluation`: a name by which the question can be cancelled;
@@ -40,18 +40,18 @@ class Session {
       : options_(std::move(options)), drawings_(std::move(beginning)), evaluations_(options_.evaluation_time) {}
 
   /// The questions, with the additional members of their wishes:
-  /// - `about`: what the page needs at its start;
+  /// - `about`: the data that the page needs at its start;
   /// - `draw`: a picture, with the stats of csgsim render;
-  /// - `explain`: the history of a pixel. `pixel`, `x,y`, and `why_not`, a primitive as in --why-not;
+  /// - `explain`: the history of a pixel. Members: `pixel`, `x,y`, and `why_not`, a primitive as in --why-not;
   /// - `instant`: pixel memory before an instruction, with the active tree of the surface that it draws (instants.h,
-  /// trees.h). `number`, `primitive` or `clock`, `field` and `tinted`;
+  /// trees.h). Members: `number`, `primitive` or `clock`, `field` and `tinted`;
   /// - `tree`: the model's tree (trees.h);
-  /// - `lanes`: activities of the units (lanes.h) from clock `begin` to `end`, or over the frame; or in a `window`,
-  /// with those of a `pixel` and of tree levels, `probes`, each as in csgsim wave;
+  /// - `lanes`: activities of the units (lanes.h) from clock `begin` to `end`, or over the frame; or in a `window`, as
+  /// in csgsim wave, with the signals of a `pixel` and of the tree levels `probes`;
   /// - `wave`: a value change dump of such a window;
-  /// - `advice`: possible changes and their worth;
+  /// - `advice`: possible changes and the frame time that each saves;
   /// - `verdict`: the number of wrong pixels;
-  /// - `two`: a comparison of two drawings (two.h). `a` and `b`, wishes;
+  /// - `two`: a comparison of two drawings (two.h). Members: `a` and `b`, wishes;
   /// - `report`: the page of csgsim render --report for the latest drawing;
   /// - `progress`: progress of the question with this `evaluation`, a name chosen by the page (evaluations.h);
   /// - `cancel`: cancels that question. Its answer has `cancelled`.
@@ -71,8 +71,8 @@ class Session {
 
   static const Question questions[];
 
-  [[nodiscard]] Reply answered(const Request& request, std::string_view path);
-  [[nodiscard]] Reply answered_post(const Request& request, std::string_view path);
+  [[nodiscard]] Reply answer_request(const Request& request, std::string_view path);
+  [[nodiscard]] Reply answer_post(const Request& request, std::string_view path);
   [[nodiscard]] Json about() const;
   [[nodiscard]] std::string report() const;
   [[nodiscard]] Json draw(const Json& wish, Evaluation& evaluation);
@@ -85,8 +85,8 @@ class Session {
   [[nodiscard]] Json verdict(const Json& wish, Evaluation& evaluation);
   [[nodiscard]] Json two(const Json& wish, Evaluation& evaluation);
 
-  [[nodiscard]] std::string recorded_of(const isa::Program& program, const std::vector<std::string>& options);
-  [[nodiscard]] std::shared_ptr<const Lanes> lanes_of(const Drawing& drawing, const Json& wish);
+  [[nodiscard]] std::string record(const isa::Program& program, const std::vector<std::string>& options);
+  [[nodiscard]] std::shared_ptr<const Lanes> find_lanes(const Drawing& drawing, const Json& wish);
 
   SessionOptions options_;
   Drawings drawings_;

@@ -84,7 +84,7 @@ Json rows_of(const csg::ActiveTree& active, const isa::Facts& facts) {
 
 }  // namespace
 
-Json tree_of(const model::Tree& tree, const isa::Facts& facts) {
+Json tree_json(const model::Tree& tree, const isa::Facts& facts) {
   Json rows = Json::array();
   std::vector<Waiting> waiting;
   if (tree.root != model::no_index) waiting.push_back({tree.root, 0});

@@ -18,20 +18,20 @@ namespace csgsim::viewer {
 /// A model's tree, each node before its operands, as an array of `depth` (0 for the root), `text`, and, for a
 /// primitive, its number `primitive`. The pieces of one node of the file appear as that node. A large tree is cut after
 /// the first few thousand rows.
-nlohmann::ordered_json tree_of(const model::Tree& tree, const isa::Facts& facts);
+nlohmann::ordered_json tree_json(const model::Tree& tree, const isa::Facts& facts);
 
 /// Active trees by region, as the host prunes them for a Program.
 class ActiveTrees {
  public:
-  /// Does nothing until the first request. The arguments have to outlive it.
+  /// Computes nothing before the first request. The arguments must outlive this object.
   ActiveTrees(const session::CompiledModel& model, const session::ModelRequest& options,
               const machines::Machine& machine)
       : model_(model), options_(options), machine_(machine) {}
 
-  /// The active tree of the surface of that piece in the segment, in the form of tree_of. The surface must be inside
+  /// The active tree of the surface of that piece in the segment, in the form of tree_json. The surface must be inside
   /// every operand at depth 0, or outside if it is `complemented`. Several primitives that are compared as one convex
-  /// solid share one row, that of the first. Empty if the surface is visible wherever it is drawn; nothing if it is not
-  /// drawn there.
+  /// solid share one row, that of the first. The array is empty if the surface is visible wherever it is drawn; the
+  /// result is std::nullopt if it is not drawn in the segment.
   [[nodiscard]] std::optional<nlohmann::ordered_json> of(std::uint32_t piece, std::uint32_t segment);
 
  private:

@@ -26,7 +26,7 @@ std::string instruction_text(const isa::Program& program, std::uint64_t number) 
 
 }  // namespace
 
-nlohmann::ordered_json two_at_once(const report::DrawnProgram& a, const report::DrawnProgram& b) {
+nlohmann::ordered_json compare_drawings(const report::DrawnProgram& a, const report::DrawnProgram& b) {
   if (a.frame.width != b.frame.width || a.frame.height != b.frame.height) {
     throw InputError(fmt::format("A is {} x {} pixels and B {} x {}; give both the same size", a.frame.width,
                                  a.frame.height, b.frame.width, b.frame.height));

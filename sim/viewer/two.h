@@ -11,6 +11,6 @@ namespace csgsim::viewer {
 /// Comparison of two drawings: the number of `pixels` that differ in colour or primitive, the `first` of them, a
 /// `picture` of A in grey in which they stand out, and `instruction`, the number of the first instruction that differs
 /// with both texts, or null. Throws InputError if the pictures differ in size.
-nlohmann::ordered_json two_at_once(const report::DrawnProgram& a, const report::DrawnProgram& b);
+nlohmann::ordered_json compare_drawings(const report::DrawnProgram& a, const report::DrawnProgram& b);
 
 }  // namespace csgsim::viewer

@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-/// Requests of the page: JSON objects whose members are all optional.
+/// A wish is a request of the page: a JSON object whose members are all optional.
 namespace csgsim::viewer {
 
 using Json = nlohmann::ordered_json;
 
-/// A request that the page must not make.
+/// Thrown for a wish that is not valid: an error of the page, not of the user.
 class WishError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -11,18 +11,18 @@
 #include "hw/machines/timing.h"
 #include "sim/engine/engine.h"
 
-/// Waveforms of a run: selection of clocks, recording and files.
 namespace csgsim::waves {
 
 /// Results of a run at the functional level, needed before a waveform is recorded.
 struct Foreknowledge {
   engine::RunResult result;
-  std::vector<bool> answers;           ///< result of each question in order: whether any pixel is enabled
+  std::vector<bool> answers;           ///< result of each global OR in order: whether any pixel is enabled
   std::vector<std::uint32_t> picture;  ///< pixels in row order, for a Program of one segment with colours
   machines::Timeline timeline;
 };
 
-/// Throws InputError as the engine does, and for kinds of machines without a timeline.
+/// Runs the Program at the functional level. Throws InputError like the engine, and for kinds of machines without a
+/// timeline.
 Foreknowledge foresee(const isa::Program& program, const machines::Machine& machine);
 
 }  // namespace csgsim::waves

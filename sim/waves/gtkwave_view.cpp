@@ -34,7 +34,7 @@ double zoom_of(std::uint64_t clocks, std::uint64_t period) {
 
 std::string gtkwave_view(const Shown& shown) {
   const auto& [recording, windows, marked, waveform, machine] = shown;
-  const std::uint64_t period = period_of(machine);
+  const std::uint64_t period = clock_period_ps(machine);
   const wave::Window& first = windows.front();
   std::string view;
   auto out = std::back_inserter(view);
@@ -49,9 +49,9 @@ std::string gtkwave_view(const Shown& shown) {
   fmt::format_to(out, "{}{}.clock\n", flags_of(wave::Show::bits), recording.top);
   fmt::format_to(out, "{}{}.clock_number[63:0]\n", flags_of(wave::Show::number), recording.top);
   std::string_view part;
-  for (const wave::Tap* const tap : listed(recording)) {
-    if (part_of(*tap) != part) {
-      part = part_of(*tap);
+  for (const wave::Tap* const tap : ordered_taps(recording)) {
+    if (unit_name(*tap) != part) {
+      part = unit_name(*tap);
       fmt::format_to(out, "@200\n-{}\n", part);
     }
     fmt::format_to(out, "{}{}.{}", flags_of(tap->show), recording.top, tap->name);

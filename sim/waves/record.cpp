@@ -31,7 +31,7 @@ systemc::EarlierRun foretold_of(const isa::Program& program, const Foreknowledge
   return foretold;
 }
 
-/// The states after instructions are not used.
+/// A listener that ignores all events.
 class NoListener final : public systemc::RunListener {};
 
 bool can_be_probed(const isa::Program& program, const machines::Machine& machine, const wave::Request& request) {
@@ -67,11 +67,12 @@ Recording record(const isa::Program& program, const machines::Machine& machine, 
   const sc_core::sc_time period = systemc::period_of(machine);
   systemc::WaveRecorder recorder("wave", period);
 
-  Recording recording{
-      .reached = false, .taps = hardware->taps(program, request), .top = wave::identifier(machine.kind->name)};
+  Recording recording{.is_window_reached = false,
+                      .taps = hardware->taps(program, request),
+                      .top = wave::identifier(machine.kind->name)};
   if (recording.taps.empty()) {
     throw InputError("machines of the kind " + std::string(machine.kind->name) +
-                     " have no waveforms; take another --machine");
+                     " have no waveforms; use another --machine");
   }
   const std::uint64_t first = hardware->skip_to(program, {request.windows.front().begin, request.windows.back().end});
   const auto picoseconds = static_cast<std::uint64_t>(std::llround(period.to_seconds() * 1e12));
@@ -79,7 +80,7 @@ Recording record(const isa::Program& program, const machines::Machine& machine, 
   NoListener no_listener;
   hardware->run(program, no_listener);
   recording.writing_seconds = recorder.writing().count();
-  recording.reached = recorder.finish();
+  recording.is_window_reached = recorder.finish();
   return recording;
 }
 

@@ -21,7 +21,8 @@ enum class Fidelity : std::uint8_t {
   whole,   ///< everything, from the first clock of the frame
 };
 
-/// Form of the multiplier trees: stepped if the request probes them and the kind supports it, else worked out.
+/// Form of the multiplier trees: stepped adder by adder if the request probes them and the kind supports it, otherwise
+/// computed from the coefficients.
 systemc::EvaluatorForm evaluator_for(const machines::Machine& machine, const wave::Request& request);
 
 /// Format of the output.
@@ -33,15 +34,15 @@ enum class Format : std::uint8_t {
 
 /// The result of a recording.
 struct Recording {
-  double writing_seconds = 0;   ///< wall time for sampling and writing
-  bool reached = false;         ///< a window was reached; otherwise the frame ended before the first
-  std::vector<wave::Tap> taps;  ///< taps of the file, within `top`; must not be sampled
+  double writing_seconds = 0;      ///< wall time for sampling and writing
+  bool is_window_reached = false;  ///< a window was reached; otherwise the frame ended before the first window
+  std::vector<wave::Tap> taps;     ///< taps of the file, within `top`, for names and formats; must not be sampled
   std::string top;
 };
 
 /// Runs the Program on the clocked machine until the end of the last window, and writes the windows to request.write.
 /// Only one run per process is possible, since SystemC elaborates once. Throws InputError for a machine without
-/// waveforms, for a nonexistent pixel or tree level, and for trees that the machine cannot have in that form.
+/// waveforms, for a nonexistent pixel or tree level, and if the machine does not support that form of trees.
 Recording record(const isa::Program& program, const machines::Machine& machine, const Foreknowledge& known,
                  const wave::Request& request, Fidelity fidelity, systemc::EvaluatorForm form, Format format);
 

@@ -12,14 +12,14 @@ std::string surfer_view(const Shown& shown) {
   auto out = std::back_inserter(view);
   fmt::format_to(out, "variable_add {}.clock_number\n", recording.top);
   std::string_view part;
-  for (const wave::Tap* const tap : listed(recording)) {
-    if (part_of(*tap) != part) {
-      part = part_of(*tap);
+  for (const wave::Tap* const tap : ordered_taps(recording)) {
+    if (unit_name(*tap) != part) {
+      part = unit_name(*tap);
       fmt::format_to(out, "divider_add {}\n", part);
     }
     fmt::format_to(out, "variable_add {}.{}\n", recording.top, tap->name);
   }
-  fmt::format_to(out, "cursor_set {}\ngoto_cursor\n", (marked + 1) * period_of(machine));
+  fmt::format_to(out, "cursor_set {}\ngoto_cursor\n", (marked + 1) * clock_period_ps(machine));
   return view;
 }
 

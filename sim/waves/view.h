@@ -40,12 +40,12 @@ struct View {
 inline constexpr auto views = std::to_array<View>({{".gtkw", gtkwave_view}, {".sucl", surfer_view}});
 
 /// Clock period in picoseconds, rounded as in SystemC.
-std::uint64_t period_of(const machines::Machine& machine);
+std::uint64_t clock_period_ps(const machines::Machine& machine);
 
 /// The taps in the order of viewers: pixels first.
-std::vector<const wave::Tap*> listed(const Recording& recording);
+std::vector<const wave::Tap*> ordered_taps(const Recording& recording);
 
-/// The part of a name before the last dot: `controller` of `controller.state`.
-std::string_view part_of(const wave::Tap& tap);
+/// The part of the tap's name before the last dot: `controller` of `controller.state`.
+std::string_view unit_name(const wave::Tap& tap);
 
 }  // namespace csgsim::waves

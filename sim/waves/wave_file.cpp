@@ -76,7 +76,7 @@ void WaveFile::finish() {
   }
   std::ifstream fst(made, std::ios::binary);
   const std::string content((std::istreambuf_iterator<char>(fst)), std::istreambuf_iterator<char>());
-  if (!system::is_done(*ended) || content.empty()) {
+  if (!system::has_succeeded(*ended) || content.empty()) {
     throw InputError(fmt::format("{}: vcd2fst failed ({}); choose a name that ends in .vcd", file_.requested().native(),
                                  system::why_failed(*ended, limits)));
   }

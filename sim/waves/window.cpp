@@ -147,16 +147,16 @@ class Stretches {
   std::vector<wave::Window> windows_;
 };
 
-isa::Field field_named(std::string_view what, const isa::Program& program) {
-  const bool is_colour = what == "owner" || what == "colour";
-  if (is_colour || what == "depth") {
+isa::Field field_named(std::string_view target, const isa::Program& program) {
+  const bool is_colour = target == "owner" || target == "colour";
+  if (is_colour || target == "depth") {
     const isa::Field field = is_colour ? program.colour : isa::field_of(program, isa::FieldRole::depth);
     if (field.width > 0) return field;
     throw InputError(fmt::format("the Program has no field for the {}", is_colour ? "colour" : "depth"));
   }
   std::vector<std::string_view> names;
   for (const isa::NamedField& named : program.facts->fields) names.push_back(named.name);
-  return program.facts->fields[index_of("field", what, names)].field;
+  return program.facts->fields[index_of("field", target, names)].field;
 }
 
 }  // namespace
@@ -170,9 +170,9 @@ WindowRequest parse_window(std::string_view text) {
   return range_of(text);
 }
 
-std::vector<wave::Window> windows_of(const WindowRequest& request, const isa::Program& program,
-                                     const machines::Machine& machine, const Foreknowledge& known,
-                                     std::span<const wave::Pixel> pixels) {
+std::vector<wave::Window> find_windows(const WindowRequest& request, const isa::Program& program,
+                                       const machines::Machine& machine, const Foreknowledge& known,
+                                       std::span<const wave::Pixel> pixels) {
   using Kind = WindowRequest::Kind;
   if (request.kind == Kind::clocks) return {{request.begin, request.end}};
   Stretches stretches(program, machine, known, pixels);
@@ -195,7 +195,7 @@ std::vector<wave::Window> windows_of(const WindowRequest& request, const isa::Pr
   return windows;
 }
 
-std::vector<wave::Window> padded(std::span<const wave::Window> windows, std::uint64_t clocks) {
+std::vector<wave::Window> pad(std::span<const wave::Window> windows, std::uint64_t clocks) {
   std::vector<wave::Window> all;
   for (const wave::Window& window : windows) {
     const wave::Window one{window.begin - std::min(window.begin, clocks), window.end + std::min(~window.end, clocks)};
@@ -208,9 +208,9 @@ std::vector<wave::Window> padded(std::span<const wave::Window> windows, std::uin
   return all;
 }
 
-LastWrite last_write(std::string_view what, const isa::Program& program, const machines::Machine& machine,
+LastWrite last_write(std::string_view target, const isa::Program& program, const machines::Machine& machine,
                      const Foreknowledge& known, wave::Pixel pixel) {
-  const isa::Field field = field_named(what, program);
+  const isa::Field field = field_named(target, program);
   LastWrite last;
   bool is_found = false;
   std::size_t questions = 0;
@@ -238,7 +238,7 @@ LastWrite last_write(std::string_view what, const isa::Program& program, const m
     }
   }
   if (!is_found) {
-    throw InputError(fmt::format("no instruction changes the {} of pixel {},{}; choose another --pixel or --at", what,
+    throw InputError(fmt::format("no instruction changes the {} of pixel {},{}; choose another --pixel or --at", target,
                                  pixel.x, pixel.y));
   }
   last.number = isa::first_numbers(program)[last.segment] + last.index;

@@ -33,13 +33,13 @@ WindowRequest parse_window(std::string_view text);
 /// shows their result. For a primitive, purpose or effect, only segments that contain the pixels count. Stretches more
 /// than a few clocks apart become separate windows. Throws InputError for an unknown name, with the nearest one, and if
 /// nothing is executed.
-std::vector<wave::Window> windows_of(const WindowRequest& request, const isa::Program& program,
-                                     const machines::Machine& machine, const Foreknowledge& known,
-                                     std::span<const wave::Pixel> pixels);
+std::vector<wave::Window> find_windows(const WindowRequest& request, const isa::Program& program,
+                                       const machines::Machine& machine, const Foreknowledge& known,
+                                       std::span<const wave::Pixel> pixels);
 
 /// Adds this number of clocks before and after each window and joins windows that touch. The frame may end before a
 /// window does.
-std::vector<wave::Window> padded(std::span<const wave::Window> windows, std::uint64_t clocks);
+std::vector<wave::Window> pad(std::span<const wave::Window> windows, std::uint64_t clocks);
 
 /// The write that set the final value of a field in a pixel.
 struct LastWrite {
@@ -50,8 +50,8 @@ struct LastWrite {
   std::vector<wave::Window> windows;  ///< the write with some clocks before and one after
 };
 
-/// `what`: owner or colour, depth, or the name of a field. Throws InputError if no instruction changes it.
-LastWrite last_write(std::string_view what, const isa::Program& program, const machines::Machine& machine,
+/// `target`: owner or colour, depth, or the name of a field. Throws InputError if no instruction changes it.
+LastWrite last_write(std::string_view target, const isa::Program& program, const machines::Machine& machine,
                      const Foreknowledge& known, wave::Pixel pixel);
 
 }  // namespace csgsim::waves

@@ -27,9 +27,9 @@ std::map<std::string, std::string> options_of(const std::string& command) {
 
 /// The longest of the words that help lists for an option; empty if any text is allowed.
 std::string longest_word(const std::string& text) {
-  const std::size_t begin = text.find("Words: ");
+  const std::size_t begin = text.find("Values: ");
   if (begin == std::string::npos) return {};
-  const std::size_t first = begin + std::string("Words: ").size();
+  const std::size_t first = begin + std::string("Values: ").size();
   std::string list = text.substr(first, text.find('[', first) - first);
   std::ranges::replace(list, ',', '\n');
   std::string longest;

@@ -173,7 +173,8 @@ TEST_CASE("rerun reports another version and each differing count with both valu
   stats["configuration"]["version"] = "0.0.1 of yore";
   stats["clocks"] = clocks + 1;
   write(folder / "b.json", stats.dump());
-  refused(run_words({"rerun", "b.json"}, folder.path()), "b.json: it is of csgsim 0.0.1 of yore, and this is 0.");
+  refused(run_words({"rerun", "b.json"}, folder.path()),
+          "b.json: it was written by csgsim 0.0.1 of yore, and this is 0.");
   const Outcome anyway = run_words({"rerun", "b.json", "--anyway"}, folder.path());
   CHECK(anyway.code == 1);
   CHECK(anyway.err.find(fmt::format("b.json: the run differs: /clocks was {}, is {}", clocks + 1, clocks)) !=

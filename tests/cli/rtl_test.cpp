@@ -103,7 +103,7 @@ TEST_CASE("rtl rejects a machine that the Verilog does not support and suggests 
     words.insert(words.end(), more.begin(), more.end());
     return words;
   };
-  refused(with({"scan-line"}, {}), 1, "scan-line, which has no Verilog", "take a machine of the kind frame-buffer");
+  refused(with({"scan-line"}, {}), 1, "scan-line, which has no Verilog", "use a machine of the kind frame-buffer");
   refused(with({"pixel-planes-4"}, {"--set", "alu.bits=2", "--set", "evaluator.bits=2"}), 1, "evaluator.bits is 2",
           "add --set evaluator.bits=1");
   refused(with({"pixel-planes-4"}, {"--set", "evaluator.register_levels=2"}), 1, "evaluator.register_levels is 2",

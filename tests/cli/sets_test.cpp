@@ -76,8 +76,8 @@ TEST_CASE("reports a wrong --set in one line with the nearest parameter or key")
   misused(render + "--set alu.bits", "changes no parameter; write KEY=VALUE");
   misused(render + "--set divider.kind=host",
           "pixel-planes-4 has no such parameter, but machines of the kind pixel-square");
-  misused("run x.csgt --set ambient.intensity=1", "'ambient.intensity=1' is for models");
-  misused("manual machines --set ambient.intensity=1", "'ambient.intensity=1' is for models");
+  misused("run x.csgt --set ambient.intensity=1", "'ambient.intensity=1' is a key of a scene");
+  misused("manual machines --set ambient.intensity=1", "'ambient.intensity=1' is a key of a scene");
 }
 
 TEST_CASE("--set applies to each machine with the parameter and fails if there is none") {

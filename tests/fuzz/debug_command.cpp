@@ -36,7 +36,7 @@ bool is_sound(const debug::Target& target) {
 void check_target(const debug::Target& target) {
   fuzz::require(is_sound(target), "a target exists in the Program");
   if (std::holds_alternative<debug::AtPrimitive>(target)) return;  // its index and its name
-  const std::string text = "until " + debug::text_of(target, program());
+  const std::string text = "until " + debug::to_text(target, program());
   const debug::Command again = debug::parse_command(text, "again", 1, program());
   fuzz::require(std::get<debug::Until>(again).target == target, "a target is parsed as printed");
 }

@@ -73,7 +73,7 @@ void show(const std::vector<studies::Measurement>& rows) {
 /// Processes the rows like gather.
 template <class Row>
 void put(const studies::Gathered& gathered, const fs::path& folder) {
-  const studies::RowFormat format = studies::format_of<Row>();
+  const studies::RowFormat format = studies::row_format<Row>();
   if (gathered.columns != format.columns) return;
   const fs::path path = folder / "table.csv";
   fs::remove(path);

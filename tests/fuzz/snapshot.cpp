@@ -112,7 +112,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     run->restore(read.run);
     fuzz::require(run->save() == read.run, "a resumed run has the given state");
     run->advance(engine::Run::end, {});
-    fuzz::require(run->finished(), "a resumed run reaches its end");
+    fuzz::require(run->is_finished(), "a resumed run reaches its end");
     (void)run->result();
   } catch (const csgsim::InputError& error) {
     fuzz::check_message(error, "fuzz.csgs");

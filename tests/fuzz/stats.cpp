@@ -55,11 +55,11 @@ void look(const Look& look_at) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const shell::RecordedRun other = shell::recorded_run_of(other_run, "other.json");
+  static const shell::RecordedRun other = shell::parse_recorded_run(other_run, "other.json");
   look([&] {
-    const shell::RecordedRun run = shell::recorded_run_of(std::string(fuzz::text_of(data, size)), "fuzz.json");
+    const shell::RecordedRun run = shell::parse_recorded_run(std::string(fuzz::text_of(data, size)), "fuzz.json");
     look([&] {
-      const std::vector<shell::Setting> settings = shell::settings_of(run, options);
+      const std::vector<shell::Setting> settings = shell::recorded_settings(run, options);
       for (const shell::Setting& setting : settings) check(setting);
     });
     look([&] { static_cast<void>(shell::changes_between(run, other.configuration)); });

@@ -17,7 +17,7 @@ namespace studies = csgsim::studies;
 namespace {
 
 std::vector<std::string> lines_of(const std::filesystem::path& path) {
-  return studies::Table(path, "title", studies::format_of<studies::ComparisonRow>()).rows();
+  return studies::Table(path, "title", studies::row_format<studies::ComparisonRow>()).rows();
 }
 
 /// Checks that the rows are unchanged when the file is opened again, and that a row can be added.
@@ -27,7 +27,7 @@ void check(const std::filesystem::path& path, std::vector<std::string> lines) {
     studies::ComparisonRow row;
     row.reason = "commas, \"quotes\"";
     lines.push_back(studies::to_line(row));
-    studies::Table(path, "title", studies::format_of<studies::ComparisonRow>()).add(std::span(lines).last(1));
+    studies::Table(path, "title", studies::row_format<studies::ComparisonRow>()).add(std::span(lines).last(1));
     fuzz::require(lines_of(path) == lines, "an added row follows the existing ones");
   } catch (const csgsim::InputError& error) {
     fuzz::broken(error.what());

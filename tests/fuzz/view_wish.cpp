@@ -57,7 +57,7 @@ void make_small(Json& wish) {
 /// Malformed requests stay unchanged.
 std::string made_small(std::string body) {
   try {
-    Json wish = csgsim::session::parsed_json(body, {.depth = 16});
+    Json wish = csgsim::session::parse_json(body, {.depth = 16});
     make_small(wish);
     return viewer::text_of(wish);
   } catch (const Json::exception&) {

@@ -43,7 +43,8 @@ std::optional<ProcessCost> run(std::span<const std::string> words, const system:
   if (!ended) return std::nullopt;
   if (ended->exceeded == system::Exceeded::time)
     throw InputError(fmt::format("{}: takes more than {} s", program, limits.time.count()));
-  if (!system::is_done(*ended)) throw InputError(program + ": fails: " + printable(system::why_failed(*ended, limits)));
+  if (!system::has_succeeded(*ended))
+    throw InputError(program + ": fails: " + printable(system::why_failed(*ended, limits)));
   return ProcessCost{wall.count(), children_seconds() - before, static_cast<double>(ended->memory),
                      std::move(ended->output)};
 }

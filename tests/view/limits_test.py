@@ -237,7 +237,7 @@ class Evaluation(unittest.TestCase):
         self.assertEqual(server.post("draw", {})[0], 200)
 
     def test_the_default_limit_is_ten_seconds(self):
-        self.assertRegex(" ".join(run("view", "--help").stdout.split()), r"--evaluation-time SECONDS [^\[]*\[[^\]]*; 10 if not given\]")
+        self.assertRegex(" ".join(run("view", "--help").stdout.split()), r"--evaluation-time SECONDS [^\[]*\[[^\]]*; default: 10\]")
         server = self.serve()
         status, _, body = server.get("about")
         self.assertEqual((status, json.loads(body)["evaluation_time"]), (200, 10))

@@ -53,8 +53,8 @@ def what_would_a_machine_have_made_of_this_part(seen):
         seen.set("machine", point["machine"])
         seen.settled()
         check_counts(seen, point, point["machine"])
-        rate = float(seen.counts()["frames a second"])
-        seen.check(abs(rate / point["frames_per_second"] - 1) < 1e-3, f"{point['machine']}: {rate} frames a second, {point['frames_per_second']} from the command")
+        rate = float(seen.counts()["frames per second"])
+        seen.check(abs(rate / point["frames_per_second"] - 1) < 1e-3, f"{point['machine']}: {rate} frames per second, {point['frames_per_second']} from the command")
 
 
 def streams_of(seen, lanes, width):

@@ -16,7 +16,7 @@ using namespace shell;
 /// A row of the table of commands. Studies have their own table (sim/studies/rows.h).
 struct CommandRow {
   std::string_view name;
-  void (*add)(CommandLine& line) = nullptr;  ///< describes the command on the line
+  void (*add)(CommandLine& line) = nullptr;  ///< adds the command to the command line
   bool needs_all_commands = false;           ///< it runs or describes other commands
 };
 

@@ -68,7 +68,7 @@ const convert::Format& requested_format(const Options& options) {
 
 facet::Faceting requested_faceting(const Options& options) {
   if (!options.model.tolerance) return {};
-  if (options.model.tolerance->in_pixels)
+  if (options.model.tolerance->is_in_pixels)
     throw UsageError("--tolerance", "convert has no pixels; give a tolerance in model units, as in 0.1");
   return {.tolerance = options.model.tolerance->value};
 }
@@ -226,7 +226,7 @@ void add_convert(CommandLine& line) {
   command.flag("--ascii", options->ascii, "Write STL as text");
   command
       .option("--resolution", options->resolution,
-              "Cells along each side of a block model, a power of two; 64 if not given")
+              "Cells along each side of a block model, a power of two; default: 64")
       .between(convert::min_cells, convert::max_cells);
   command.option("--threads", options->threads, "Threads that build a mesh; the mesh does not depend on their number")
       .between(1U, max_threads);

@@ -65,7 +65,7 @@ void read_terminal(const isa::Program& program, debug::Session& session) {
   Terminal terminal("> ", session.words());
   std::size_t line = 0;
   while (!session.is_over()) {
-    const std::optional<std::string> text = terminal.line();
+    const std::optional<std::string> text = terminal.read_line();
     if (!text) return static_cast<void>(fmt::print("\n"));
     try {
       execute(*text, "debug", ++line, program, session);

@@ -303,7 +303,7 @@ void add_diff(CommandLine& line) {
       "cycle\n  csgsim diff part.csg --strategy-b list\nThe exit code is 1 if states, pictures or clocks "
       "differ.");
   command.option("A", options->a.subject, "A model (.csg, .scad or .jan) or a Program (.csgt)").required();
-  command.option("B", options->b.subject, "The other model or Program; A if not given");
+  command.option("B", options->b.subject, "The other model or Program; default: A");
   options->both.add_to(command);
   command.remove("MODEL");
   add_side(command, options->a, "a");

@@ -38,7 +38,7 @@ void add_disasm(CommandLine& line) {
   Command& command = line.add("disasm", run_group, "Print a Program as text, which csgsim run also accepts",
                               "Example:\n  csgsim disasm traces/carburettor.csgt | head -40");
   command.option("PROGRAM", options->program, "The Program, .csgt or its text form").required();
-  command.option("-o,--output", options->output, "The text file; standard output if not given").check(not_empty);
+  command.option("-o,--output", options->output, "The text file; default: standard output").check(not_empty);
   command.flag("--row-commands", options->row_commands,
                "Print the row commands of a bit-serial-memory machine instead, one per line, for other simulators");
   command.runs([options] {

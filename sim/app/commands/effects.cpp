@@ -57,8 +57,8 @@ Variant draw_without(const ModelRequest& all, const std::vector<std::string>& wi
   return {std::move(program), std::move(drawn), seconds};
 }
 
-/// Cost of an effect: what the frame charges to it, and the frame's clocks with and without it, once with all other
-/// effects off and once with all others on.
+/// Cost of an effect: the clocks that the frame charges to it, and the frame's clocks with and without it, once with
+/// all other effects off and once with all others on.
 struct Row {
   std::string name;
   observe::Cost billed;

@@ -94,18 +94,18 @@ void print_rows(const char* what, const Rows& rows) {
   for (const auto& row : rows) fmt::print("  {:<21}{}\n", row.name, row.help);
 }
 
-/// Prints the software methods that csgsim classify knows, and the options they combine with.
+/// Prints the software methods of csgsim classify, and the values of the options with which they can be combined.
 void print_methods(const Options& /*options*/) {
   fmt::print("Methods (--methods)\n");
   for (const software::MethodRow* const row : software::methods())
     fmt::print("  {:<21}{} ({})\n", row->name, row->help, row->source);
-  fmt::print("\nState kept from point to point (--coherences)\n");
+  fmt::print("\nState kept between points (--coherences)\n");
   for (const software::CoherenceRow& row : software::coherences())
     fmt::print("  {:<21}{} ({})\n", row.name, row.help, row.source);
   fmt::print("\n");
   print_rows("Shapes of the tree (--shapes)", software::shapes());
   fmt::print("\n");
-  print_rows("Reductions of trees beforehand (--reduced)", software::prunings());
+  print_rows("Pruning of trees in advance (--reduced)", software::prunings());
   fmt::print("\nFacet directories of csgsim trace (--directories)\n");
   for (const software::DirectoryRow* const row : software::directories())
     fmt::print("  {:<21}{} ({})\n", row->name, row->help, row->source);
@@ -113,7 +113,7 @@ void print_methods(const Options& /*options*/) {
   for (const software::DisplayRow* const row : software::display_methods())
     fmt::print("  {:<27}{} ({})\n", row->name, row->help, row->source);
   fmt::print(
-      "\ncompare --with takes PROCESSOR:METHOD or PROCESSOR:METHOD/COHERENCE; csgsim manual processors lists "
+      "\ncompare --with accepts PROCESSOR:METHOD or PROCESSOR:METHOD/COHERENCE; csgsim manual processors lists "
       "processors.\n");
 }
 
@@ -126,9 +126,9 @@ struct Topic {
 constexpr std::array topics{
     Topic{"machines", "the machines, or every parameter of the named ones with its source", print_machines},
     Topic{"methods", "the software methods of csgsim classify, display and trace, with sources", print_methods},
-    Topic{"processors", "the processors these methods are costed for, or every parameter of the named ones",
+    Topic{"processors", "the processors for which these methods are priced, or every parameter of the named ones",
           print_processors},
-    Topic{"processes", "the processes csgsim explore costs machines in, or every parameter of the named ones",
+    Topic{"processes", "the processes in which csgsim explore prices machines, or every parameter of the named ones",
           print_processes},
     Topic{"instructions", "the broadcast instruction set, as a Markdown page",
           [](const Options& /*options*/) { fmt::print("{}", isa::instruction_set_page()); }},
@@ -145,7 +145,7 @@ void run(const Options& options) {
   const bool is_of_machines = topic->print == print_machines;
   const bool names_some = is_of_machines || topic->print == print_processors || topic->print == print_processes;
   if ((!options.machines.empty() && !names_some) || (!options.sets.empty() && !is_of_machines))
-    throw UsageError("MACHINE", "csgsim manual " + options.topic + " takes no machine; leave it out");
+    throw UsageError("MACHINE", "csgsim manual " + options.topic + " accepts no machine; leave it out");
   if (is_of_machines && !options.machines.empty() && options.machines != "all")
     for_option("MACHINE", [&] { check_machines(options.machines); });
   topic->print(options);

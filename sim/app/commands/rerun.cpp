@@ -41,7 +41,7 @@ void refuse(const RecordedRun& run, const std::vector<std::string>& changes, boo
 std::vector<std::string> words_of(const RecordedRun& run, const Options& options) {
   std::error_code error;
   const std::string here = fs::current_path(error).native();
-  std::vector<std::string> words{command_of(run), "--progress=" + options.run.progress};
+  std::vector<std::string> words{recorded_command(run), "--progress=" + options.run.progress};
   const auto add = [&](const std::string& name, const std::string& file) {
     if (!file.empty()) words.push_back(fmt::format("--{}={}", name, in_folder(name, file, here)));
   };
@@ -68,7 +68,7 @@ void rerun(CommandLine& line, const Options& options) {
   const RecordedRun run = read_recorded_run(options.file);
   refuse_clashes(std::vector<fs::path>{options.file},
                  std::vector<fs::path>{options.run.picture, options.run.depth, options.run.owner, options.run.stats});
-  const std::vector<Setting> settings = settings_of(run, line.options_of(command_of(run)));
+  const std::vector<Setting> settings = recorded_settings(run, line.options_of(recorded_command(run)));
   const std::vector<std::string> words = words_of(run, options);
   if (!options.from.empty()) change_folder(options.from);
   refuse(run, changes_since(run), options.anyway);

@@ -73,8 +73,8 @@ void write_files(const fs::path& path, const std::vector<rtl::DesignFile>& files
 void warn_of_size(const machines::Machine& machine) {
   if (std::uint64_t{machine.array.width} * machine.array.height <= many_pixels) return;
   report_line(
-      fmt::format("csgsim: warning: {} x {} pixels are slow in Verilog simulators and too many for small FPGAs; take "
-                  "fewer with --size 16x16",
+      fmt::format("csgsim: warning: {} x {} pixels are slow in Verilog simulators and too many for small FPGAs; use "
+                  "fewer, as with --size 16x16",
                   machine.array.width, machine.array.height));
 }
 

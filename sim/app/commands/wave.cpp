@@ -114,7 +114,7 @@ Windows windows_of(const Options& options, const std::optional<waves::WindowRequ
     if (request.kind == waves::WindowRequest::Kind::primitive)
       request.begin = primitive_named(program, request.name, "--window");
     const auto windows =
-        for_option("--window", [&] { return waves::windows_of(request, program, machine, known, pixels); });
+        for_option("--window", [&] { return waves::find_windows(request, program, machine, known, pixels); });
     return {windows, windows.front().begin, fmt::format("{}", options.window)};
   }
   const waves::LastWrite last =
@@ -210,7 +210,7 @@ void record(const Options& options, const OptionList& command) {
   const bool is_whole = has_lanes(options) && !command.is_given("window") && options.at.empty();
   const Windows windows =
       is_whole ? whole_frame(known) : windows_of(options, requested, program, machine, known, request.pixels);
-  request.windows = waves::padded(windows.windows, options.padding);
+  request.windows = waves::pad(windows.windows, options.padding);
   waves::WaveFile waveform(files.front(), ends_in(options.output, ".fst"));
   request.write = [&](std::string_view text) { waveform.write(text); };
   const auto fidelity = options.whole ? waves::Fidelity::whole : waves::Fidelity::probed;
@@ -220,7 +220,7 @@ void record(const Options& options, const OptionList& command) {
     return waves::record(program, machine, known, request, fidelity, form, format_of(options));
   });
   const double recording_seconds = seconds_since(begin) - functional_seconds;
-  if (!recording.reached) {
+  if (!recording.is_window_reached) {
     throw UsageError(
         "--window",
         fmt::format("the picture is drawn after {} clocks and shown after {}, before the window {} begins; choose an "

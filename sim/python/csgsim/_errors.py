@@ -21,18 +21,18 @@ class Error(Exception):
 
     @property
     def file(self):
-        """The file's name, or None if the text has no place."""
+        """The file's name, or None if the message has no place."""
         return self._place("file")
 
     @property
     def line(self):
-        """Counted from 1, or None."""
+        """Line number, from 1, or None if the message has no place."""
         line = self._place("line")
         return None if line is None else int(line)
 
     @property
     def column(self):
-        """Counted from 1, or None."""
+        """Column number, from 1, or None if the message has no place."""
         column = self._place("column")
         return None if column is None else int(column)
 

@@ -30,8 +30,8 @@ class Machine:
     >>> wide = csgsim.Machine("pixel-planes-4", **{"alu.bits": 2})
     >>> csgsim.render("part.csg", machine=wide).stats["clocks"]
 
-    `name`, `description` and `kind` are texts; `figures` maps keys to parameters; `spelt` is its name in
-    options.
+    `name`, `description` and `kind` are texts; `figures` maps keys to parameters; `spelt` is the machine's
+    name in options, including changes.
     """
 
     def __init__(self, name, **figures):

@@ -45,8 +45,8 @@ class Program:
     @property
     def instructions(self):
         """A dictionary per instruction: `instruction`, its number in the whole Program; `segment`; `name`; `text`;
-        `clocks` at the pixels; its `purpose`; the labels of the `primitive` that it serves and of the one it is
-        compared `against`; and its `effect`. Missing values are None."""
+        `clocks` at the pixels; its `purpose`; the labels of its `primitive` and of the primitive `against` which it
+        compares that; and its `effect`. Missing values are None."""
         return self._native.instructions()
 
     @property

@@ -62,7 +62,7 @@ ModelFile read_model_file(const ModelRequest& request) {
   return with_memory_for("the model " + request.model, [&] {
     const Subject subject = subject_in(request.model);
     return read_text(request, subject,
-                     subject == Subject::scad ? csg_of_scad(request.model, request.openscad_time())
+                     subject == Subject::scad ? evaluate_scad(request.model, request.openscad_time())
                                               : read_file(request.model, read::model_file));
   });
 }
@@ -72,7 +72,7 @@ ModelFile read_model_text(const ModelRequest& request, const std::string& text) 
   return with_memory_for("the model " + request.model, [&] {
     const Subject subject = subject_in(request.model);
     return read_text(request, subject,
-                     subject == Subject::scad ? csg_of_scad(request.model, text, request.openscad_time()) : text);
+                     subject == Subject::scad ? evaluate_scad(request.model, text, request.openscad_time()) : text);
   });
 }
 
@@ -85,16 +85,15 @@ CompiledModel compile(ModelFile file, const ModelRequest& request, const machine
   facet::Geometry scene = facet::make_geometry(tree, faceting_of(request, machine, tree));
   const view::Camera camera = camera_of(request, machine, tree, scene);
   CompiledModel model{std::move(file.hash), std::move(tree), std::move(scene), camera, {}};
-  model.program = compile_seen_by(model.camera, model, request, machine);
+  model.program = compile_for_camera(model.camera, model, request, machine);
   return model;
 }
 
 /// Warns if the near plane is so close that few depth steps remain for distant surfaces.
 void warn_of_coarse_depth(const view::View& view) {
   if (view.depth_step <= (view.depth.far - view.depth.near) / 4.0) return;
-  report_line(
-      fmt::format("warning: at the far end one step of depth is {:.3g} model units; move --near away from the eye",
-                  view.depth_step));
+  report_line(fmt::format("warning: one depth step at the far end is {:.3g} model units; move --near away from the eye",
+                          view.depth_step));
 }
 
 /// Warns, once per message, about the substitute for layers that do not fit into memory.
@@ -103,7 +102,7 @@ void warn_of_pattern(const emit::NoRoom& layers, const ModelRequest& request, co
   static std::set<std::string> reported;
   const std::string line = fmt::format(
       "{}: warning: transparent parts are drawn by a screen-door pattern: layers would need {} memory bits per pixel, "
-      "and the machine has {}; take --memory-bits {}, or choose the pattern with --set "
+      "and the machine has {}; use --memory-bits {}, or choose the pattern with --set "
       "effects.transparency.method=screen-door",
       shown_name(request.model), layers.needed, machine.array.memory_bits, layers.needed);
   const std::lock_guard lock(mutex);
@@ -141,8 +140,8 @@ story::HalfspaceFinder halfspaces_of(const CompiledModel& model, const ModelRequ
   return {model.tree, model.scene, view_of(model, request, machine)};
 }
 
-isa::Program compile_seen_by(const view::Camera& camera, const CompiledModel& model, const ModelRequest& request,
-                             const machines::Machine& machine) {
+isa::Program compile_for_camera(const view::Camera& camera, const CompiledModel& model, const ModelRequest& request,
+                                const machines::Machine& machine) {
   view::View view = view::make_view(model.scene, model.tree, camera, sampling_of(request, machine));
   warn_of_coarse_depth(view);
   std::size_t halfspaces = 0;

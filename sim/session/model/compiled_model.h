@@ -37,7 +37,7 @@ struct CompiledModel {
   isa::Program program;
 };
 
-/// Throws InputError, or UsageError for invalid options.
+/// Reads and compiles the model. Throws InputError, or UsageError for invalid options.
 CompiledModel compile_model(const ModelRequest& request, const machines::Machine& machine);
 CompiledModel compile_model(ModelFile file, const ModelRequest& request, const machines::Machine& machine);
 
@@ -50,7 +50,7 @@ story::HalfspaceFinder halfspaces_of(const CompiledModel& model, const ModelRequ
                                      const machines::Machine& machine);
 
 /// The Program of the same facets for another camera. Throws as compile_model does.
-isa::Program compile_seen_by(const view::Camera& camera, const CompiledModel& model, const ModelRequest& request,
-                             const machines::Machine& machine);
+isa::Program compile_for_camera(const view::Camera& camera, const CompiledModel& model, const ModelRequest& request,
+                                const machines::Machine& machine);
 
 }  // namespace csgsim::session

@@ -62,12 +62,12 @@ auto by_name(const Choices& choices) {
 
 /// Parses a number, or a number followed by px.
 Tolerance parse_tolerance(const std::string& text) {
-  const bool in_pixels = text.ends_with("px");
-  const std::string number = in_pixels ? text.substr(0, text.size() - 2) : text;
-  const double value = numbers<double>(number, ',', 1, "--tolerance", in_pixels ? "0.5px" : "0.1, or 0.5px")[0];
+  const bool is_in_pixels = text.ends_with("px");
+  const std::string number = is_in_pixels ? text.substr(0, text.size() - 2) : text;
+  const double value = numbers<double>(number, ',', 1, "--tolerance", is_in_pixels ? "0.5px" : "0.1, or 0.5px")[0];
   if (!(value > 0 && std::isfinite(value)))
     throw UsageError("--tolerance", "the faceting tolerance must be a finite length above 0");
-  return {value, in_pixels};
+  return {value, is_in_pixels};
 }
 
 constexpr InputKind scene_input{"name a scene's .toml file", 1'000'000, "split the model's look into fewer materials"};
@@ -155,23 +155,24 @@ void ModelRequest::add_to(OptionList& options, const std::string& what) {
       .option("--machine", machine,
               "A machine's name (see csgsim manual machines) or .toml file; NAME+KEY=VALUE changes a parameter")
       .check(is_read_by(check_machine));
-  options.option("--memory-bits", memory_bits, "Memory bits per pixel; the machine's own if not given")
+  options.option("--memory-bits", memory_bits, "Memory bits per pixel; default: as in the machine's description")
       .between(1U, isa::max_memory_bits);
   add_view_to(options);
   options.option("--z-bits", z_bits, "Bits of depth").between(view::min_z_bits, view::max_z_bits);
   options
       .option("--strategy", strategy,
-              "How pixels are classified; bits uses --stack-bits, auto takes the fewest clocks that fit")
+              "How pixels are classified; bits uses --stack-bits, auto chooses the fewest clocks that fit the memory")
       .one_of(strategy_names());
   options
       .option("--stack-bits", stack_bits,
-              "Bits of the traversal with --strategy bits, as the thesis counts them: 3 tests a primitive's depth for "
-              "each product, 4 sums products, each further bit keeps the results of one more level")
+              "Bits of --strategy bits, numbered as in the thesis: with 3, a primitive's depth is tested once per "
+              "product; with 4, products are summed; each further bit stores the results of one more level of the tree")
       .between(emit::min_stack_bits, max_stack_bits);
   options
-      .option("--colouring", colouring,
-              "How colours get to the pixels: rebroadcast (facets again after the merge), field (a second colour field "
-              "beside Z1)")
+      .option(
+          "--colouring", colouring,
+          "How pixels receive their colours: rebroadcast (facets again after the merge), field (a second colour field "
+          "beside Z1)")
       .one_of(by_name(emit::colourings));
   options
       .option(
@@ -181,11 +182,13 @@ void ModelRequest::add_to(OptionList& options, const std::string& what) {
 }
 
 void ModelRequest::add_view_to(OptionList& options) {
-  options.option("--size,--imgsize", size, "Picture and array size in pixels, WxH; the machine's own if not given");
+  options.option("--size,--imgsize", size,
+                 "Picture and array size in pixels, WxH; default: as in the machine's description");
   options.option(
       "--camera", camera,
       "As in OpenSCAD: eye and centre, ex,ey,ez,cx,cy,cz; or centre, rotations and distance, x,y,z,rx,ry,rz,d");
-  options.option("--projection", projection, "ortho (o) or perspective (p); the scene's, or else ortho, if not given")
+  options
+      .option("--projection", projection, "ortho (o) or perspective (p); default: that of the scene, otherwise ortho")
       .one_of(projections);
   options.option("--scene", scene_file, "Lights, materials, background, camera and effects: a .toml file");
   options
@@ -200,13 +203,13 @@ void ModelRequest::add_view_to(OptionList& options) {
                  "Folder to search, with its subfolders, for the model's imports, in addition to the model's own "
                  "folder");
   options.option("--openscad-time", openscad_seconds,
-                 "Time limit in seconds for OpenSCAD to evaluate a model's source; 1800 if not given");
+                 "Time limit in seconds for OpenSCAD to evaluate a model's source; default: 1800");
   options.flag("--snap", snap,
                "Restore rotations by hundredths of a degree from OpenSCAD's six-digit output, so that planes that "
                "should coincide do");
   options
       .option("--limit", limit,
-              "Stop with an error when reading or compiling the model takes more than this many million steps")
+              "Stop with an error when reading or compiling the model needs more than this number of million steps")
       .between(1U, max_work_limit);
   options.flag("--view-all,--viewall", view_all, "Move the camera so that the whole model just fits the picture");
   options.option("--near", near,
@@ -217,15 +220,15 @@ void ModelRequest::add_view_to(OptionList& options) {
                  "Fraction of a pixel within which a plane that crosses the whole depth range becomes an edge test");
   options.read_option(
       "--tolerance", [this](const std::string& text) { tolerance = parse_tolerance(text); },
-      "Facet curved solids within this distance of their surface, in model units (0.1) or in pixels (0.5px), instead "
-      "of as OpenSCAD does");
+      "Maximum distance of facets from a curved solid's surface, in model units (0.1) or in pixels (0.5px), instead "
+      "of OpenSCAD's number of facets");
   options
       .option("--curves", curves,
               "How spheres, cylinders and cones are drawn: facets; fast (spheres as circles and paraboloids, on any "
               "machine); exact (without facets, on a machine whose evaluator.degree is 2); auto (exact where the "
               "machine and the scene's effects allow it)")
       .one_of(by_name(emit::curve_choices), "curve drawing");
-  options.option("--colour-bits", colour_bits, "Bits per colour")
+  options.option("--colour-bits", colour_bits, "Colour bits per pixel, over all three channels")
       .between(isa::minimum_colour_bits, isa::max_colour_bits);
 }
 
@@ -264,7 +267,7 @@ namespace {
 facet::Faceting planar_faceting_of(const ModelRequest& request, const machines::Machine& machine,
                                    const model::Tree& tree) {
   if (!request.tolerance) return {};
-  if (!request.tolerance->in_pixels) return {.tolerance = request.tolerance->value};
+  if (!request.tolerance->is_in_pixels) return {.tolerance = request.tolerance->value};
   const facet::Geometry scene = facet::make_geometry(tree);
   const view::Camera camera = camera_of(request, machine, tree, scene);
   const double nearest = view::make_view(scene, tree, camera, sampling_of(request, machine)).depth.near;

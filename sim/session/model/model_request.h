@@ -26,7 +26,7 @@ namespace csgsim::session {
 /// Maximum distance of facets from the curved surface.
 struct Tolerance {
   double value = 0;
-  bool in_pixels = false;  ///< otherwise in model units
+  bool is_in_pixels = false;  ///< otherwise in model units
 };
 
 /// Upper limit for strategy bits; no tree needs this many.
@@ -101,7 +101,7 @@ struct ModelRequest {
   std::vector<std::string> effects_off_;
 };
 
-/// The request that these words of a command line describe: the model and options. Throws UsageError.
+/// Parses words of a command line: the model and its options. Throws UsageError.
 ModelRequest model_request_in(std::span<const std::string> words);
 
 /// Names of the strategies.
@@ -114,7 +114,7 @@ machines::Machine machine_of(const ModelRequest& request);
 /// and prints the result.
 facet::Faceting faceting_of(const ModelRequest& request, const machines::Machine& machine, const model::Tree& tree);
 
-/// The same for users that support facets only: throws UsageError if --curves asks for curved surfaces.
+/// The same for callers that support facets only: throws UsageError if --curves requests curved surfaces.
 facet::Faceting flat_faceting_of(const ModelRequest& request, const machines::Machine& machine,
                                  const model::Tree& tree);
 

@@ -29,7 +29,7 @@ namespace {
 void refuse_less_memory(const isa::Program& program, const std::string& file, const machines::Machine& machine) {
   if (program.shape.memory_bits <= machine.array.memory_bits) return;
   throw InputError(
-      fmt::format("{}: the Program needs {} memory bits per pixel, and {} has {}; take a machine with more, or compile "
+      fmt::format("{}: the Program needs {} memory bits per pixel, and {} has {}; use a machine with more, or compile "
                   "the model for this one",
                   file, program.shape.memory_bits, machine.name, machine.array.memory_bits));
 }

@@ -58,8 +58,8 @@ std::string reason_of(const system::ChildEnd& end, const system::ChildLimits& li
 
 /// Output of an OpenSCAD command line, given as words.
 std::string evaluated(std::span<const std::string> words, const system::MemoryFile& input, const std::string& file,
-                      std::chrono::seconds longest) {
-  const system::ChildLimits limits{.time = longest,
+                      std::chrono::seconds time_limit) {
+  const system::ChildLimits limits{.time = time_limit,
                                    .output = read::max_file_bytes,
                                    .errors = std::size_t{16} << 20U,
                                    .memory = std::size_t{8} << 30U};
@@ -69,7 +69,7 @@ std::string evaluated(std::span<const std::string> words, const system::MemoryFi
                      ": a .scad source needs OpenSCAD, which is not on the PATH; install it "
                      "(Debian: openscad), or export the model elsewhere: openscad -o model.csg model.scad");
   }
-  if (!system::is_done(*ended)) throw InputError(printable(file) + ": " + reason_of(*ended, limits));
+  if (!system::has_succeeded(*ended)) throw InputError(printable(file) + ": " + reason_of(*ended, limits));
   print_warnings(ended->errors, file);
   std::string csg = std::move(ended->output);
   if (csg.find_first_not_of(" \n\r\t") == csg.npos)
@@ -80,21 +80,21 @@ std::string evaluated(std::span<const std::string> words, const system::MemoryFi
 
 }  // namespace
 
-std::string csg_of_scad(const std::string& file, std::chrono::seconds longest) {
+std::string evaluate_scad(const std::string& file, std::chrono::seconds time_limit) {
   const std::string path = file.starts_with('-') ? "./" + file : file;
   record_input(file);
   return evaluated(std::array<std::string, 6>{"openscad", "-o", "-", "--export-format", "csg", path},
-                   system::MemoryFile(file), file, longest);
+                   system::MemoryFile(file), file, time_limit);
 }
 
-std::string csg_of_scad(const std::string& file, std::string_view text, std::chrono::seconds longest) {
+std::string evaluate_scad(const std::string& file, std::string_view text, std::chrono::seconds time_limit) {
   std::string folder = std::filesystem::path(file).parent_path().native();
   if (folder.empty()) folder = ".";
   system::MemoryFile input(file);
   input.write(text);
   return evaluated(
       std::array<std::string, 8>{"env", "--chdir=" + folder, "openscad", "-o", "-", "--export-format", "csg", "-"},
-      input, file, longest);
+      input, file, time_limit);
 }
 
 }  // namespace csgsim::session

@@ -12,10 +12,10 @@ inline constexpr std::chrono::seconds default_openscad_time = std::chrono::minut
 
 /// Evaluates a source file with the OpenSCAD on the PATH and returns the text of a `.csg` file. Warnings go to standard
 /// error. Throws InputError if OpenSCAD is missing, reports an error, or exceeds its limits of time, memory or output.
-std::string csg_of_scad(const std::string& file, std::chrono::seconds longest = default_openscad_time);
+std::string evaluate_scad(const std::string& file, std::chrono::seconds time_limit = default_openscad_time);
 
 /// The same for a text that replaces the file's content, evaluated in the file's folder; messages name the file.
-std::string csg_of_scad(const std::string& file, std::string_view text,
-                        std::chrono::seconds longest = default_openscad_time);
+std::string evaluate_scad(const std::string& file, std::string_view text,
+                          std::chrono::seconds time_limit = default_openscad_time);
 
 }  // namespace csgsim::session

@@ -26,9 +26,9 @@ struct NamedSubject {
 inline constexpr auto named_subjects = std::to_array<NamedSubject>(
     {{".csg", Subject::csg}, {".scad", Subject::scad}, {".jan", Subject::commands}, {".csgt", Subject::program}});
 
-/// The only place that decides the kind of an input. A file that begins like a Program is one, whatever its name;
-/// otherwise the extension decides, and the default is a model's text. Standard input has no name. For a pipe only the
-/// name counts, since its content can be read only once.
+/// Kind of an input; no other code decides it. A file that begins like a Program is one, regardless of its name.
+/// Otherwise the extension decides, and an unknown extension stands for a model's text, as does standard input. The
+/// content of a pipe is not inspected, since it can be read only once.
 Subject subject_in(const std::filesystem::path& path);
 
 bool is_model(const std::filesystem::path& path);

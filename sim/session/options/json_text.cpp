@@ -4,7 +4,7 @@
 
 namespace csgsim::session {
 
-nlohmann::ordered_json parsed_json(std::string_view text, const JsonLimits& limits) {
+nlohmann::ordered_json parse_json(std::string_view text, const JsonLimits& limits) {
   using Json = nlohmann::ordered_json;
   std::size_t values = 0;
   return Json::parse(text, [&](int depth, Json::parse_event_t event, const Json& /*parsed*/) {

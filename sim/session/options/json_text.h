@@ -26,6 +26,6 @@ class JsonLimitError : public InputError {
 /// Parses a JSON text from outside; every reader of such a text uses this function. nlohmann-json copies, compares and
 /// writes values recursively and looks up members one after another, so the text must not determine depth or count.
 /// Throws JsonLimitError, and nlohmann::ordered_json::exception for invalid JSON.
-nlohmann::ordered_json parsed_json(std::string_view text, const JsonLimits& limits);
+nlohmann::ordered_json parse_json(std::string_view text, const JsonLimits& limits);
 
 }  // namespace csgsim::session

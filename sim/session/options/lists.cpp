@@ -54,7 +54,7 @@ std::vector<unsigned> parse_numbers(std::string_view text, unsigned least, unsig
     const std::size_t dots = view.find("..");
     const unsigned first = parse_number(view.substr(0, dots), word);
     const unsigned last = dots == std::string_view::npos ? first : parse_number(view.substr(dots + 2), word);
-    if (last < first) throw InputError(fmt::format("'{}' runs backwards; use {}..{}", word, last, first));
+    if (last < first) throw InputError(fmt::format("range '{}' is reversed; use {}..{}", word, last, first));
     if (first < least || last > most) throw InputError(fmt::format("'{}' is not within {} to {}", word, least, most));
     for (unsigned number = first; number <= last; ++number) add_once(numbers, number);
   }

@@ -63,7 +63,7 @@ void refuse_zero_byte(const std::string& text) {
     throw UsageError(printable(text), "contains a zero byte, which a command line cannot hold; remove it");
 }
 
-/// The name of a word of the option in messages.
+/// Name of a value of the option in messages.
 std::string kind_of(const Option& option) {
   std::string name = option.key();
   std::ranges::replace(name, '-', ' ');
@@ -236,7 +236,7 @@ Option* OptionList::find(std::string_view key) {
   return found == options_.end() ? nullptr : &*found;
 }
 
-Option& OptionList::named(std::string_view key) {
+Option& OptionList::find_required(std::string_view key) {
   Option* const option = find(key);
   if (option != nullptr && !option->is_operand) return *option;
   std::vector<std::string> known;
@@ -246,13 +246,13 @@ Option& OptionList::named(std::string_view key) {
 }
 
 void OptionList::give(std::string_view key, const std::string& text) {
-  Option& option = named(key);
+  Option& option = find_required(key);
   refuse_zero_byte(text);
   option.given.push_back(text);
 }
 
 void OptionList::give_flag(std::string_view key) {
-  Option& option = named(key);
+  Option& option = find_required(key);
   if (option.takes != Takes::flag) throw UsageError(option.shown_name(), "needs a value");
   option.given.push_back(is_true);
 }
@@ -264,7 +264,7 @@ void OptionList::give_operand(const std::string& text) {
   const auto next = std::ranges::find_if(options_, takes_more);
   refuse_zero_byte(text);
   if (next == options_.end())
-    throw UsageError(fmt::format("The following argument was not expected: {}; see csgsim {} --help", text, name_));
+    throw UsageError(fmt::format("unexpected argument {}; see csgsim {} --help", text, name_));
   next->given.push_back(text);
 }
 
@@ -284,7 +284,7 @@ void OptionList::give_words(std::span<const std::string> words) {
     const std::string key = word.substr(2, equals == word.npos ? word.npos : equals - 2);
     if (equals != word.npos) {
       give(key, word.substr(equals + 1));
-    } else if (named(key).takes == Takes::flag || i + 1 == words.size()) {
+    } else if (find_required(key).takes == Takes::flag || i + 1 == words.size()) {
       give_flag(key);
     } else {
       give(key, words[++i]);

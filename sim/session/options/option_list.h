@@ -15,10 +15,10 @@
 #include <vector>
 
 /// The options of a request as plain data. The command line, the page of `view`, Python and studies describe a request
-/// by this list, set its options by name and read them. Validation and its messages are in one place, here.
+/// by this list, set its options by name and read them. This is the only place that validates options.
 namespace csgsim::session {
 
-/// Returns the problem of an option's text, or an empty string.
+/// Returns what is wrong with an option's text, or an empty string.
 using Check = std::function<std::string(const std::string&)>;
 
 /// The type of an option's value.
@@ -51,7 +51,7 @@ struct GivenOption {
   bool is_default = false;
 };
 
-/// Returns the problem of a file or folder name, or an empty string.
+/// Returns what is wrong with a file or folder name, or an empty string.
 std::string not_empty(const std::string& name);
 
 /// An option or operand: its names, its meaning, the texts it accepts, and the variable that receives its value.
@@ -87,7 +87,7 @@ class Option {
   /// Forbids the option together with another one, named with its dashes.
   Option& excludes(const std::string& other);
 
-  /// Returns the problem of the given texts, or an empty string.
+  /// Returns what is wrong with the given texts, or an empty string.
   [[nodiscard]] std::string problem(std::span<const std::string> texts) const;
 
   [[nodiscard]] bool is_given() const { return !given.empty(); }
@@ -101,7 +101,7 @@ class Option {
   Takes takes = Takes::text;
   std::string meaning;
   std::string usual;                 ///< default, for help; empty if there is none to show
-  std::vector<std::string> offered;  ///< words that it is composed of; empty if it accepts any text
+  std::vector<std::string> offered;  ///< words that a value consists of; empty if any text is accepted
   std::string range;                 ///< range of its numbers, as in `4 to 30`
   std::vector<std::string> excluded;
   bool is_operand = false;
@@ -136,7 +136,7 @@ class OptionList {
   template <class Value>
   Option& option(const std::string& names, Value& value, const std::string& meaning);
 
-  /// Adds an option whose text `take` reads; `take` may throw UsageError.
+  /// Adds an option whose text is passed to `take`, which may throw UsageError.
   Option& read_option(const std::string& names, const std::function<void(const std::string&)>& take,
                       const std::string& meaning);
   Option& flag(const std::string& names, bool& is_given, const std::string& meaning);
@@ -147,20 +147,21 @@ class OptionList {
   /// Clears the given values.
   void clear();
 
-  /// Gives a text to the option with that key. Throws UsageError for an unknown key and suggests the nearest.
+  /// Appends a text to the given texts of the option with that key. Throws UsageError for an unknown key and suggests
+  /// the nearest.
   void give(std::string_view key, const std::string& text);
   void give_flag(std::string_view key);  ///< throws UsageError also for an option that needs a value
   void give_operand(const std::string& text);
 
-  /// Gives the options and operands in words that words() has written; options have their long names. Throws
-  /// UsageError.
+  /// Gives the options and operands in the result of words(). Throws UsageError.
   void give_words(std::span<const std::string> words);
 
   /// Writes the given values to their variables. Throws UsageError for an invalid value, or InputError with the place
   /// for a value of a settings file.
   void take_given();
 
-  /// The same, and checks that required options are given and that none excludes another. Throws UsageError.
+  /// The same, after checking that required options are given and that no given option excludes another. Throws
+  /// UsageError.
   void take();
 
   /// A given option that must not be given together with this one; null if there is none.
@@ -197,7 +198,7 @@ class OptionList {
 
  private:
   Option& add(const std::string& names, Takes takes, const std::string& meaning);
-  [[nodiscard]] Option& named(std::string_view key);
+  [[nodiscard]] Option& find_required(std::string_view key);
 
   std::string name_;
   std::deque<Option> options_;  ///< a deque, so that references stay valid

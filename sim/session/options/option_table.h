@@ -12,7 +12,7 @@ namespace csgsim::session {
 enum class FileRole : std::uint8_t {
   none,        ///< no file
   input,       ///< a file or folder that is read
-  output,      ///< a file or folder that is written, or a checkpoint, which does not affect a run's result
+  output,      ///< a file or folder that is written; or a checkpoint, which does not affect the result of a run
   machines,    ///< machines by name or file, separated by commas where the option takes several
   processors,  ///< processors by name or file, separated by commas
   processes,   ///< a process by name or file

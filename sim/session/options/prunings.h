@@ -16,7 +16,7 @@ csg::Pruning pruning_of(const std::string& text);
 /// Splits and validates a comma-separated list of selections. Throws UsageError.
 std::vector<std::string> prunings_of(const std::string& text);
 
-/// The words that a selection is composed of.
+/// The words from which a selection is composed.
 std::vector<std::string> pruning_words();
 
 }  // namespace csgsim::session

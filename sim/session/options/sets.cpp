@@ -160,17 +160,15 @@ std::vector<std::string> with_parameters(const std::vector<std::string>& names, 
   return edited;
 }
 
-void add_parameter_sets(OptionList& command, std::vector<std::string>& sets, const std::string& which) {
-  command.option("--set", sets, "A parameter of " + which + ", as in alu.bits=4; repeat for several");
+void add_parameter_sets(OptionList& command, std::vector<std::string>& sets, const std::string& machine) {
+  command.option("--set", sets, "A parameter of " + machine + ", as in alu.bits=4; repeat for several");
 }
 
 void refuse_scene_sets(const std::vector<std::string>& sets, const std::string& option) {
   const std::vector<std::string> of_scene = sorted(sets).scene;
   if (!of_scene.empty())
-    throw UsageError(option,
-                     "'" + printable(of_scene.front()) +
-                         "' is for models; a Program has been compiled already, and only parameters of its machine "
-                         "can be set");
+    throw UsageError(option, "'" + printable(of_scene.front()) +
+                                 "' is a key of a scene, which has no effect here; only machine parameters can be set");
 }
 
 }  // namespace csgsim::session

@@ -36,10 +36,10 @@ machines::Machine load_machine(const isa::MachineRecord& record, const std::vect
 /// Throws InputError, or UsageError for a parameter that none of them has.
 std::vector<std::string> with_parameters(const std::vector<std::string>& names, const std::vector<std::string>& sets);
 
-/// Adds --set to a command without a scene. `which` names the machine in the help text.
-void add_parameter_sets(OptionList& command, std::vector<std::string>& sets, const std::string& which);
+/// Adds --set to a command without a scene. `machine` describes the machine in the help text.
+void add_parameter_sets(OptionList& command, std::vector<std::string>& sets, const std::string& machine);
 
-/// Throws UsageError if a scene key is set, since nothing is compiled.
+/// Throws UsageError if a scene key is set: for commands that compile nothing.
 void refuse_scene_sets(const std::vector<std::string>& sets, const std::string& option = "--set");
 
 }  // namespace csgsim::session

@@ -42,7 +42,7 @@ std::string id_in(std::span<const std::byte> notes) {
   return {};
 }
 
-/// Whether the loaded object contains this code: the program, or a module of another program.
+/// Whether the loaded object (the program, or a module of another program) contains this code.
 bool is_own(const dl_phdr_info& object) {
   const auto here = reinterpret_cast<ElfW(Addr)>(&is_own);  // NOLINT
   return std::ranges::any_of(std::span(object.dlpi_phdr, object.dlpi_phnum), [&](const ElfW(Phdr) & segment) {
@@ -85,6 +85,6 @@ std::string version_page() {
                      id.empty() ? "unknown" : id, CSGSIM_BUILT_WITH);
 }
 
-std::string date_of_sources() { return commit_date; }
+std::string source_date() { return commit_date; }
 
 }  // namespace csgsim::session

@@ -16,6 +16,6 @@ std::string version_and_build();
 std::string version_page();
 
 /// Date of the commit, as in 2001-12-31; outside of git, of the sources.
-std::string date_of_sources();
+std::string source_date();
 
 }  // namespace csgsim::session

@@ -18,7 +18,7 @@ void CheckpointOptions::add_to(OptionList& options) {
               "Write the state of the run to this file at intervals; each checkpoint replaces the previous one when "
               "complete")
       .check(not_empty);
-  options.option("--checkpoint-every", every, "Instructions between checkpoints; 1000 if not given");
+  options.option("--checkpoint-every", every, "Instructions between checkpoints; default: 1000");
   options.option("--resume", resume, "Continue from this checkpoint of the same Program and machine").check(not_empty);
 }
 
@@ -53,7 +53,7 @@ engine::RunResult run_with_checkpoints(engine::Engine& engine, const isa::Progra
   }
   const engine::Numbers numbers(program);
   const checkpoint::RunIdentity identity = checkpoint::identity_of(program, machine);
-  while (!run->finished()) {
+  while (!run->is_finished()) {
     if (options.checkpoint.empty()) {
       run->advance(engine::Run::end, all);
       break;

@@ -36,18 +36,18 @@ const char* type_of(const Option& option) {
   return "TEXT";
 }
 
-OptionHelp help_of_option(const Option& option) {
+OptionHelp make_option_help(const Option& option) {
   return {.names = option.names,
           .type = type_of(option),
           .meaning = option.meaning,
           .words = option.offered,
           .range = option.range,
-          .usual = option.usual,
+          .usual = option.is_required ? std::string() : option.usual,
           .is_needed = option.is_required,
           .takes_several = option.takes == Takes::texts};
 }
 
-OptionHelp help_of_own(std::vector<std::string> names, std::string type, std::string meaning) {
+OptionHelp make_own_help(std::vector<std::string> names, std::string type, std::string meaning) {
   OptionHelp help;
   help.names = std::move(names);
   help.type = std::move(type);
@@ -55,26 +55,26 @@ OptionHelp help_of_own(std::vector<std::string> names, std::string type, std::st
   return help;
 }
 
-OptionHelp help_of_help() { return help_of_own({"-h", "--help"}, "", "Print this help message and exit"); }
+OptionHelp make_help_option() { return make_own_help({"-h", "--help"}, "", "Print this help message and exit"); }
 
 }  // namespace
 
-CommandHelp help_of_command(const Command& command) {
-  CommandHelp help{command.name(), command.subject, command.description, command.footer, {}, {help_of_help()}};
+CommandHelp make_help(const Command& command) {
+  CommandHelp help{command.name(), command.subject, command.description, command.footer, {}, {make_help_option()}};
   for (const Option& option : command.all())
-    (option.is_operand ? help.operands : help.options).push_back(help_of_option(option));
+    (option.is_operand ? help.operands : help.options).push_back(make_option_help(option));
   if (command.all().empty()) return help;
-  help.options.push_back(help_of_own(
+  help.options.push_back(make_own_help(
       {std::string(config_name)}, "TEXT",
       "A settings file, .toml, with options of this command and others; the command line takes precedence"));
-  help.options.push_back(help_of_own({std::string(dump_name)}, "",
-                                     "Print all options with their current values as a settings file, and exit"));
+  help.options.push_back(make_own_help({std::string(dump_name)}, "",
+                                       "Print all options with their current values as a settings file, and exit"));
   return help;
 }
 
-std::vector<CommandHelp> helps_of(const std::deque<Command>& commands) {
+std::vector<CommandHelp> make_helps(const std::deque<Command>& commands) {
   std::vector<CommandHelp> helps;
-  for (const Command& command : commands) helps.push_back(help_of_command(command));
+  for (const Command& command : commands) helps.push_back(make_help(command));
   return helps;
 }
 
@@ -82,9 +82,9 @@ Description describe(const std::string& program, const std::string& meaning, con
   return {program,
           meaning,
           version(),
-          date_of_sources(),
-          {help_of_help(), help_of_own({"--version"}, "", "Print version, commit, build and libraries")},
-          helps_of(commands)};
+          source_date(),
+          {make_help_option(), make_own_help({"--version"}, "", "Print version, commit, build and libraries")},
+          make_helps(commands)};
 }
 
 ValueKind kind_of(const OptionHelp& option) {

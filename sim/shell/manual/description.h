@@ -41,8 +41,8 @@ struct Description {
   std::vector<CommandHelp> commands;
 };
 
-CommandHelp help_of_command(const Command& command);
-std::vector<CommandHelp> helps_of(const std::deque<Command>& commands);
+CommandHelp make_help(const Command& command);
+std::vector<CommandHelp> make_helps(const std::deque<Command>& commands);
 
 Description describe(const std::string& program, const std::string& meaning, const std::deque<Command>& commands);
 

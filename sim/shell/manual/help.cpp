@@ -50,11 +50,11 @@ std::string breakable(std::string list) {
 
 std::string meaning_of(const OptionHelp& option) {
   std::string text = option.meaning;
-  if (!option.words.empty()) text += fmt::format(". Words: {}", fmt::join(option.words, ", "));
+  if (!option.words.empty()) text += fmt::format(". Values: {}", fmt::join(option.words, ", "));
   std::string remarks;
   const auto remark = [&](const std::string& one) { remarks += (remarks.empty() ? "" : "; ") + one; };
   if (!option.range.empty()) remark(option.range);
-  if (!option.usual.empty()) remark(breakable(option.usual) + " if not given");
+  if (!option.usual.empty()) remark("default: " + breakable(option.usual));
   if (option.is_needed) remark("required");
   return remarks.empty() ? text : text + " [" + remarks + "]";
 }
@@ -169,7 +169,7 @@ std::string footer_lines(std::string_view footer, std::size_t columns) {
   return text;
 }
 
-std::string help_of(const CommandHelp& command) {
+std::string help_text(const CommandHelp& command) {
   std::string text = wrapped(command.meaning, 0, 0) + "\n" + usage_line(command);
   if (!command.operands.empty()) text += "\n" + operand_lines(command);
   text += option_lines(command);
@@ -177,7 +177,7 @@ std::string help_of(const CommandHelp& command) {
   return text;
 }
 
-std::string help_of_all(const std::string& meaning, std::span<const CommandHelp> commands) {
+std::string overview_text(const std::string& meaning, std::span<const CommandHelp> commands) {
   std::string text = wrapped(meaning, 0, 0) + "\nUsage: csgsim COMMAND [OPTIONS]\n";
   std::vector<std::string_view> subjects;
   for (const CommandHelp& command : commands) {

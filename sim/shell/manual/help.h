@@ -57,9 +57,9 @@ std::string long_name(const OptionHelp& option);
 std::string footer_lines(std::string_view footer, std::size_t columns);
 
 /// Text of `csgsim COMMAND --help`: options by heading, no line longer than help_columns.
-std::string help_of(const CommandHelp& command);
+std::string help_text(const CommandHelp& command);
 
 /// Text of `csgsim --help`: commands by group.
-std::string help_of_all(const std::string& meaning, std::span<const CommandHelp> commands);
+std::string overview_text(const std::string& meaning, std::span<const CommandHelp> commands);
 
 }  // namespace csgsim::shell

@@ -65,9 +65,9 @@ std::string entry(const OptionHelp& option) {
   std::string text = option.meaning + ".";
   const std::vector<std::string> words = offered_words(option);
   if (!words.empty())
-    text += fmt::format("\n{}: {}.", option.words.empty() ? "Built in" : "Words", fmt::join(words, ", "));
+    text += fmt::format("\n{}: {}.", option.words.empty() ? "Built in" : "Values", fmt::join(words, ", "));
   if (!option.range.empty()) text += "\nRange: " + option.range + ".";
-  if (!option.usual.empty()) text += "\nIf not given: " + option.usual + ".";
+  if (!option.usual.empty()) text += "\nDefault: " + option.usual + ".";
   if (option.is_needed && option.names.front().starts_with('-')) text += "\nRequired.";
   return ".TP\n" + tag(option) + "\n" + paragraphs(text);
 }

@@ -117,7 +117,7 @@ const SettableOption& option_named(const RecordedRun& run, std::string_view name
   std::vector<std::string_view> known;
   for (const SettableOption& option : options) known.push_back(option.name);
   throw InputError(fmt::format("{}: '{}' is not an option of csgsim {} that stats record; the nearest is '{}'",
-                               run.file, printable(name), command_of(run), nearest(name, known)));
+                               run.file, printable(name), recorded_command(run), nearest(name, known)));
 }
 
 std::string shown(const Json& json) { return printable(json.dump().substr(0, 60)); }
@@ -137,12 +137,14 @@ Json picture_of(const Json& stats) {
 
 }  // namespace
 
-RecordedRun read_recorded_run(const std::string& file) { return recorded_run_of(read_file(file, stats_input), file); }
+RecordedRun read_recorded_run(const std::string& file) {
+  return parse_recorded_run(read_file(file, stats_input), file);
+}
 
-RecordedRun recorded_run_of(const std::string& text, const std::string& file) {
+RecordedRun parse_recorded_run(const std::string& text, const std::string& file) {
   RecordedRun run{printable(file), {}, {}};
   try {
-    run.stats = parsed_json(text, {});
+    run.stats = parse_json(text, {});
   } catch (const JsonLimitError& error) {
     throw InputError(fmt::format("{}: {}; name a stats file", run.file, error.what()));
   } catch (const Json::exception&) {
@@ -158,19 +160,19 @@ RecordedRun recorded_run_of(const std::string& text, const std::string& file) {
   return run;
 }
 
-std::string command_of(const RecordedRun& run) {
+std::string recorded_command(const RecordedRun& run) {
   const Json& words = member(run, run.configuration, "command");
   std::string name = words.is_array() && words.size() > 1 ? text_in(run, words.at(1)) : "";
   if (std::ranges::find(recorded_commands, name) == recorded_commands.end()) {
-    throw InputError(fmt::format("{}: it is of 'csgsim {}'; only runs of render and run can be repeated", run.file,
-                                 printable(name)));
+    throw InputError(fmt::format("{}: it was written by 'csgsim {}'; only runs of render and run can be repeated",
+                                 run.file, printable(name)));
   }
   return name;
 }
 
-std::vector<Setting> settings_of(const RecordedRun& run, std::span<const SettableOption> options) {
+std::vector<Setting> recorded_settings(const RecordedRun& run, std::span<const SettableOption> options) {
   const Json& recorded = member(run, run.configuration, "options");
-  const std::string operand = command_of(run) == "render" ? "model" : "program";
+  const std::string operand = recorded_command(run) == "render" ? "model" : "program";
   std::vector<Setting> settings{{operand, {text_in(run, member(run, recorded, operand))}, run.file}};
   for (const auto& [name, value] : recorded.items()) {
     std::vector<std::string> values = values_of(run, option_named(run, name, options), value);
@@ -183,7 +185,8 @@ std::vector<std::string> changes_since(const RecordedRun& run) {
   std::vector<std::string> changes;
   const std::string version = text_in(run, member(run, run.configuration, "version"));
   if (version != version_and_build())
-    changes.push_back(fmt::format("it is of csgsim {}, and this is {}", printable(version), version_and_build()));
+    changes.push_back(
+        fmt::format("it was written by csgsim {}, and this is {}", printable(version), version_and_build()));
   const Json& inputs = member(run, run.configuration, "inputs");
   if (!inputs.is_array()) fail_value(run, inputs, "a list of files");
   for (const Json& input : inputs) {

@@ -24,15 +24,15 @@ struct RecordedRun {
 RecordedRun read_recorded_run(const std::string& file);
 
 /// The same for the file's text.
-RecordedRun recorded_run_of(const std::string& text, const std::string& file);
+RecordedRun parse_recorded_run(const std::string& text, const std::string& file);
 
 /// The command of the run. Throws InputError if that command cannot be repeated.
-std::string command_of(const RecordedRun& run);
+std::string recorded_command(const RecordedRun& run);
 
 /// The settings that reproduce picture and counts with a command that has these options: every recorded option except
 /// names of outputs and options without effect on the result. Throws InputError for an unknown option or an invalid
 /// value.
-std::vector<Setting> settings_of(const RecordedRun& run, std::span<const SettableOption> options);
+std::vector<Setting> recorded_settings(const RecordedRun& run, std::span<const SettableOption> options);
 
 /// Messages about what has changed since the run: the version, the input files. Throws InputError for an unreadable
 /// file.

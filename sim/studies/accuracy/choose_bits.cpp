@@ -19,7 +19,7 @@ void choose_bits(session::RenderRequest& request, const machines::Machine& machi
   if (!chosen) {
     throw InputError(
         fmt::format("every choice of --z-bits and --fraction-bits that fits the machine has more than {} wrong pixels; "
-                    "allow more, or see csgsim accuracy",
+                    "allow more wrong pixels, or use csgsim accuracy to find their causes",
                     *request.max_wrong_pixels));
   }
   request.model.z_bits = chosen->sampling.z_bits;

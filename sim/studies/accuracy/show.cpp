@@ -40,7 +40,7 @@ void print_table(std::span<const Measurement> rows, unsigned views) {
 }
 
 void print_front(std::span<const Measurement> rows) {
-  const std::vector<Measurement> front = pareto_front(of_knob(rows, "together"));
+  const std::vector<Measurement> front = pareto_front(rows_of_knob(rows, "together"));
   if (front.empty()) return;
   fmt::print("\nPareto front of z bits / fraction bits:\n");
   for (const Measurement& row : front)
@@ -105,19 +105,19 @@ std::string sum_title(const char* what, unsigned views) {
   return views == 1 ? what : fmt::format("{}, sum of {} views", what, views);
 }
 
-plots::Plot knob_plot(const KnobPlot& knob, std::span<const Measurement> rows, const MeasuredModel& of) {
-  plots::Chart chart{of.model + ": " + knob.axis,
+plots::Plot knob_plot(const KnobPlot& knob, std::span<const Measurement> rows, const MeasuredModel& model) {
+  plots::Chart chart{model.model + ": " + knob.axis,
                      {knob.axis, knob.scale},
-                     {{sum_title(knob.is_of_facets ? "wrong pixels (curved)" : "wrong pixels", of.views),
+                     {{sum_title(knob.is_of_facets ? "wrong pixels (curved)" : "wrong pixels", model.views),
                        plots::Scale::by_range,
                        {},
                        false,
                        true},
                       {"depth error (p99.9), model units"},
-                      {sum_title("clocks", of.views), plots::Scale::by_range, {}, false, true}},
+                      {sum_title("clocks", model.views), plots::Scale::by_range, {}, false, true}},
                      {{"", 0}, {"", 1}, {"", 2}},
                      accuracy_table};
-  for (const Measurement& row : of_knob(rows, knob.name)) {
+  for (const Measurement& row : rows_of_knob(rows, knob.name)) {
     const double x = place_of(row.value);
     if (knob.has_value_ticks) chart.x.ticks.push_back({x, row.value});
     chart.series[0].points.push_back({x, static_cast<double>(knob.is_of_facets ? row.facet_wrong : row.wrong)});
@@ -132,10 +132,10 @@ plots::Point front_point(const Measurement& row, std::string label) {
   return {static_cast<double>(row.clocks), static_cast<double>(row.wrong), std::move(label)};
 }
 
-plots::Plot front_plot(std::span<const Measurement> together, const MeasuredModel& of) {
-  plots::Chart chart{of.model + ": cost of accuracy",
-                     {sum_title("clocks", of.views), plots::Scale::by_range, {}, false, true},
-                     {{sum_title("wrong pixels", of.views), plots::Scale::logarithmic, {}, false, true}},
+plots::Plot front_plot(std::span<const Measurement> together, const MeasuredModel& model) {
+  plots::Chart chart{model.model + ": cost of accuracy",
+                     {sum_title("clocks", model.views), plots::Scale::by_range, {}, false, true},
+                     {{sum_title("wrong pixels", model.views), plots::Scale::logarithmic, {}, false, true}},
                      {{"z bits / fraction bits", 0, plots::Trace::marks, {}, true}, {"Pareto front"}},
                      accuracy_table};
   for (const Measurement& row : together) chart.series[0].points.push_back(front_point(row, ""));
@@ -144,11 +144,11 @@ plots::Plot front_plot(std::span<const Measurement> together, const MeasuredMode
 }
 
 /// Facets of every number and curved surfaces: clocks against pixels wrong for the curved surfaces.
-plots::Plot curves_plot(std::span<const Measurement> rows, const MeasuredModel& of) {
+plots::Plot curves_plot(std::span<const Measurement> rows, const MeasuredModel& model) {
   plots::Chart chart{
-      of.model + ": facets and curved surfaces",
-      {sum_title("clocks", of.views), plots::Scale::logarithmic, {}, false, true},
-      {{sum_title("pixels wrong for the curved surfaces", of.views), plots::Scale::logarithmic, {}, false, true}},
+      model.model + ": facets and curved surfaces",
+      {sum_title("clocks", model.views), plots::Scale::logarithmic, {}, false, true},
+      {{sum_title("pixels wrong for the curved surfaces", model.views), plots::Scale::logarithmic, {}, false, true}},
       {{"facets, by tolerance"}, {"facets, by $fn"}, {"facets, as modelled", 0, plots::Trace::marks}},
       accuracy_table};
   for (const Measurement& row : rows) {
@@ -168,7 +168,7 @@ plots::Plot curves_plot(std::span<const Measurement> rows, const MeasuredModel& 
 
 }  // namespace
 
-std::vector<Measurement> of_knob(std::span<const Measurement> measurements, std::string_view knob) {
+std::vector<Measurement> rows_of_knob(std::span<const Measurement> measurements, std::string_view knob) {
   std::vector<Measurement> rows;
   std::ranges::copy_if(measurements, std::back_inserter(rows),
                        [&](const Measurement& row) { return row.knob == knob; });
@@ -218,14 +218,15 @@ void print_accuracy(std::span<const Measurement> rows, unsigned views) {
   print_equal(rows);
 }
 
-std::vector<plots::Plot> plots_of_accuracy(std::span<const Measurement> rows, const MeasuredModel& of) {
+std::vector<plots::Plot> plots_of_accuracy(std::span<const Measurement> rows, const MeasuredModel& model) {
   std::vector<plots::Plot> all;
   for (const KnobPlot& knob : knob_plots) {
-    if (std::ranges::find(rows, knob.name, &Measurement::knob) != rows.end()) all.push_back(knob_plot(knob, rows, of));
+    if (std::ranges::find(rows, knob.name, &Measurement::knob) != rows.end())
+      all.push_back(knob_plot(knob, rows, model));
   }
-  if (std::ranges::find(rows, "curves", &Measurement::knob) != rows.end()) all.push_back(curves_plot(rows, of));
-  if (const std::vector<Measurement> together = of_knob(rows, "together"); !together.empty())
-    all.push_back(front_plot(together, of));
+  if (std::ranges::find(rows, "curves", &Measurement::knob) != rows.end()) all.push_back(curves_plot(rows, model));
+  if (const std::vector<Measurement> together = rows_of_knob(rows, "together"); !together.empty())
+    all.push_back(front_plot(together, model));
   plots::give_common_looks(all);
   return all;
 }

@@ -13,13 +13,13 @@
 namespace csgsim::studies {
 
 /// The rows of one knob; `together` varies z bits and fraction bits.
-std::vector<Measurement> of_knob(std::span<const Measurement> measurements, std::string_view knob);
+std::vector<Measurement> rows_of_knob(std::span<const Measurement> measurements, std::string_view knob);
 
 /// The Pareto front in clocks and wrong pixels of measurements of one picture (same size and faceting), fewest clocks
 /// first. Points with equal clocks and wrong pixels are listed once.
 std::vector<Measurement> pareto_front(std::span<const Measurement> measurements);
 
-/// One step along a front: the cost of at most half the wrong pixels.
+/// One step along a front, to at most half the wrong pixels, and its cost.
 struct Halving {
   Measurement from;
   Measurement to;
@@ -29,12 +29,11 @@ struct Halving {
 /// Steps along a front from its cheapest point, each to the cheapest point with at most half the wrong pixels.
 std::vector<Halving> halvings(std::span<const Measurement> front);
 
-/// A way to draw curved surfaces without facets, and the cost of facets with the same accuracy.
+/// A measurement of curved surfaces without facets, and of facets with the same accuracy.
 struct EqualFacets {
   Measurement curved;
-  Measurement facets;  ///< cheapest facets that are at least as accurate; if there are none, the most accurate
-  bool is_as_accurate =
-      false;  ///< whether the facets have no more wrong pixels, compared with the curved surfaces, than `curved`
+  Measurement facets;           ///< cheapest facets that are at least as accurate; if there are none, the most accurate
+  bool is_as_accurate = false;  ///< the facets differ from the true curved surfaces at no more pixels than `curved`
 };
 
 /// One entry for each way to draw curved surfaces without facets, if facets were measured too: those of the knobs fn
@@ -51,6 +50,6 @@ struct MeasuredModel {
 };
 
 /// Plots of errors and clocks against the values of each knob, and of the Pareto front of z bits and fraction bits.
-std::vector<plots::Plot> plots_of_accuracy(std::span<const Measurement> rows, const MeasuredModel& of);
+std::vector<plots::Plot> plots_of_accuracy(std::span<const Measurement> rows, const MeasuredModel& model);
 
 }  // namespace csgsim::studies

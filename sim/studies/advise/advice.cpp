@@ -83,7 +83,7 @@ bool meets_all_but(const AdviceRow& row, Requirement but, const Requirements& re
 
 std::vector<AdviceRow> compiled(std::span<const AdviceRow> rows) {
   std::vector<AdviceRow> all;
-  std::ranges::copy_if(rows, std::back_inserter(all), &AdviceRow::compiled);
+  std::ranges::copy_if(rows, std::back_inserter(all), &AdviceRow::is_compiled);
   return all;
 }
 
@@ -132,7 +132,7 @@ std::vector<Recommendation> recommend(std::span<const AdviceRow> rows, const Req
   for (const Requirement requirement : all_requirements) {
     const AdviceRow* best = nullptr;
     for (const AdviceRow& row : rows) {
-      if (!row.compiled() || !meets_all_but(row, requirement, requirements)) continue;
+      if (!row.is_compiled() || !meets_all_but(row, requirement, requirements)) continue;
       if (best == nullptr || rank(requirement, row) < rank(requirement, *best)) best = &row;
     }
     if (best != nullptr) all.push_back({requirement, *best, miss(*best, requirement, requirements)});

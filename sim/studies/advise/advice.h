@@ -54,13 +54,13 @@ std::vector<AdviceRow> advice_front(std::span<const AdviceRow> rows);
 struct Recommendation {
   Requirement requirement{};
   AdviceRow row;
-  double miss = 0;  ///< by how much `requirement` itself is missed, as returned by miss()
+  double miss = 0;  ///< how far the choice misses `requirement`, as returned by miss()
 };
 
 /// The best choice for each requirement among those that meet all others: fewest bits, fewest wrong pixels, highest
 /// frame rate, most colour bits. Ties are broken by memory bits, ALU width, time, and wrong pixels. A requirement is
-/// omitted if no choice meets all others. A recommendation misses nothing if and only if all requirements can be met
-/// together.
+/// omitted if no choice meets all others. If some choice meets all requirements, every recommendation does; otherwise
+/// each misses its own requirement.
 std::vector<Recommendation> recommend(std::span<const AdviceRow> rows, const Requirements& requirements);
 
 /// Up to `max_count` choices that have a Program, closest to the requirements first: those that miss the fewest

@@ -203,7 +203,7 @@ class Advise : public StudyOf<AdviceRow> {
   }
 
   [[nodiscard]] std::vector<report::Section> sections(const report::Json& data) const override {
-    const auto refused = std::ranges::count_if(rows(), [](const AdviceRow& row) { return !row.compiled(); });
+    const auto refused = std::ranges::count_if(rows(), [](const AdviceRow& row) { return !row.is_compiled(); });
     return {recommendations(data, rows().size(), static_cast<std::uint64_t>(refused), pictures_of(options_, advice_)),
             {"Front",
              {report::points_table(data, "/front", "Pareto-optimal choices, fewest memory bits first",
@@ -246,7 +246,7 @@ class Advise : public StudyOf<AdviceRow> {
   }
 
   void conclude() override {
-    if (std::ranges::none_of(rows(), &AdviceRow::compiled)) throw InputError(rows().front().reason);
+    if (std::ranges::none_of(rows(), &AdviceRow::is_compiled)) throw InputError(rows().front().reason);
     advice_ = advice_of(options_, *command_, question_, rows(), are_read());
   }
 
@@ -266,9 +266,8 @@ extern const StudyRow advise_row{
     .example =
         "  csgsim advise carburettor.csg --camera 220,-255,135,2,0,5 --max-bits 64 --max-wrong-pixels 10 --min-fps 20\n"
         "  csgsim advise carburettor.csg --alu-bits 1,2,4,8 --min-colour-bits 12 -o carburettor-advice\n"
-        "Lists are separated by commas, ranges are written 3..8; every combination is measured. Results are "
-        "kept in\n"
-        "advise.csv; after an interruption, the same command resumes, and changed requirements need no new =>"
+        "Lists are separated by commas, ranges are written 3..8; every combination is measured. Results are kept\n"
+        "in advise.csv; after an interruption, the same command resumes. Changed requirements need no new "
         "measurements.",
     .plots = "a plot (.png, .svg) of frame rate against memory",
     .folder = Folder::optional,

@@ -191,7 +191,9 @@ void AdviseOptions::add_to(session::OptionList& command) {
   model.add_to(command);
   command.remove("--memory-bits");
   for (const Searched& one : searched) command.remove(std::string("--") + one.key);
-  command.option("--max-bits", max_bits, "Requirement: maximum memory bits per pixel; default: those of the machine")
+  command
+      .option("--max-bits", max_bits,
+              "Requirement: maximum memory bits per pixel; default: as in the machine's description")
       .between(1U, isa::max_memory_bits);
   command.option("--max-wrong-pixels", max_wrong_pixels,
                  fmt::format("Requirement: maximum number of pixels that differ from the exact picture; default: {}",
@@ -216,7 +218,7 @@ void AdviseOptions::add_to(session::OptionList& command) {
   add("colour-bits", colour_bits, "Searched: numbers of colour bits");
   add("colouring", colourings, "Searched: list of rebroadcast, field");
   add("alu-bits", alu_bits,
-      "Searched: numbers of bits that a pixel's ALU processes per clock; default: the machine's own");
+      "Searched: numbers of bits that a pixel's ALU processes per clock; default: as in the machine's description");
 }
 
 }  // namespace csgsim::studies

@@ -21,7 +21,7 @@ namespace {
 std::vector<AdviceRow> coloured(std::span<const AdviceRow> rows, const Requirements& requirements) {
   std::vector<AdviceRow> all;
   for (const AdviceRow& row : rows) {
-    if (row.compiled() && miss(row, Requirement::colour, requirements) == 0) all.push_back(row);
+    if (row.is_compiled() && miss(row, Requirement::colour, requirements) == 0) all.push_back(row);
   }
   return all;
 }
@@ -156,7 +156,7 @@ using Json = nlohmann::ordered_json;
 Json choice_json(const AdviceRow& row) {
   Json json;
   set_columns(json, row);
-  if (row.compiled()) json.erase("reason");
+  if (row.is_compiled()) json.erase("reason");
   return json;
 }
 
@@ -178,7 +178,7 @@ std::string misses_text(const AdviceRow& row, const Requirements& requirements) 
 }
 
 void print_question(const std::string& subject, std::span<const AdviceRow> rows, const Requirements& requirements) {
-  const auto compiled = std::count_if(rows.begin(), rows.end(), [](const AdviceRow& row) { return row.compiled(); });
+  const auto compiled = std::count_if(rows.begin(), rows.end(), [](const AdviceRow& row) { return row.is_compiled(); });
   fmt::print("{}: {} searched", printable(subject), session::counted(rows.size(), "choice"));
   const auto refused = rows.size() - static_cast<std::size_t>(compiled);
   if (refused > 0) fmt::print("; {} cannot be drawn", grouped(refused));

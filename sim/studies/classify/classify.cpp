@@ -50,9 +50,9 @@ std::string all_of(const Rows& rows) {
 /// The rays of a picture do not depend on the classification method, so all methods must see the same surfaces.
 /// Describes the first difference; empty if there is none.
 std::string difference_of(std::span<const ClassifyRow> rows) {
-  const auto first = std::ranges::find_if(rows, &ClassifyRow::drawn);
+  const auto first = std::ranges::find_if(rows, &ClassifyRow::is_drawn);
   for (const ClassifyRow& row : rows) {
-    if (row.drawn() && row.surfaces != first->surfaces) {
+    if (row.is_drawn() && row.surfaces != first->surfaces) {
       return fmt::format("the surfaces seen by {}/{} differ from those seen by {}/{}", row.point.method,
                          row.point.coherence, first->point.method, first->point.coherence);
     }
@@ -115,11 +115,11 @@ class Classify : public StudyOf<ClassifyRow> {
 
   [[nodiscard]] std::string json(const std::string& title) const override {
     const std::vector<software::Priced> processors = parse_processors(processors_);
-    const SetPoint columns = setter_of(std::span<const ClassifyRow>(rows()));
+    const SetPoint columns = make_setter(std::span<const ClassifyRow>(rows()));
     return points_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
       columns(json, point);
       const ClassifyRow& row = rows()[point];
-      if (!row.drawn()) return;
+      if (!row.is_drawn()) return;
       for (const software::Priced& processor : processors) {
         if (!processor.processor) continue;
         const software::PricedSeconds seconds = seconds_of(row, processor);
@@ -136,7 +136,7 @@ class Classify : public StudyOf<ClassifyRow> {
   [[nodiscard]] PageSubject page_subject() const override { return {options_, {session::machine_of(options_)}}; }
 
   void refuse() const override {
-    if (std::ranges::none_of(rows(), &ClassifyRow::drawn)) throw InputError(rows().front().reason);
+    if (std::ranges::none_of(rows(), &ClassifyRow::is_drawn)) throw InputError(rows().front().reason);
     if (const std::string difference = difference_of(rows()); !difference.empty())
       throw InputError(difference + "; " + fault_hint(are_read()));
   }

@@ -70,7 +70,7 @@ struct ClassifyRow {
   std::string surfaces;                    ///< hash of depth and owner of every pixel
   std::string reason;
 
-  [[nodiscard]] bool drawn() const { return reason.empty(); }
+  [[nodiscard]] bool is_drawn() const { return reason.empty(); }
 
   static void columns(auto& row, const auto& visit) {
     ClassifyPoint::columns(row.point, visit);

@@ -22,7 +22,7 @@ plots::Chart chart_of(const ClassifyGroup& group, std::span<const software::Pric
                            plots::Trace::marks};
       for (std::size_t i = 0; i < methods.size(); ++i) {
         const ClassifyRow* const row = row_of(group.rows, methods[i], coherence);
-        if (row != nullptr && row->drawn())
+        if (row != nullptr && row->is_drawn())
           series.points.push_back({static_cast<double>(i), seconds_of(*row, processor).classification});
       }
       chart.series.push_back(std::move(series));

@@ -33,7 +33,7 @@ std::string a_ray(std::uint64_t count, std::uint64_t rays) {
 /// Prints counts that do not depend on the method, and for each coherence the evaluations of the first method that has
 /// it.
 void print_rays(Rows rows) {
-  const auto drawn = std::ranges::find_if(rows, &ClassifyRow::drawn);
+  const auto drawn = std::ranges::find_if(rows, &ClassifyRow::is_drawn);
   if (drawn == rows.end()) return;
   fmt::print("{}, {}; {}\n", session::counted(drawn->primitives, "primitive"),
              session::counted(drawn->halfspaces, "half-space"), session::counted(drawn->tree_levels, "level"));
@@ -50,7 +50,7 @@ void print_rays(Rows rows) {
   lines.push_back({"maximum points of a ray", grouped(drawn->max_points), ""});
   for (const std::string& coherence : coherences_of(rows)) {
     const auto row = std::ranges::find_if(
-        rows, [&](const ClassifyRow& one) { return one.drawn() && one.point.coherence == coherence; });
+        rows, [&](const ClassifyRow& one) { return one.is_drawn() && one.point.coherence == coherence; });
     if (row != rows.end() && coherence != "none") add("evaluations, " + coherence, row->evaluations);
   }
   fmt::print("{}", session::in_columns(lines, sides_of(lines)));
@@ -61,7 +61,7 @@ void print_work(Rows rows) {
   Lines lines{{"", "evaluations", "visits", "early outs", "list steps", "elements", "words"}};
   for (const ClassifyRow& row : rows) {
     const std::string name = row.point.method + (row.point.coherence == "none" ? "" : "/" + row.point.coherence);
-    if (!row.drawn()) {
+    if (!row.is_drawn()) {
       lines.push_back({name, row.reason});
       continue;
     }
@@ -79,7 +79,8 @@ void print_seconds(Rows rows, const software::Priced& processor) {
     std::vector<std::string>& line = lines.emplace_back(std::vector<std::string>{method});
     for (const std::string& coherence : coherences) {
       const ClassifyRow* const row = row_of(rows, method, coherence);
-      line.push_back(row != nullptr && row->drawn() ? seconds_text(seconds_of(*row, processor).classification) : "-");
+      line.push_back(row != nullptr && row->is_drawn() ? seconds_text(seconds_of(*row, processor).classification)
+                                                       : "-");
     }
   }
   fmt::print("\n{}", session::in_columns(lines, sides_of(lines)));
@@ -90,7 +91,7 @@ void print_best(Rows rows, std::span<const software::Priced> processors) {
   for (const software::Priced& processor : processors) {
     const ClassifyRow* best = nullptr;
     for (const ClassifyRow& row : rows) {
-      if (!row.drawn()) continue;
+      if (!row.is_drawn()) continue;
       if (best == nullptr || seconds_of(row, processor).all < seconds_of(*best, processor).all) best = &row;
     }
     if (best == nullptr) continue;

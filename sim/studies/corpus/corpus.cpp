@@ -32,7 +32,7 @@ using Lines = std::vector<std::vector<std::string>>;
 
 std::vector<std::string> row_line(const CorpusRow& row) {
   const std::string name = "  " + row.point.machine;
-  if (!row.drawn()) return {name, row.reason};
+  if (!row.is_drawn()) return {name, row.reason};
   return {name,
           grouped(row.clocks),
           grouped(row.render),
@@ -46,7 +46,7 @@ std::vector<std::string> row_line(const CorpusRow& row) {
 }
 
 void add_model(std::span<const CorpusRow> rows, Lines& lines) {
-  const auto drawn = std::ranges::find_if(rows, &CorpusRow::drawn);
+  const auto drawn = std::ranges::find_if(rows, &CorpusRow::is_drawn);
   if (drawn == rows.end()) {
     lines.push_back({with_model_name(rows.front().point.model, rows.front().reason)});
     return;
@@ -80,7 +80,7 @@ void print_distributions(Rows rows) {
     const auto of_machine = [&](const CorpusRow& row) { return row.point.machine == machine; };
     const auto models = std::ranges::count_if(rows, of_machine);
     const auto drawn =
-        std::ranges::count_if(rows, [&](const CorpusRow& row) { return of_machine(row) && row.drawn(); });
+        std::ranges::count_if(rows, [&](const CorpusRow& row) { return of_machine(row) && row.is_drawn(); });
     fmt::print("\n{}: {} of {} models\n", machine, drawn, models);
     if (drawn == 0) continue;
     Lines lines{{"", "minimum", "quartile", "median", "quartile", "maximum", "total"}};
@@ -159,7 +159,7 @@ class Corpus : public StudyOf<CorpusRow> {
 
   /// Adds the distribution of each column for each machine.
   [[nodiscard]] std::string json(const std::string& title) const override {
-    nlohmann::ordered_json json = points_json(title, rows().size(), setter_of(Rows(rows())));
+    nlohmann::ordered_json json = points_json(title, rows().size(), make_setter(Rows(rows())));
     json["distributions"] = nlohmann::ordered_json::object();
     for (const std::string& machine : machines_of(Rows(rows()))) {
       for (const CorpusColumn& column : corpus_columns())

@@ -85,7 +85,7 @@ CorpusRow begun(const CorpusPoint& point, const Job& job) {
 
 CorpusRow measure(const CorpusPoint& point, const Job& job) {
   CorpusRow row = begun(point, job);
-  if (!row.drawn()) return row;
+  if (!row.is_drawn()) return row;
   try {
     const isa::Program program = compile(job);
     count(program, row);
@@ -102,7 +102,7 @@ std::span<const CorpusColumn> corpus_columns() { return columns; }
 Distribution distribution_of(std::span<const CorpusRow> rows, const std::string& machine, const CorpusColumn& column) {
   std::vector<double> values;
   for (const CorpusRow& row : rows) {
-    if (row.drawn() && row.point.machine == machine) values.push_back(column.value(row));
+    if (row.is_drawn() && row.point.machine == machine) values.push_back(column.value(row));
   }
   return distribution_of(std::move(values));
 }

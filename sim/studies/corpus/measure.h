@@ -58,7 +58,7 @@ struct CorpusRow {
   std::string picture;                 ///< hash of depth, owner and colour of every pixel
   std::string reason;
 
-  [[nodiscard]] bool drawn() const { return reason.empty(); }
+  [[nodiscard]] bool is_drawn() const { return reason.empty(); }
   bool operator==(const CorpusRow&) const = default;
 
   static void columns(auto& row, const auto& visit) {

@@ -18,7 +18,7 @@ Points against_halfspaces(std::span<const CorpusRow> rows, const std::string& ma
                           std::uint64_t CorpusRow::*clocks) {
   Points points;
   for (const CorpusRow& row : rows) {
-    if (row.drawn() && row.point.machine == machine && row.halfspaces > 0 && row.*clocks > 0)
+    if (row.is_drawn() && row.point.machine == machine && row.halfspaces > 0 && row.*clocks > 0)
       points.push_back({static_cast<double>(row.halfspaces), static_cast<double>(row.*clocks)});
   }
   return points;
@@ -28,7 +28,7 @@ Points against_halfspaces(std::span<const CorpusRow> rows, const std::string& ma
 Points share_as_fast(std::span<const CorpusRow> rows, const std::string& machine) {
   std::vector<double> rates;
   for (const CorpusRow& row : rows) {
-    if (row.drawn() && row.point.machine == machine && row.frames_per_second > 0)
+    if (row.is_drawn() && row.point.machine == machine && row.frames_per_second > 0)
       rates.push_back(row.frames_per_second);
   }
   std::ranges::sort(rates, std::ranges::greater{});

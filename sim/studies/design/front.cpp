@@ -55,7 +55,7 @@ ExploreGroup group_of(std::span<const ExploreRow> rows, std::string model, std::
                       std::span<const ExploreAxis> axes) {
   ExploreGroup group{std::move(model), {}, {}, {}, {}, {}};
   group.refused = std::erase_if(designs, [&](const Design& design) {
-    return !std::ranges::all_of(design, [&](std::size_t row) { return rows[row].compiled(); });
+    return !std::ranges::all_of(design, [&](std::size_t row) { return rows[row].is_compiled(); });
   });
   for (const ExploreAxis& axis : axes) {
     const auto has_price = [&](const Design& design) { return value_of(rows, design, axis).has_value(); };

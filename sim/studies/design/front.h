@@ -19,7 +19,8 @@ struct ExploreAxis {
   const char* title;  ///< including the unit
   /// Value of a drawn row; empty if it has no price.
   std::optional<double> (*value)(const ExploreRow& row);
-  bool is_of_picture;  ///< a value per frame, summed over models; otherwise the maximum over the models is built
+  bool is_of_picture;  ///< a value per frame, summed over models; otherwise a property of the hardware: the maximum
+                       ///< over models
   bool may_be_zero;
 };
 

@@ -173,7 +173,7 @@ GridSequence::GridSequence(std::vector<std::size_t> sizes, std::uint64_t seed) :
   }
 }
 
-std::uint64_t GridSequence::drawn_cell() {
+std::uint64_t GridSequence::draw_cell() {
   std::uint64_t cell = 0;
   for (std::size_t axis = 0; axis < sizes_.size(); ++axis) {
     places_[axis] += steps_[axis];
@@ -185,7 +185,7 @@ std::uint64_t GridSequence::drawn_cell() {
 std::optional<std::vector<std::size_t>> GridSequence::next() {
   if (visited_.size() == cells_) return std::nullopt;
   for (unsigned i = 0; first_untried_ == 0 && i < max_repeats; ++i) {
-    const std::uint64_t cell = drawn_cell();
+    const std::uint64_t cell = draw_cell();
     if (visited_.insert(cell).second) return grid_cell(sizes_, cell);
   }
   while (!visited_.insert(first_untried_).second) ++first_untried_;

@@ -53,7 +53,7 @@ class GridSequence {
   std::optional<std::vector<std::size_t>> next();
 
  private:
-  [[nodiscard]] std::uint64_t drawn_cell();
+  [[nodiscard]] std::uint64_t draw_cell();
 
   std::vector<std::size_t> sizes_;
   std::vector<std::uint64_t> steps_;   ///< step of each axis, in units of 2^-64

@@ -131,7 +131,7 @@ DesignRow measure_picture(const DesignPoint& point, const Job& job, bool is_draw
     program = compile(job);
     count_program(*program, counted);
   });
-  if (!row.compiled()) return row;
+  if (!row.is_compiled()) return row;
   row.pixel_transistors = machines::pixel_transistors(job.machine, row.used_bits);
   if (is_drawn) {
     const DrawnProgram drawn = draw(std::move(*program), job.machine);
@@ -144,7 +144,7 @@ DesignRow measure_picture(const DesignPoint& point, const Job& job, bool is_draw
   return row;
 }
 
-Fitted DesignMeter::fitted(const DesignPoint& point, const Job& job) {
+Fitted DesignMeter::fit(const DesignPoint& point, const Job& job) {
   if (point.memory_bits) return {compile(job), job.machine};
   const Subject& subject = *job.subject;
   const view::View view = view::make_view(subject.scene, subject.tree, job.camera, job.sampling);
@@ -183,7 +183,7 @@ DesignMeter::ErrorsByColour DesignMeter::errors_by_colour(const DesignPoint& poi
   Job one = job;
   const auto drawn_in = [&](unsigned bits) {
     one.options.colour_bits = bits;
-    return draw_exactly(fitted(point, one));
+    return draw_exactly(fit(point, one));
   };
   const DrawnProgram finest = drawn_in(isa::max_colour_bits);
   ErrorsByColour errors{{isa::max_colour_bits, errors_of(job, finest)}};
@@ -213,7 +213,7 @@ void DesignMeter::judge(const DesignPoint& point, const Job& job, const Fitted& 
 DesignRow DesignMeter::measure(const DesignPoint& point, const Job& job) {
   if (!job.reason.empty()) return refused_row(point, job);
   return measured_row<DesignRow>(point, job.inputs, [&](DesignRow& row) {
-    Fitted fitted = this->fitted(point, job);
+    Fitted fitted = fit(point, job);
     count_program(fitted.program, row);
     count_machine(fitted, row);
     if (question_.process) give_clock(*question_.process, fitted, row);

@@ -38,7 +38,8 @@ struct DrawnProgram {
 
 DrawnProgram draw(isa::Program program, const machines::Machine& machine);
 
-/// Compiles the point with the memory of its job, counts, and draws it if `is_drawn`. The clocks are those of a run.
+/// Compiles the point with the memory of its job, counts its work, and draws it if `is_drawn`. Clocks are measured by a
+/// run.
 DesignRow measure_picture(const DesignPoint& point, const Job& job, bool is_drawn);
 
 /// Settings of a measurement of designs.
@@ -72,7 +73,7 @@ class DesignMeter {
   /// (docs/machines.md).
   using SeenBits = std::tuple<Seen, unsigned, unsigned>;
 
-  Fitted fitted(const DesignPoint& point, const Job& job);
+  Fitted fit(const DesignPoint& point, const Job& job);
   void judge(const DesignPoint& point, const Job& job, const Fitted& fitted, DesignRow& row);
   PixelErrors errors_of(const Job& job, const DrawnProgram& drawn);
   ErrorsByColour errors_by_colour(const DesignPoint& point, const Job& job);

@@ -88,7 +88,7 @@ struct DesignRow {
   double facet_depth_p999 = 0;    ///< model units, relative to the true curved surfaces
   double picture_difference = 0;  ///< mean colour difference (of 255) from the picture drawn with the finest arithmetic
 
-  [[nodiscard]] bool compiled() const { return reason.empty(); }
+  [[nodiscard]] bool is_compiled() const { return reason.empty(); }
   bool operator==(const DesignRow&) const = default;
 
   /// Calls visit(name, member) for every column that a study may have.

@@ -50,7 +50,7 @@ std::vector<unsigned> bucket_sizes_in(const std::string& text) {
 /// Exact methods must see the same surfaces of the same facets. Describes the first difference; empty if there is none.
 std::string display_difference(std::span<const DisplayStudyRow> rows) {
   const auto is_judged = [](const DisplayStudyRow& row) {
-    return row.drawn() && software::display_method(row.point.method).is_exact;
+    return row.is_drawn() && software::display_method(row.point.method).is_exact;
   };
   for (const DisplayStudyRow& one : rows) {
     for (const DisplayStudyRow& other : rows) {
@@ -76,12 +76,10 @@ class Display : public StudyOf<DisplayStudyRow> {
                 "Tolerances in model units for faceting curved solids, separated by commas")
         .check(session::is_read_by(parse_tolerances))
         .excludes("--tolerance");
-    command
-        .option("--fragments", fragments_,
-                "Numbers: values of $fn for faceting curved solids, in place of the model's own")
+    command.option("--fragments", fragments_, "List of values of $fn for curved solids, in place of the model's own")
         .check(session::is_read_by(parse_display_fragments))
         .excludes("--tolerances");
-    command.option("--bucket-sizes", bucket_sizes_, "Numbers: maximum polygons per bucket of list priority")
+    command.option("--bucket-sizes", bucket_sizes_, "List of maximum numbers of polygons per bucket, for list priority")
         .check(session::is_read_by(bucket_sizes_in));
     command
         .option("--directories", directories_,
@@ -130,11 +128,11 @@ class Display : public StudyOf<DisplayStudyRow> {
 
   [[nodiscard]] std::string json(const std::string& title) const override {
     const std::vector<software::Priced> processors = parse_processors(processors_);
-    const SetPoint columns = setter_of(std::span<const DisplayStudyRow>(rows()));
+    const SetPoint columns = make_setter(std::span<const DisplayStudyRow>(rows()));
     return points_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
       columns(json, point);
       const DisplayStudyRow& row = rows()[point];
-      if (!row.drawn()) return;
+      if (!row.is_drawn()) return;
       for (const software::Priced& processor : processors) {
         if (!processor.processor) continue;
         const DisplaySeconds seconds = display_seconds(row, processor);
@@ -154,7 +152,7 @@ class Display : public StudyOf<DisplayStudyRow> {
   [[nodiscard]] PageSubject page_subject() const override { return {options_, {session::machine_of(options_)}}; }
 
   void refuse() const override {
-    if (std::ranges::none_of(rows(), &DisplayStudyRow::drawn)) throw InputError(rows().front().reason);
+    if (std::ranges::none_of(rows(), &DisplayStudyRow::is_drawn)) throw InputError(rows().front().reason);
     if (const std::string difference = display_difference(rows()); !difference.empty())
       throw InputError(difference + "; " + fault_hint(are_read()));
   }

@@ -18,7 +18,7 @@ std::vector<plots::Plot> plots_of_display(std::span<const DisplayStudyRow> rows,
     chart.panels.push_back({processor.name + ", s", plots::Scale::logarithmic});
     const std::size_t panel = chart.panels.size() - 1;
     for (const DisplayStudyRow& row : rows) {
-      if (!row.drawn()) continue;
+      if (!row.is_drawn()) continue;
       const std::string name = row.point.bucket_size == 0 ? row.point.method
                                                           : fmt::format("{} {} {}", row.point.method,
                                                                         row.point.directory, row.point.bucket_size);

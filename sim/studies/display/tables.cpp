@@ -45,7 +45,7 @@ class Table {
 
   void add(const std::string& what, const std::function<std::string(const DisplayStudyRow&)>& text) {
     std::vector<std::string>& line = lines_.emplace_back(std::vector<std::string>{what});
-    for (const DisplayStudyRow* const row : group_.rows) line.push_back(row->drawn() ? text(*row) : "-");
+    for (const DisplayStudyRow* const row : group_.rows) line.push_back(row->is_drawn() ? text(*row) : "-");
   }
   /// Adds a count unless it is 0 in all rows.
   void add(const std::string& what, std::uint64_t DisplayStudyRow::*count) {
@@ -104,7 +104,7 @@ void print_group(const MethodGroup& group, std::span<const software::Priced> pro
   table.add("  order", &DisplayStudyRow::wrong_order);
   table.print();
   for (const DisplayStudyRow* const row : group.rows) {
-    if (!row->drawn()) fmt::print("  {}: {}\n", facets_text(row->point), row->reason);
+    if (!row->is_drawn()) fmt::print("  {}: {}\n", facets_text(row->point), row->reason);
   }
 }
 

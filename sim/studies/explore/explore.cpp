@@ -145,7 +145,7 @@ class Explore : public StudyOf<ExploreRow> {
 
   void refuse() const override {
     const std::span<const ExploreRow> all = rows();
-    if (std::ranges::none_of(all, &ExploreRow::compiled) && by_model(all).size() == 1)
+    if (std::ranges::none_of(all, &ExploreRow::is_compiled) && by_model(all).size() == 1)
       throw InputError(all.front().reason);
     if (std::ranges::any_of(all, [](const ExploreRow& row) { return row.unexplained > 0; }))
       throw InputError("the errors of a picture exceed the bounds of docs/numbers.md; " + fault_hint(are_read()));
@@ -282,10 +282,10 @@ extern const StudyRow explore_row{
     .name = "explore",
     .does = "Explore the design space of a machine: vary parameters, show the Pareto front and its knee",
     .example =
-        "  csgsim explore carburettor.csg --size 128x128 --vary alu.bits=1,2,4 --vary memory.reads=1,2 \\\n"
-        "    --vary z-bits=12..20 -o carburettor-explore\n"
-        "  csgsim explore *.csg --vary link.width=8,16,32 --vary z-bits=10..24 --vary fraction-bits=2..12 \\\n"
-        "    --points 500 --seed 2 --axes time,memory -o out\n"
+        "  csgsim explore carburettor.csg --size 128x128 --vary alu.bits=1,2,4 --vary memory.reads=1,2 "
+        "--vary z-bits=12..20 -o carburettor-explore\n"
+        "  csgsim explore *.csg --vary link.width=8,16,32 --vary z-bits=10..24 --vary fraction-bits=2..12 "
+        "--points 500 --seed 2 --axes time,memory -o out\n"
         "  csgsim explore *.csg --vary z-bits=8..30 --vary fraction-bits=0..16 --points 20 --search 200 -o out\n"
         "A design is on the front if no other is as good on every axis and better on one. The knee is the design on "
         "the\n"

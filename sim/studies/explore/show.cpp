@@ -234,11 +234,11 @@ std::string explore_json(const std::string& title, std::span<const ExploreRow> r
     for (std::size_t i = 0; i < group.rows.size() && !group.model.empty(); ++i)
       marks[group.rows[i]] = {group.front[i], group.knee == i};
   }
-  const SetPoint columns = setter_of(rows);
+  const SetPoint columns = make_setter(rows);
   Json json = points_json(title, rows.size(), [&](Json& point, std::size_t row) {
     columns(point, row);
     point["design"] = design_json(names, rows[row].point);
-    if (!rows[row].compiled()) return;
+    if (!rows[row].is_compiled()) return;
     const std::pair<bool, bool>& mark = marks[row];
     point["pareto"] = mark.first;
     point["knee"] = mark.second;

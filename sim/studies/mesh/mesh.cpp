@@ -62,7 +62,7 @@ class Mesh : public StudyOf<MeshRow> {
         .words(repairs, session::is_read_by(repairs_in));
     command
         .option("--processors", processors_,
-                "Processors to compute costs for, as names or .toml files separated by commas")
+                "Processors for which seconds are computed: names or .toml files, separated by commas")
         .check(session::is_read_by(meshing_processors));
     json_.add_to(command, "Write the vertices and elements of each mesh");
   }
@@ -113,7 +113,7 @@ class Mesh : public StudyOf<MeshRow> {
 
   [[nodiscard]] std::string json(const std::string& title) const override {
     const std::vector<software::Priced> processors = meshing_processors(processors_);
-    const SetPoint columns = setter_of(std::span<const MeshRow>(rows()));
+    const SetPoint columns = make_setter(std::span<const MeshRow>(rows()));
     return points_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
       columns(json, point);
       const MeshRow& row = rows()[point];

@@ -18,12 +18,12 @@ void add(Operations& sum, std::uint64_t count, std::initializer_list<Part> parts
   for (const auto& [kind, times] : parts) sum.counts[static_cast<std::size_t>(kind)] += count * times;
 }
 
-/// Additions and halvings of longs in place.
+/// Adds the price of additions and halvings of longs in place.
 void price_adds(Operations& sum, std::uint64_t count) {
   add(sum, count, {{Operation::load_long, 1}, {Operation::add_long, 1}});
 }
 
-/// A subroutine with four word multiplications, additions of the partial products, and sign handling.
+/// Adds the price of a subroutine with four word multiplications, additions of the partial products, and sign handling.
 void price_products(Operations& sum, std::uint64_t count) {
   add(sum, count,
       {{Operation::load_long, 2},
@@ -36,7 +36,7 @@ void price_products(Operations& sum, std::uint64_t count) {
        {Operation::branch, 2}});
 }
 
-/// Long division, one quotient bit at a time.
+/// Adds the price of long divisions, one quotient bit at a time.
 void price_quotients(Operations& sum, std::uint64_t count, std::uint64_t bits) {
   add(sum, count,
       {{Operation::load_long, 2},
@@ -54,7 +54,7 @@ constexpr std::uint64_t root_bits = 16;
 
 }  // namespace
 
-Operations subdividing(const MeshRow& row) {
+Operations subdivision_operations(const MeshRow& row) {
   Operations sum;
   price_adds(sum, row.adds);
   price_products(sum, row.products);
@@ -68,7 +68,7 @@ Operations subdividing(const MeshRow& row) {
   return sum;
 }
 
-Operations repairing(const MeshRow& row) {
+Operations repair_operations(const MeshRow& row) {
   Operations sum;
   // An element: a record of its square, corners and sides is written and read; Traverse and two calls of Increment.
   add(sum, row.elements,
@@ -94,7 +94,8 @@ Operations repairing(const MeshRow& row) {
 }
 
 MeshSeconds seconds_of(const MeshRow& row, const processors::Processor& processor) {
-  return {processors::seconds(subdividing(row), processor), processors::seconds(repairing(row), processor)};
+  return {processors::seconds(subdivision_operations(row), processor),
+          processors::seconds(repair_operations(row), processor)};
 }
 
 }  // namespace csgsim::studies

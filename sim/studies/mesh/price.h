@@ -10,8 +10,8 @@ namespace csgsim::studies {
 
 /// Converts a row's counts to operations of a processor without floating point; coordinates are 32-bit fixed-point
 /// numbers. The operations per count are assumptions, listed in docs/reproduction.md.
-software::Operations subdividing(const MeshRow& row);
-software::Operations repairing(const MeshRow& row);
+software::Operations subdivision_operations(const MeshRow& row);
+software::Operations repair_operations(const MeshRow& row);
 
 struct MeshSeconds {
   double subdividing = 0;

@@ -52,8 +52,8 @@ struct Stages {
   std::optional<double> first_pruning{};
   std::optional<double> second_pruning{};
   std::optional<double> communication{};  ///< receiving the model from the host, broadcasting and sharing
-  std::optional<double>
-      rendering{};  ///< the next three are parts of this, in proportion to the nodes' clocks at pixels
+  /// The nodes' work at pixels. The next three members are its parts, in proportion to the clocks at pixels.
+  std::optional<double> rendering{};
   std::optional<double> scan_conversion{};
   std::optional<double> classification{};
   std::optional<double> depth_sort{};

@@ -81,7 +81,7 @@ class Subdivide : public StudyOf<SubdivideRow> {
   void add_options(session::OptionList& command) override {
     options_.machine = "pixel-square";
     options_.add_to(command);
-    command.option("--subdivisions", levels_, "Numbers: levels of binary subdivision, 0 to 20")
+    command.option("--subdivisions", levels_, "List of levels of binary subdivision, each 0 to 20")
         .check(session::is_read_by(levels_of));
     command
         .option("--tolerances", tolerances_,
@@ -128,7 +128,7 @@ class Subdivide : public StudyOf<SubdivideRow> {
   }
 
   [[nodiscard]] std::string json(const std::string& title) const override {
-    nlohmann::ordered_json json = points_json(title, rows().size(), setter_of(std::span<const SubdivideRow>(rows())));
+    nlohmann::ordered_json json = points_json(title, rows().size(), make_setter(std::span<const SubdivideRow>(rows())));
     for (nlohmann::ordered_json& point : json["points"]) point = with_parts(point);
     return file_text(json);
   }

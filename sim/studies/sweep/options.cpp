@@ -54,8 +54,8 @@ void SweepOptions::add_to(session::OptionList& command) {
       .required();
   command.option("--strategy", strategies, "Classification strategies, separated by commas")
       .list_of(names_of(emit::strategies), "strategy");
-  command.option("--stack-bits", stack_bits, "Numbers: stack bits of strategy bits").check(is_axis_list("stack-bits"));
-  command.option("--z-bits", z_bits, "Numbers: depth bits").check(is_axis_list("z-bits"));
+  command.option("--stack-bits", stack_bits, "List of stack bits of strategy bits").check(is_axis_list("stack-bits"));
+  command.option("--z-bits", z_bits, "List of depth bits").check(is_axis_list("z-bits"));
   command.option("--colouring", colourings, "Colouring methods, separated by commas")
       .list_of(names_of(emit::colourings), "colouring");
   command
@@ -65,12 +65,12 @@ void SweepOptions::add_to(session::OptionList& command) {
       .words(session::pruning_words(), session::is_read_by(session::prunings_of));
   command.option("--machines", machines, "Machines, as names or .toml files separated by commas")
       .check(session::is_read_by(session::check_machines));
-  command.option("--memory-bits", memory_bits, "Numbers: memory bits per pixel; default: those of the machine")
+  command
+      .option("--memory-bits", memory_bits, "List of memory bits per pixel; default: as in the machine's description")
       .check(is_axis_list("memory-bits"));
   view.add_view_to(command);
   command.remove("--curves");
-  command
-      .option("--curves", curves, "Ways to draw spheres, cylinders and cones, separated by commas: facets, exact, auto")
+  command.option("--curves", curves, "Ways to draw spheres, cylinders and cones, separated by commas")
       .list_of(names_of(emit::curve_choices), "way");
   command.flag("--no-draw", no_draw, "Count only; do not draw pictures to check that they are identical");
 }

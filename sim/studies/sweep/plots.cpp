@@ -162,7 +162,7 @@ plots::Plot memory_plot(std::span<const SweepRow> rows, const std::string& model
 
 std::vector<plots::Plot> plots_of_sweep(std::span<const SweepRow> rows, const std::string& model) {
   std::vector<SweepRow> compiled;
-  std::ranges::copy_if(rows, std::back_inserter(compiled), &SweepRow::compiled);
+  std::ranges::copy_if(rows, std::back_inserter(compiled), &SweepRow::is_compiled);
   if (compiled.empty()) return {};
   constexpr std::array scans{&SweepRow::rendered, &SweepRow::classified};
   constexpr std::array clocks{&SweepRow::clocks};

@@ -27,7 +27,8 @@ using Rows = std::span<const SweepRow>;
 bool draws_alike(Rows rows) {
   std::map<std::string, std::uint64_t> halfspaces;
   return std::ranges::all_of(rows, [&](const SweepRow& row) {
-    return !row.compiled() || halfspaces.try_emplace(row.point.model, row.halfspaces).first->second == row.halfspaces;
+    return !row.is_compiled() ||
+           halfspaces.try_emplace(row.point.model, row.halfspaces).first->second == row.halfspaces;
   });
 }
 
@@ -92,11 +93,11 @@ class Sweep : public StudyOf<SweepRow> {
 
   void refuse() const override {
     const Rows all = rows();
-    if (std::ranges::none_of(all, &SweepRow::compiled) && by_model(all).size() == 1)
+    if (std::ranges::none_of(all, &SweepRow::is_compiled) && by_model(all).size() == 1)
       throw InputError(all.front().reason);
     if (const std::vector<WrongPicture> wrong = wrong_pictures(all); !wrong.empty())
       refuse_pictures(all, wrong, are_read());
-    if (!options_.no_draw && std::ranges::any_of(all, &SweepRow::compiled))
+    if (!options_.no_draw && std::ranges::any_of(all, &SweepRow::is_compiled))
       print_text(fmt::format("\nAll pictures of a model with the same {} are identical.\n",
                              draws_alike(all) ? "size and z bits" : "size, z bits and surfaces, curved or faceted,"));
     refuse_models(all, "sweep.csv");

@@ -40,7 +40,7 @@ void print_points(std::span<const SweepRow> rows) {
   fmt::print("\n{:<{}}{:>14}{:>10}{:>12}{:>13}{:>13}{:>13}{:>13}  {}\n", "", width, "clocks", "rendered", "classified",
              "depth tests", "class. bits", "total bits", "transistors", "picture");
   for (const SweepRow& row : rows) {
-    if (!row.compiled()) {
+    if (!row.is_compiled()) {
       fmt::print("{:<{}}  {}\n", names.name(row.point), width, row.reason);
       continue;
     }
@@ -65,7 +65,9 @@ std::string table_6_1(const Group& rows) {
   for (const SweepRow& row : rows) {
     if (row.point.stack_bits == 0) continue;
     any = true;
-    const auto cell = [&](std::uint64_t count) { return fmt::format("{:>8}", row.compiled() ? grouped(count) : "-"); };
+    const auto cell = [&](std::uint64_t count) {
+      return fmt::format("{:>8}", row.is_compiled() ? grouped(count) : "-");
+    };
     bits += fmt::format("{:>8}", row.point.stack_bits);
     rendered += cell(row.rendered);
     tests += cell(row.depth_tests);
@@ -105,7 +107,7 @@ std::string classification(const SweepRow& row) {
 std::string conclusion(const Group& group) {
   Group by_bits;
   for (const SweepRow& row : group) {
-    if (row.compiled()) by_bits.push_back(row);
+    if (row.is_compiled()) by_bits.push_back(row);
   }
   if (by_bits.empty()) return "  nothing fits\n";
   std::sort(by_bits.begin(), by_bits.end(), takes_fewer_bits);
@@ -131,7 +133,7 @@ std::string conclusion(const Group& group) {
 }
 
 void print_failures(std::span<const SweepRow> rows) {
-  const auto failed = std::count_if(rows.begin(), rows.end(), [](const SweepRow& row) { return !row.compiled(); });
+  const auto failed = std::count_if(rows.begin(), rows.end(), [](const SweepRow& row) { return !row.is_compiled(); });
   if (failed > 0)
     fmt::print("  {} of {} points cannot be compiled; see the table for the reasons\n", failed, rows.size());
 }
@@ -178,7 +180,7 @@ std::vector<WrongPicture> wrong_pictures(std::span<const SweepRow> rows) {
 
 void print_sweep(std::span<const SweepRow> rows) {
   // Rows without a Program have no data of the model.
-  const auto compiled = std::find_if(rows.begin(), rows.end(), [](const SweepRow& row) { return row.compiled(); });
+  const auto compiled = std::find_if(rows.begin(), rows.end(), [](const SweepRow& row) { return row.is_compiled(); });
   if (compiled == rows.end() && is_one_reason(rows)) {
     fmt::print("\n{}\n", with_model_name(rows.front().point.model, rows.front().reason));
     return;

@@ -26,8 +26,8 @@ struct TracePoint {
   std::uint32_t bucket_size = 0;    ///< maximum facets per cell
   std::string cast;                 ///< rays that are cast: primary; shadow: also shadow rays; mirror: all three
   std::string facet_test{};         ///< for primary rays: space or projected
-  std::string item_buffer{};        ///< without, list-priority or depth-lists
-  std::string mailboxes;            ///< with or without
+  std::string item_buffer{};        ///< `without`, `list-priority` or `depth-lists`
+  std::string mailboxes;            ///< `with` or `without`
   std::optional<double> tolerance;  ///< faceting tolerance of curved solids, model units; empty: given by the options
 
   bool operator==(const TracePoint&) const = default;
@@ -88,7 +88,7 @@ struct TraceRow {
   std::string surfaces;  ///< hash of depth and owner of every pixel
   std::string reason;
 
-  [[nodiscard]] bool drawn() const { return reason.empty(); }
+  [[nodiscard]] bool is_drawn() const { return reason.empty(); }
 
   static void columns(auto& row, const auto& visit) {
     TracePoint::columns(row.point, visit);
@@ -160,7 +160,7 @@ class TraceSubject {
 
   [[nodiscard]] const software::TraceScene& scene() const { return scene_; }
   [[nodiscard]] std::size_t primitives() const { return model_.primitives.size(); }
-  /// Throws InputError as list priority does if it is to fill the item buffer.
+  /// Throws InputError if the point's item buffer is filled by list priority, which cannot draw the model.
   [[nodiscard]] software::TraceOptions options_of(const TracePoint& point) const;
   /// Number of pixels for which list priority differs from the machines.
   [[nodiscard]] std::uint64_t item_faults() const { return drawn_first().faults; }

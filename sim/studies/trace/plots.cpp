@@ -28,7 +28,7 @@ void add(plots::Chart& chart, const std::string& name, std::size_t panel, const 
 std::vector<const TraceRow*> plain(Rows rows) {
   std::vector<const TraceRow*> found;
   for (const TraceRow& row : rows) {
-    if (row.drawn() && row.point.item_buffer == "without" && row.point.cast == rows.front().point.cast &&
+    if (row.is_drawn() && row.point.item_buffer == "without" && row.point.cast == rows.front().point.cast &&
         row.point.mailboxes == rows.front().point.mailboxes && row.point.facet_test == rows.front().point.facet_test)
       found.push_back(&row);
   }

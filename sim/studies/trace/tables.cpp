@@ -48,7 +48,7 @@ void print_directories(Rows rows, std::span<const software::Priced> processors) 
     const TraceRow& row = rows[i];
     const bool is_printed = std::any_of(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(i),
                                         [&](const TraceRow& one) { return is_same_directory(one, row); });
-    if (is_printed || !row.drawn()) continue;
+    if (is_printed || !row.is_drawn()) continue;
     lines.push_back({row.point.directory, std::to_string(row.point.bucket_size), tolerance_text(row),
                      grouped(row.polygons), grouped(row.loose_facets), grouped(row.cells), grouped(row.entries),
                      grouped(row.references), grouped(row.most_facets), grouped(row.overlap_tests),
@@ -74,7 +74,7 @@ void print_rays(Rows rows) {
     lines.front().emplace_back(title);
   for (const TraceRow& row : rows) {
     lines.push_back(names_of(row));
-    if (!row.drawn()) {
+    if (!row.is_drawn()) {
       lines.back().push_back(row.reason);
       continue;
     }
@@ -93,7 +93,7 @@ void print_seconds(Rows rows, const software::Priced& processor) {
       lines.front().emplace_back(title);
   }
   for (const TraceRow& row : rows) {
-    if (!row.drawn()) continue;
+    if (!row.is_drawn()) continue;
     const TraceSeconds seconds = seconds_of(row, processor);
     lines.push_back(names_of(row));
     lines.back().push_back(seconds_text(seconds.all));
@@ -108,7 +108,7 @@ void print_seconds(Rows rows, const software::Priced& processor) {
 }  // namespace
 
 void print_tracing(Rows rows, std::span<const software::Priced> processors) {
-  const auto drawn = std::ranges::find_if(rows, &TraceRow::drawn);
+  const auto drawn = std::ranges::find_if(rows, &TraceRow::is_drawn);
   if (drawn != rows.end()) {
     fmt::print("{}, {}; {} of {} rays hit the solid\n", session::counted(drawn->primitives, "primitive"),
                session::counted(drawn->halfspaces, "half-space"), grouped(drawn->hit_rays), grouped(drawn->rays));

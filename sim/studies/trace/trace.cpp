@@ -60,9 +60,9 @@ std::vector<std::string> parse_switches(const std::string& text) {
 /// first difference; empty if there is none.
 std::string difference_of(std::span<const TraceRow> rows) {
   for (const TraceRow& row : rows) {
-    if (!row.drawn()) continue;
+    if (!row.is_drawn()) continue;
     const auto first = std::ranges::find_if(
-        rows, [&](const TraceRow& one) { return one.drawn() && one.point.tolerance == row.point.tolerance; });
+        rows, [&](const TraceRow& one) { return one.is_drawn() && one.point.tolerance == row.point.tolerance; });
     if (row.surfaces != first->surfaces)
       return fmt::format("the surfaces seen by {} differ from those seen by {}", row.point.directory,
                          first->point.directory);
@@ -78,21 +78,25 @@ class Trace : public StudyOf<TraceRow> {
         .option("--directories", directories_,
                 "Directories by which rays find facets, separated by commas; see csgsim manual methods")
         .words(software::row_names(software::directories()), session::is_read_by(parse_directories));
-    command.option("--bucket-sizes", bucket_sizes_, "Numbers: maximum facets per cell before it is divided, 1 to 1000")
+    command
+        .option("--bucket-sizes", bucket_sizes_,
+                "List of maximum numbers of facets per cell, each 1 to 1000; a cell with more is divided")
         .check(session::is_read_by(bucket_sizes_in));
     command.option("--cast", cast_, "Rays to cast, separated by commas; each kind includes the preceding ones")
         .words(cast_names, session::is_read_by(parse_cast));
     command
         .option("--facet-test", facet_test_,
-                "List: test primary rays against facets in space, or against projected facets in the picture")
+                "Tests of primary rays, separated by commas: against facets in space, or projected in the picture")
         .words(facet_test_names, session::is_read_by(facet_tests_in));
     command
-        .option("--item-buffer", item_buffer_,
-                "List: cast primary rays, or replace them by a projective pass: list priority with a depth buffer, or "
-                "lists of all depths")
+        .option(
+            "--item-buffer", item_buffer_,
+            "Replacements of primary rays, separated by commas: none (without), or a projective pass, list priority "
+            "with a depth buffer or lists of all depths")
         .words(item_names, session::is_read_by(items_in));
     command
-        .option("--mailboxes", mailboxes_, "List: test a ray against a facet in several cells repeatedly, or only once")
+        .option("--mailboxes", mailboxes_,
+                "Whether a ray is tested only once against a facet in several cells (with), or in each cell (without)")
         .words(switch_names, session::is_read_by(parse_switches));
     command.option("--reflections", reflections_, "Maximum number of successive reflections, 1 to 4")
         .between(1U, max_mirror_depth);
@@ -142,11 +146,11 @@ class Trace : public StudyOf<TraceRow> {
 
   [[nodiscard]] std::string json(const std::string& title) const override {
     const std::vector<software::Priced> processors = parse_processors(processors_);
-    const SetPoint columns = setter_of(std::span<const TraceRow>(rows()));
+    const SetPoint columns = make_setter(std::span<const TraceRow>(rows()));
     return points_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
       columns(json, point);
       const TraceRow& row = rows()[point];
-      if (!row.drawn()) return;
+      if (!row.is_drawn()) return;
       for (const software::Priced& processor : processors) {
         if (!processor.processor) continue;
         const TraceSeconds seconds = seconds_of(row, processor);
@@ -169,7 +173,7 @@ class Trace : public StudyOf<TraceRow> {
   [[nodiscard]] PageSubject page_subject() const override { return {options_, {session::machine_of(options_)}}; }
 
   void refuse() const override {
-    if (std::ranges::none_of(rows(), &TraceRow::drawn)) throw InputError(rows().front().reason);
+    if (std::ranges::none_of(rows(), &TraceRow::is_drawn)) throw InputError(rows().front().reason);
     if (const std::string difference = difference_of(rows()); !difference.empty())
       throw InputError(difference + "; " + fault_hint(are_read()));
   }

@@ -25,7 +25,7 @@ export const wish = () => {
   return now.edited ? {knobs, source: byId('source').value} : {knobs};
 };
 
-// The wish of the visible picture. It may be older than wish() while the next picture is evaluated or cannot be drawn.
+// The wish of the visible picture. It is older than wish() while the next picture is evaluated, or if that fails.
 export const shownWish = () => now.drawn ? now.drawn.wish : wish();
 
 export {answerTo as ask} from './answers.js';
@@ -41,7 +41,7 @@ export const showError = answer => {
 
 const works = [];
 
-// Runs the work one request at a time; of several requests made meanwhile, only the last is run.
+// Runs the work one request at a time. Of the requests made during a run, only the last is run afterwards.
 export const lastOf = work => {
   let isBusy = false;
   let isWished = false;

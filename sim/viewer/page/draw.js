@@ -18,7 +18,7 @@ const countsOf = stats => {
     ['clocks until drawn', grouped(stats.clocks)],
     ['clocks until shown', grouped(stats.shown_clocks)],
     ['clocks from one frame to the next', grouped(stats.interval_clocks)],
-    ['frames a second', rate === undefined || rate === null ? '' : Number(rate).toPrecision(4)],
+    ['frames per second', rate === undefined || rate === null ? '' : Number(rate).toPrecision(4)],
     ['instructions', grouped(stats.instructions.total)],
     ['pixel operations', grouped(stats.pixel_operations.total)],
     ['memory bits per pixel', stats.memory.used_bits + ' of ' + stats.memory.memory_bits],

@@ -1,4 +1,4 @@
-// Form of the effects. It edits lines of the KEY=VALUE field, which is what csgsim receives.
+// Form of the effects. It edits lines of the KEY=VALUE field; csgsim receives only that field.
 import {byId, make} from './dom.js';
 
 const lines = () => byId('set').value.split('\n').map(line => line.trim()).filter(line => line);

@@ -1,4 +1,4 @@
-// Results that take longer than a picture, computed on request.
+// Results that need more time than a picture, computed on request.
 import {byId, grouped, make} from './dom.js';
 import {ask, lastOf, now, shownWish} from './asking.js';
 
@@ -13,7 +13,7 @@ const advise = lastOf(async () => {
   const {isGood, answer} = await ask('advice', shownWish());
   if (as !== now.drawn.as) return;
   const rows = isGood ? answer.knobs.map(knob => make('li', {}, make('strong', {}, knob.option), ': ' + knobText(knob))) : [make('li', {}, answer.error)];
-  byId('advice').replaceChildren(...(rows.length ? rows : [make('li', {}, 'no tried change helps')]));
+  byId('advice').replaceChildren(...(rows.length ? rows : [make('li', {}, 'none of the tried changes helps')]));
 });
 
 const judge = lastOf(async () => {

@@ -29,8 +29,7 @@ const follow = async watched => {
   }
 };
 
-// Returns the answer of `work`, which is called with the name of its evaluation; `source` is the text that it
-// evaluates.
+// Calls `work` with the name of a new evaluation and returns its answer; `source` is the text that is evaluated.
 export const watched = async (source, work) => {
   const one = {name: own + '-' + ++count, source, begun: performance.now(), progress: {}};
   current = one;

@@ -60,7 +60,7 @@ export const goTo = number => {
   lookAtInstant();
 };
 
-// Goes to the first instruction that serves the primitive.
+// Goes to the first instruction that works for the primitive.
 export const goToPrimitive = primitive => {
   now.elsewhere = {primitive};
   lookAtInstant();

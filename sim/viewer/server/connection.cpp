@@ -17,8 +17,8 @@ using boost::system::error_code;
 
 constexpr std::string_view no_event = ":\n\n";
 
-Reply late_reply(std::chrono::milliseconds most) {
-  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(most);
+Reply late_reply(std::chrono::milliseconds time_limit) {
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(time_limit);
   return error_reply(408, "the request was not complete after " + std::to_string(seconds.count()) + " s");
 }
 
@@ -55,9 +55,9 @@ void Connection::close() {
   server_.connections.remove(shared_from_this());
 }
 
-void Connection::enter(Phase phase, std::chrono::milliseconds most) {
+void Connection::enter(Phase phase, std::chrono::milliseconds time_limit) {
   phase_ = phase;
-  timer_.expires_after(most);
+  timer_.expires_after(time_limit);
   wait();
 }
 
@@ -114,7 +114,7 @@ void Connection::answer() {
   const Request& request = reader_.request();
   if (request.method == "GET" && server_.serving.stays(request)) {
     server_.pages.open();
-    head_ = head_of_stream();
+    head_ = stream_head();
     phase_ = Phase::staying;
     discard_input();
     return stay();
@@ -131,7 +131,7 @@ void Connection::answer() {
 
 void Connection::write(Reply reply, bool keeps_alive) {
   enter(Phase::writing, server_.serving.times.reply);
-  head_ = head_of(reply, keeps_alive);
+  head_ = reply_head(reply, keeps_alive);
   body_ = std::move(reply.body);
   const std::array parts{boost::asio::buffer(head_), boost::asio::buffer(body_)};
   boost::asio::async_write(socket_, parts,

@@ -26,16 +26,16 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void close();
 
  private:
-  /// State of the connection, by what it waits for.
+  /// State of the connection.
   enum class Phase : std::uint8_t {
-    reading,    ///< a complete request
-    answering,  ///< a worker's reply
-    writing,    ///< the client, to take the reply
-    staying,    ///< the end of the page
-    leaving,    ///< the client, to close; its remaining bytes are discarded, so that it can read the refusal
+    reading,    ///< waits for a complete request
+    answering,  ///< waits for a worker's reply
+    writing,    ///< waits until the client has received the reply
+    staying,    ///< waits until the page is closed
+    leaving,    ///< waits until the client closes; discards its remaining bytes, so that it can read the refusal
   };
 
-  void enter(Phase phase, std::chrono::milliseconds most);
+  void enter(Phase phase, std::chrono::milliseconds time_limit);
   void wait();
   void out_of_time();
   void read();

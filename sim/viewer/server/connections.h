@@ -10,8 +10,9 @@ namespace csgsim::viewer {
 
 class Connection;
 
-/// The open connections. All come from this computer, so addresses do not distinguish clients. Connections that have
-/// shown the token are counted separately from strangers, so that strangers cannot block them.
+/// The open connections. All come from this computer, so addresses do not distinguish clients. A connection is a
+/// stranger until it has sent the token. Strangers have a separate limit, so that they cannot block admitted
+/// connections.
 class Connections {
  public:
   static constexpr std::size_t max_strangers = 32;

@@ -35,7 +35,7 @@ void add_policy(std::string& head, bool has_scripts) {
 
 }  // namespace
 
-std::string head_of(const Reply& reply, bool keeps_alive) {
+std::string reply_head(const Reply& reply, bool keeps_alive) {
   std::string head;
   add_status(head, reply.status);
   add_field(head, "Content-Type", reply.type);
@@ -46,7 +46,7 @@ std::string head_of(const Reply& reply, bool keeps_alive) {
   return head + "\r\n";
 }
 
-std::string head_of_stream() {
+std::string stream_head() {
   std::string head;
   add_status(head, 200);
   add_field(head, "Content-Type", "text/event-stream");

@@ -9,9 +9,9 @@
 namespace csgsim::viewer {
 
 /// Status line and header fields of a reply.
-std::string head_of(const Reply& reply, bool keeps_alive);
+std::string reply_head(const Reply& reply, bool keeps_alive);
 
 /// The same for an event stream, which ends with its connection.
-std::string head_of_stream();
+std::string stream_head();
 
 }  // namespace csgsim::viewer

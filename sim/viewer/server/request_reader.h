@@ -36,7 +36,7 @@ class RequestReader {
 
   RequestReader(const RequestLimits& limits, Gate gate) : limits_(limits), gate_(std::move(gate)) {}
 
-  /// Takes bytes in order of arrival. Must not be called in the states `whole` and `refused`.
+  /// Processes bytes in order of arrival. Must not be called in the states `whole` and `refused`.
   void put(std::string_view bytes);
 
   /// Starts the next request, whose first bytes may have arrived already. Only in the state `whole`.

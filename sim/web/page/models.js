@@ -16,7 +16,7 @@ const knobsOf = query => {
   return knobs;
 };
 
-// Returns {name, text, knobs}; the default is the first model that comes with the page.
+// Returns the selected model as {name, text, knobs}; the default is the first model that comes with the page.
 export const openedModel = async () => {
   const query = new URLSearchParams(location.search);
   const own = query.has('own') ? JSON.parse(sessionStorage.getItem(ownKey)) : null;

@@ -113,7 +113,7 @@ std::uint32_t adler32(std::string_view bytes) {
 
 }  // namespace
 
-std::string deflated(std::string_view bytes) {
+std::string compress_zlib(std::string_view bytes) {
   std::string made("\x78\x01");
   BitStream stream(made);
   stream.put({0b011, 3});  // final block, with fixed codes

@@ -7,8 +7,8 @@
 
 namespace csgsim::web {
 
-/// A fast zlib stream (RFC 1950 and 1951) with fixed codes, which only compresses runs of one byte. Replaces zlib on
-/// the web.
-std::string deflated(std::string_view bytes);
+/// Compresses to a zlib stream (RFC 1950 and 1951) with fixed codes, in which only runs of one byte are shortened.
+/// Replaces zlib on the web.
+std::string compress_zlib(std::string_view bytes);
 
 }  // namespace csgsim::web

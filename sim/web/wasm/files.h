@@ -6,7 +6,7 @@
 
 namespace csgsim::web {
 
-/// Makes read_file return this text for the name. All other files are refused.
+/// Stores a text that read_file returns for the name. read_file rejects all other names.
 void keep_file(std::string name, std::string text);
 
 }  // namespace csgsim::web

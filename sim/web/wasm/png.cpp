@@ -67,7 +67,7 @@ std::string encode(const std::filesystem::path& path, const Raster& raster) {
   header.append({8, colour_type, 0, 0, 0});
   std::string file("\x89PNG\r\n\x1A\n");
   put_chunk("IHDR", header, file);
-  put_chunk("IDAT", web::deflated(rows_of(raster, *bytes)), file);
+  put_chunk("IDAT", web::compress_zlib(rows_of(raster, *bytes)), file);
   put_chunk("IEND", {}, file);
   return file;
 }

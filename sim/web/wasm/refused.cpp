@@ -38,21 +38,21 @@ std::vector<Mesh> parse_3mf(std::string_view /*bytes*/, std::string_view name) {
 
 namespace session {
 
-std::string csg_of_scad(const std::string& file, std::chrono::seconds /*longest*/) {
+std::string evaluate_scad(const std::string& file, std::chrono::seconds /*time_limit*/) {
   throw InputError(
       file +
       ": this page does not include OpenSCAD; export the model as .csg there (File, Export), and open that file");
 }
 
-std::string csg_of_scad(const std::string& file, std::string_view /*text*/, std::chrono::seconds longest) {
-  return csg_of_scad(file, longest);
+std::string evaluate_scad(const std::string& file, std::string_view /*text*/, std::chrono::seconds time_limit) {
+  return evaluate_scad(file, time_limit);
 }
 
 }  // namespace session
 
 namespace viewer {
 
-std::string recorded(const isa::Program& /*program*/, std::span<const std::string> /*options*/) {
+std::string record_wave(const isa::Program& /*program*/, std::span<const std::string> /*options*/) {
   throw InputError("this page cannot record waveforms; use csgsim view on your machine for lanes and waveforms");
 }
 

@@ -9,6 +9,6 @@ std::string version() { return CSGSIM_VERSION; }
 
 std::string version_and_build() { return version() + " " + commit; }
 
-std::string date_of_sources() { return commit_date; }
+std::string source_date() { return commit_date; }
 
 }  // namespace csgsim::session

@@ -142,7 +142,7 @@ TEST_CASE("PixelReplay matches the reference though it skips disabled pixels") {
         if (at.x >= region.width || at.y >= region.height) continue;
         const auto same_as_reference = [&](const array::PixelReplay& pixels) {
           const bool enabled = pixels.pixels().probe(i, 0, pixels.tree()).enable;
-          if (enabled != reference.enabled(at.x, at.y)) return false;
+          if (enabled != reference.is_enabled(at.x, at.y)) return false;
           for (std::uint16_t bit = 0; bit < bits; ++bit) {
             if (pixels.pixels().memory_bit(bit, i, 0) != (reference.read({bit, 1}, at.x, at.y) != 0)) return false;
           }

@@ -17,7 +17,7 @@ void same_as_reference(const bench::DenseLoop& dense, const reference::Reference
   const isa::Region region = reference.region();
   for (std::uint32_t y = 0; y < region.height; ++y) {
     for (std::uint32_t x = 0; x < region.width; ++x) {
-      RC_ASSERT(dense.enabled(x, y) == reference.enabled(x, y));
+      RC_ASSERT(dense.enabled(x, y) == reference.is_enabled(x, y));
       for (std::uint16_t bit = 0; bit < memory_bits; ++bit)
         RC_ASSERT(dense.memory_bit(bit, x, y) == (reference.value({bit, 1}, x, y) != 0));
     }

@@ -40,7 +40,7 @@ void Columns::set(const reference::ReferenceArray& pixels) {
                         return pixels.read({static_cast<std::uint16_t>(bit), 1}, x, y) != 0;
                       }));
   }
-  subarray_.set_row(map_.enable(), words_of([&](std::uint32_t x, std::uint32_t y) { return pixels.enabled(x, y); }));
+  subarray_.set_row(map_.enable(), words_of([&](std::uint32_t x, std::uint32_t y) { return pixels.is_enabled(x, y); }));
   if (!design_.enable_latch) return;
   subarray_.execute({.op = bit_serial_memory::RowOp::latch, .from = bit_serial_memory::WordLines(map_.enable())}, {});
 }

@@ -36,7 +36,7 @@ reference::ReferenceArray random_pixels(const isa::ArrayShape& array) {
 void require_equal(const Columns& columns, const reference::ReferenceArray& pixels, const isa::ArrayShape& array) {
   for (std::uint32_t y = 0; y < array.height; ++y) {
     for (std::uint32_t x = 0; x < array.width; ++x) {
-      RC_ASSERT(columns.enabled(x, y) == pixels.enabled(x, y));
+      RC_ASSERT(columns.enabled(x, y) == pixels.is_enabled(x, y));
       for (std::uint32_t bit = 0; bit < array.memory_bits; ++bit)
         RC_ASSERT(columns.memory_bit(bit, x, y) == (pixels.read({static_cast<std::uint16_t>(bit), 1}, x, y) != 0));
     }

@@ -121,7 +121,7 @@ void check_replay(const std::string& name) {
   for (const isa::Instruction& instruction : program.segments.front().instructions) judge.execute(instruction);
   for (std::uint32_t y = 0; y < 6; ++y) {
     for (std::uint32_t x = 0; x < 7; ++x) {
-      RC_ASSERT(replay.enabled(y * 7 + x) == judge.enabled(x, y));
+      RC_ASSERT(replay.enabled(y * 7 + x) == judge.is_enabled(x, y));
       for (unsigned bit = 0; bit < 32; ++bit)
         RC_ASSERT(replay.memory(bit, y * 7 + x) == (judge.read({static_cast<std::uint16_t>(bit), 1}, x, y) != 0));
     }

@@ -80,7 +80,7 @@ Outcome interrupted(std::span<const std::unique_ptr<engine::Engine>> engines, co
     RC_ASSERT(current->run->save() == taken.run);
   }
   current->advance(engine::Run::end);
-  RC_ASSERT(current->run->finished());
+  RC_ASSERT(current->run->is_finished());
   return {current->run->result(), current->frame.frame(), current->stats.stats()};
 }
 
@@ -196,18 +196,18 @@ TEST_CASE("a run stops before the requested instruction and keeps a segment's pi
     run->advance(2, {});
     CHECK(run->place() == engine::Place{0, 2});
     CHECK(run->value({0, 8}, 9, 3) == 15);
-    CHECK(run->enabled(9, 3));
+    CHECK(run->is_enabled(9, 3));
     run->advance(6, {});
     CHECK(run->place() == engine::Place{0, 6});
-    CHECK_FALSE(run->enabled(5, 0));
-    CHECK(run->enabled(6, 0));
+    CHECK_FALSE(run->is_enabled(5, 0));
+    CHECK(run->is_enabled(6, 0));
     CHECK(run->value({8, 6}, 6, 0) == 33);
     run->advance(7, {});
     CHECK(run->place() == engine::Place{1, 1});
     CHECK(run->value({8, 6}, 6, 0) == 0);
-    CHECK_FALSE(run->finished());
+    CHECK_FALSE(run->is_finished());
     run->advance(12, {});
-    CHECK(run->finished());
+    CHECK(run->is_finished());
     CHECK(run->result().answers == std::vector<bool>{true, true});
   }
 }
@@ -287,7 +287,7 @@ TEST_CASE("a checkpoint with a state that no run of the Program reaches is rejec
   CHECK(refused([](checkpoint::Snapshot& one) { one.run.place.index = 7; }));
   CHECK(refused([](checkpoint::Snapshot& one) { one.run.place.index = 4; }));
   CHECK(refused([](checkpoint::Snapshot& one) { one.run.place.segment = 1; }));
-  CHECK(refused([](checkpoint::Snapshot& one) { one.run.end_reported = true; }));
+  CHECK(refused([](checkpoint::Snapshot& one) { one.run.is_end_reported = true; }));
   CHECK(refused([](checkpoint::Snapshot& one) { one.run.answers.push_back(true); }));
   CHECK(refused([](checkpoint::Snapshot& one) { one.run.skipped = 1; }));
   CHECK(refused([](checkpoint::Snapshot& one) { one.run.skips.push_back({0, 0}); }));
@@ -306,7 +306,7 @@ TEST_CASE("a run of a Program without segments ends at once and can be checkpoin
   nothing.shape = {1, 1, 1};
   const machines::Machine machine = planes(nothing.shape);
   const auto run = engine::make_functional_engine(machine)->begin(nothing);
-  CHECK(run->finished());
+  CHECK(run->is_finished());
   const checkpoint::Snapshot snapshot = snapshot_at(0, nothing, machine);
   CHECK(checkpoint::decode(checkpoint::encode(snapshot), "c", nothing, machine) == snapshot);
 }

@@ -154,8 +154,7 @@ TEST_CASE("errors in debugger commands show the column and suggest the nearest n
       {"break",
        "test:1:6: expected a place to stop: i123, clock N, primitive P, or a condition such as Z2[100,20] < 5000"},
       {"step 3 4", "test:1:8: unexpected text; end the line here or start a comment with #"},
-      {"print [20+:5][0,0]",
-       "test:1:7: no such field; a pixel has 24 bits of memory, and a field takes 1 to 32 of them"},
+      {"print [20+:5][0,0]", "test:1:7: no such field; a pixel has 24 bits of memory, and a field has 1 to 32 bits"},
   }};
   for (const auto& [line, error] : lines) CHECK(debug.error(line) == error);
   CHECK(debug("   # a comment") == "");
@@ -167,7 +166,7 @@ TEST_CASE("the command back restores the state before the last executed instruct
   CHECK(rc::check([&] {
     Debugger debug(*test::arbitrary_program(shape, 60, 2));
     std::vector<engine::RunState> states;
-    while (!debug.session.run().finished()) {
+    while (!debug.session.run().is_finished()) {
       states.push_back(debug.session.run().save());
       debug("step");
     }
@@ -198,7 +197,7 @@ TEST_CASE("instructions change only the bits that can_change() reports") {
     const isa::Program program = *test::arbitrary_program(shape, 40, 2);
     const auto run = engine::make_reference_engine(machine)->begin(program);
     const engine::Numbers numbers(program);
-    while (!run->finished()) {
+    while (!run->is_finished()) {
       const engine::RunState before = run->save();
       const bool has_next = before.place.index < program.segments[before.place.segment].instructions.size();
       run->advance(numbers.of(before.place) + 1, {});
@@ -216,29 +215,29 @@ TEST_CASE("the command until finds the same instructions as a check after every 
   const isa::ArrayShape shape{4, 2, 16};
   CHECK(rc::check([&] {
     Debugger debug(*test::arbitrary_program(shape, 60, 2));
-    const debug::Watched what{
+    const debug::Watched watched{
         {0, static_cast<std::uint16_t>(*rc::gen::inRange(0, 3))}, *rc::gen::inRange(0U, 4U), *rc::gen::inRange(0U, 2U)};
-    const debug::Condition condition{what, debug::Relation::changes, 0};
+    const debug::Condition condition{watched, debug::Relation::changes, 0};
     const auto run = engine::make_reference_engine(debug.machine)->begin(debug.program);
     const engine::Numbers numbers(debug.program);
     std::vector<std::uint64_t> expected;
     std::uint32_t value = 0;
     std::uint32_t segment = 0;
-    while (!run->finished()) {
+    while (!run->is_finished()) {
       run->advance(numbers.of(run->place()) + 1, {});
-      if (!run->region().holds(what.x, what.y)) continue;
+      if (!run->region().holds(watched.x, watched.y)) continue;
       const std::uint32_t before = run->place().segment == segment ? value : 0;
       segment = run->place().segment;
-      value = debug::value_of(what, *run);
+      value = debug::read_value(watched, *run);
       if (value != before) expected.push_back(numbers.of(run->place()));
     }
     std::vector<std::uint64_t> found;
     for (;;) {
       const std::string message = debug.session.execute(debug::Until{condition});
       if (message.find("was not reached") != std::string::npos) break;
-      if (!debug.session.run().finished() || found.empty() || found.back() != debug.session.number())
+      if (!debug.session.run().is_finished() || found.empty() || found.back() != debug.session.number())
         found.push_back(debug.session.number());
-      if (debug.session.run().finished()) break;
+      if (debug.session.run().is_finished()) break;
     }
     RC_ASSERT(found == expected);
   }));
@@ -265,7 +264,7 @@ TEST_CASE("the debugger's picture of a field is scaled from minimum to maximum")
   const auto take = [&](const std::string& name) {
     const auto command =
         std::get<debug::TakePicture>(debug::parse_command("picture " + name + " f", "", 1, debug.program));
-    return debug::picture_of(command.field, debug.session.run(), debug.program);
+    return debug::draw_field(command.field, debug.session.run(), debug.program);
   };
   const debug::FieldPicture depth = take("Z2");  // 20 to 25, then 40 in columns 6 and 7
   CHECK(depth.scale == "black is 20, white 40 or nothing");

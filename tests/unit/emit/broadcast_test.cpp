@@ -66,7 +66,7 @@ std::vector<std::uint32_t> state_of(const reference::ReferenceArray& array) {
   std::vector<std::uint32_t> state;
   for (std::uint32_t y = 0; y < shape.height; ++y) {
     for (std::uint32_t x = 0; x < shape.width; ++x) {
-      state.push_back(array.enabled(x, y) ? 1 : 0);
+      state.push_back(array.is_enabled(x, y) ? 1 : 0);
       state.push_back(array.read({0, 4}, x, y));
     }
   }

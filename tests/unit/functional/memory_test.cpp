@@ -133,16 +133,16 @@ TEST_CASE("a tile's memory holds the written values in any sequence of represent
 
 TEST_CASE("a field switches between planes and lanes as it is used") {
   Memory memory({64, 3}, memory_bits);
-  CHECK(memory.in_planes({0, 20}));
+  CHECK(memory.is_in_planes({0, 20}));
   memory.lanes({4, 8});
-  CHECK_FALSE(memory.in_planes({0, 20}));
-  CHECK(memory.in_planes({0, 4}));
-  CHECK(memory.in_planes({12, 8}));
+  CHECK_FALSE(memory.is_in_planes({0, 20}));
+  CHECK(memory.is_in_planes({0, 4}));
+  CHECK(memory.is_in_planes({12, 8}));
   TileBits copy;
   memory.read(5, ~std::uint64_t{0}, copy);
-  CHECK_FALSE(memory.in_planes({4, 8}));
+  CHECK_FALSE(memory.is_in_planes({4, 8}));
   memory.plane(5);
-  CHECK(memory.in_planes({0, 20}));
+  CHECK(memory.is_in_planes({0, 20}));
 }
 
 TEST_CASE("the least recently used lanes of a tile's memory are evicted") {

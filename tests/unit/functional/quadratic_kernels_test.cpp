@@ -152,7 +152,7 @@ TEST_CASE("bounds of a quadratic contain all values and are tight without a prod
     const std::uint32_t x = between(0U, 200 - width);
     const std::uint32_t y = between(0U, 100 - height);
     const functional::QuadraticSum from_there = functional::QuadraticSum(sum.squares, sum.linear).from(x, y);
-    RC_PRE(from_there.may_bound());
+    RC_PRE(from_there.can_bound());
     const auto range = from_there.range(width, height);
     test::Wide least = sum.sum(x, y);
     test::Wide greatest = least;

@@ -79,7 +79,7 @@ TEST_CASE("squares add only to the sum of the next instruction") {
       for (std::uint32_t x = 0; x < 9; ++x) {
         const std::int64_t f = sum.f(x, y);
         RC_ASSERT(wide_value(array, field, x, y) == below_bits(f, field.width));
-        RC_ASSERT(array.enabled(x, y) == (f >= 0 && f >> field.width == 0));
+        RC_ASSERT(array.is_enabled(x, y) == (f >= 0 && f >> field.width == 0));
         if (!sum.fits(x, y)) ++overflows;
       }
     }
@@ -113,7 +113,7 @@ TEST_CASE("F is added to or subtracted from a field modulo 2^width and E is unch
           const auto t = static_cast<std::int64_t>(before(x, y));
           const std::int64_t result = opcode == Opcode::linear_plus ? sum.f(x, y) + t : sum.f(x, y) - t;
           RC_ASSERT(wide_value(array, field, x, y) == (enabled ? below_bits(result, width) : before(x, y)));
-          RC_ASSERT(array.enabled(x, y) == enabled);
+          RC_ASSERT(array.is_enabled(x, y) == enabled);
         }
       }
     }

@@ -44,7 +44,7 @@ Values values(const ReferenceArray& array, Field field) {
 Bits enabled(const ReferenceArray& array) {
   Bits bits;
   for (std::uint32_t y = 0; y < array.region().height; ++y)
-    for (std::uint32_t x = 0; x < array.region().width; ++x) bits.push_back(array.enabled(x, y) ? 1 : 0);
+    for (std::uint32_t x = 0; x < array.region().width; ++x) bits.push_back(array.is_enabled(x, y) ? 1 : 0);
   return bits;
 }
 
@@ -387,7 +387,7 @@ TEST_CASE("stripes are one bit of A x + B y + C in wide arithmetic") {
     for (std::uint32_t y = 0; y < 5; ++y) {
       for (std::uint32_t x = 0; x < 7; ++x) {
         const std::int64_t sum = linear.a * x + linear.b * y + linear.c;  // below 2^62
-        RC_ASSERT(array.enabled(x, y) == ((sum >> (linear.width - 1U) & 1) == 1));
+        RC_ASSERT(array.is_enabled(x, y) == ((sum >> (linear.width - 1U) & 1) == 1));
       }
     }
     RC_ASSERT(array.overflows() == 0U);

@@ -208,7 +208,7 @@ TEST_CASE("the possible steps of a plane include the drawn one and are at most t
   for (std::uint32_t i = 0; i < trial.truth.owner.size(); ++i) {
     if (trial.truth.owner[i] == judges::nothing || trial.frame.owner[i] != trial.truth.owner[i]) continue;
     ++seen;
-    const judges::Steps steps = trial.explainer.steps(trial.truth.plane[i], judges::place_of(i % 64, i / 64, 64, 48));
+    const judges::Steps steps = trial.explainer.steps(trial.truth.plane[i], judges::make_place(i % 64, i / 64, 64, 48));
     CHECK(steps.low <= trial.frame.depth[i]);
     CHECK(steps.high >= trial.frame.depth[i]);
     CHECK(steps.high - steps.low <= 1);

@@ -99,7 +99,7 @@ TEST_CASE("exactly one of two solids on both sides of an undecided edge is prese
 
 TEST_CASE("a doubtful primitive may be shown or missing but hides nothing") {
   Candidate doubtful = between(0, 0, {10, 10}, {20, 20});
-  doubtful.doubtful = true;
+  doubtful.is_doubtful = true;
   const Ray ray{{doubtful, between(1, 2, {15, 15}, {30, 30})}, {}};
   const model::Tree tree = pair(model::Operator::unite);
   CHECK(can_show(tree, ray, 0, 10));

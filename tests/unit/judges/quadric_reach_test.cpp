@@ -35,10 +35,10 @@ TEST_CASE("the minimum and maximum of a quadratic over a rectangle are tight") {
       }
     }
     // The grid misses an extremum by at most half a cell.
-    RC_ASSERT(judges::greatest(of, over) >= most - 1e-9);
-    RC_ASSERT(judges::greatest(of, over) <= most + 0.05);
-    RC_ASSERT(judges::least(of, over) <= fewest + 1e-9);
-    RC_ASSERT(judges::least(of, over) >= fewest - 0.05);
+    RC_ASSERT(judges::maximum(of, over) >= most - 1e-9);
+    RC_ASSERT(judges::maximum(of, over) <= most + 0.05);
+    RC_ASSERT(judges::minimum(of, over) <= fewest + 1e-9);
+    RC_ASSERT(judges::minimum(of, over) >= fewest - 0.05);
   }));
 }
 

@@ -117,7 +117,7 @@ TEST_CASE("incremental updates of a tree give the value of a full evaluation") {
     for (const std::uint32_t primitive : toggles) {
       held[primitive] = *rc::gen::arbitrary<bool>();
       on_ray.set(primitive, held[primitive]);
-      RC_ASSERT(on_ray.in_model() == value(tree, tree.root, held));
+      RC_ASSERT(on_ray.is_in_model() == value(tree, tree.root, held));
     }
   }));
 }
@@ -130,8 +130,8 @@ TEST_CASE("a surface is visible where its side is present and no operator remove
     const auto held = *rc::gen::container<std::vector<bool>>(tree.primitives.size(), rc::gen::arbitrary<bool>());
     for (std::uint32_t i = 0; i < held.size(); ++i) on_ray.set(i, held[i]);
     for (std::uint32_t i = 0; i < held.size(); ++i) {
-      RC_ASSERT(on_ray.subtracted(i) == rules.taken_away(i));
-      RC_ASSERT(on_ray.shows(i) == (held[i] != rules.taken_away(i) && rules.shows(i, held)));
+      RC_ASSERT(on_ray.is_subtracted(i) == rules.taken_away(i));
+      RC_ASSERT(on_ray.is_exposed(i) == (held[i] != rules.taken_away(i) && rules.shows(i, held)));
     }
   }));
 }
@@ -147,9 +147,9 @@ TEST_CASE("a ray sees the nearest surface and the first primitive in tree order"
       const std::optional<Shown> expected = nearest_shown(tree, intervals);
       RC_ASSERT((seen != nullptr) == expected.has_value());
       if (seen != nullptr) RC_ASSERT((Shown{seen->depth, seen->primitive} == *expected));
-      RC_ASSERT_FALSE(on_ray.in_model());
+      RC_ASSERT_FALSE(on_ray.is_in_model());
     }
   }));
 }
 
-TEST_CASE("an empty tree is outside everywhere") { CHECK_FALSE(judges::TreeOnRay(model::Tree{}).in_model()); }
+TEST_CASE("an empty tree is outside everywhere") { CHECK_FALSE(judges::TreeOnRay(model::Tree{}).is_in_model()); }

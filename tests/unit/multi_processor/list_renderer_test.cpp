@@ -53,7 +53,7 @@ void check_pixels(const multi_processor::PixelMemory& memory, const NodePixels& 
   for (std::size_t pixel = 0; pixel < own.count(); ++pixel) {
     const auto x = own.first_x + static_cast<std::uint32_t>(pixel % own.columns) * nodes.width;
     const auto y = own.first_y + static_cast<std::uint32_t>(pixel / own.columns) * nodes.height;
-    RC_ASSERT(memory.enabled(pixel) == reference.enabled(x, y));
+    RC_ASSERT(memory.enabled(pixel) == reference.is_enabled(x, y));
     for (std::uint32_t base = 0; base < nodes.memory_bits; base += slice_bits) {
       const isa::Field slice{static_cast<std::uint16_t>(base),
                              static_cast<std::uint16_t>(std::min(slice_bits, nodes.memory_bits - base))};

@@ -90,7 +90,7 @@ TEST_CASE("gnuplot prints nothing for any plot and draws the same bytes twice") 
   for (const plots::Plot& plot : samples::sample_plots()) {
     CAPTURE(plot.name);
     const plots::Drawing drawing = plots::lay_out(plot);
-    const plots::Drawn drawn = plots::draw_png(png, drawing);
+    const plots::PngResult drawn = plots::draw_png(png, drawing);
     CHECK(drawn.messages == "");
     CHECK(drawn.picture == plots::draw_png(png, drawing).picture);
   }
@@ -190,9 +190,9 @@ TEST_CASE("a gnuplot that fails silently or stops early or is killed is reported
 
 TEST_CASE("a character without a font is a question mark in a PNG and itself in an SVG") {
   constexpr const char* unassigned = "\u0378";
-  CHECK(plots::with_glyphs(std::string("a") + unassigned + "b\u0416\u2026\u00b7\u207b") ==
+  CHECK(plots::replace_missing_glyphs(std::string("a") + unassigned + "b\u0416\u2026\u00b7\u207b") ==
         "a?b\u0416\u2026\u00b7\u207b");
-  CHECK(plots::with_glyphs("10 < 20 \\ \n") == "10 < 20 \\ \\n");
+  CHECK(plots::replace_missing_glyphs("10 < 20 \\ \n") == "10 < 20 \\ \\n");
   const plots::Drawing drawing = of_text({std::string("x") + unassigned, {300, 300}});
   CHECK(plots::draw_png(png, drawing).picture == plots::draw_png(png, of_text({"x?", {300, 300}})).picture);
   CHECK(plots::svg_file(drawing).find(std::string("x") + unassigned) != std::string::npos);

@@ -219,7 +219,7 @@ TEST_CASE("shortened names still differ and fit the maximum width") {
   const std::string middle(80, 'x');
   const std::vector<std::string> names{"begin" + middle + "1" + middle + "end", "begin" + middle + "2" + middle + "end",
                                        "short", "begin" + middle + "1" + middle + "end"};
-  const std::vector<std::string> shown = plots::shortened(names, 120);
+  const std::vector<std::string> shown = plots::shorten(names, 120);
   CHECK(shown[0] != shown[1]);
   CHECK(shown[0] == shown[3]);
   CHECK(shown[2] == "short");

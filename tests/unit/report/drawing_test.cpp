@@ -61,14 +61,15 @@ TEST_CASE("each step of a drawing has the reference engine's memory and enable b
     std::uint64_t enabled = 0;
     for (std::uint32_t y = 0; y < drawing.height; ++y) {
       for (std::uint32_t x = 0; x < drawing.width; ++x) {
-        const std::uint32_t expected = shown(run->value(colour, x, y), program) << 1U | (run->enabled(x, y) ? 1U : 0U);
-        enabled += run->enabled(x, y) ? 1U : 0U;
+        const std::uint32_t expected =
+            shown(run->value(colour, x, y), program) << 1U | (run->is_enabled(x, y) ? 1U : 0U);
+        enabled += run->is_enabled(x, y) ? 1U : 0U;
         REQUIRE(states[i][std::size_t{y} * drawing.width + x] == expected);
       }
     }
     CHECK(drawing.steps[i].enabled == enabled);
   }
-  CHECK(run->finished());
+  CHECK(run->is_finished());
   CHECK(drawing.summary.find("after each of the") != std::string::npos);
 }
 

@@ -22,7 +22,7 @@ std::uint32_t value_of(const std::vector<rtl::Parameter>& parameters, std::strin
 }
 
 std::string refusal(const std::string& machine) {
-  return testing::error_of([&] { rtl::parameters_of(kinds::load(machine)); });
+  return testing::error_of([&] { rtl::verilog_parameters(kinds::load(machine)); });
 }
 
 std::vector<std::string> split_lines(const std::string& text) {
@@ -43,7 +43,7 @@ isa::LinkWord parse_word(const std::string& digits) {
 }  // namespace
 
 TEST_CASE("figures of a machine file become parameters of the Verilog") {
-  const auto parameters = rtl::parameters_of(
+  const auto parameters = rtl::verilog_parameters(
       kinds::load("pixel-planes-4", {"array.width=12", "array.memory_bits=90", "alu.bits=3", "scan_out.port=own",
                                      "scan_out.buffers=2", "global_or.fan_in=ideal", "memory.clear_clocks=ideal"}));
   CHECK(value_of(parameters, "WIDTH") == 12);
@@ -55,13 +55,13 @@ TEST_CASE("figures of a machine file become parameters of the Verilog") {
   CHECK(value_of(parameters, "FAN_IN") == 0);
   CHECK(value_of(parameters, "CLEAR_CLOCKS") == 1);
   CHECK(value_of(parameters, "ROOTS") == 0);
-  CHECK(value_of(rtl::parameters_of(kinds::load("pixel-powers")), "DEGREE") == 2);
+  CHECK(value_of(rtl::verilog_parameters(kinds::load("pixel-powers")), "DEGREE") == 2);
 }
 
 TEST_CASE("figures that the Verilog lacks are rejected with a suggested fix") {
   CHECK(refusal("pixel-planes-4") == "");
   CHECK(refusal("scan-line") ==
-        "scan-line is of the kind scan-line, which has no Verilog; take a machine of the kind frame-buffer, "
+        "scan-line is of the kind scan-line, which has no Verilog; use a machine of the kind frame-buffer, "
         "such as pixel-planes-4");
   CHECK(refusal("pixel-planes-4+alu.bits=2+evaluator.bits=2")
             .ends_with("evaluator.bits is 2, but the Verilog supports only 1; add --set evaluator.bits=1"));
@@ -99,21 +99,21 @@ TEST_CASE("a Program's memory files hold its commands and the start of each inst
 
 TEST_CASE("a template's names are replaced and text that only resembles one is kept") {
   const std::vector<rtl::Filling> fillings{{"WIDTH", "8"}, {"NOTHING", ""}};
-  CHECK(rtl::filled("always @(posedge clk) w <= @WIDTH@;@NOTHING@ always @* @", fillings) ==
+  CHECK(rtl::fill_template("always @(posedge clk) w <= @WIDTH@;@NOTHING@ always @* @", fillings) ==
         "always @(posedge clk) w <= 8; always @* @");
-  CHECK_THROWS_AS(rtl::filled("@HEIGHT@", fillings), std::logic_error);
+  CHECK_THROWS_AS(rtl::fill_template("@HEIGHT@", fillings), std::logic_error);
 }
 
 TEST_CASE("a board shows the upper bits of each channel and zeros below a narrow one") {
   std::vector<rtl::Filling> fillings;
   rtl::add_board(fillings, {.colour_bits = 24, .scan_pixels = 2, .has_line = false});
   rtl::add_board(fillings, {.colour_bits = 8, .scan_pixels = 1, .has_line = true});
-  CHECK(rtl::filled("@BOARD_VIDEO@", std::vector(fillings.begin(), fillings.end())) ==
+  CHECK(rtl::fill_template("@BOARD_VIDEO@", std::vector(fillings.begin(), fillings.end())) ==
         "  assign video[11:0] = {colours[23:20], colours[15:12], colours[7:4]};\n"
         "  assign video[23:12] = {colours[47:44], colours[39:36], colours[31:28]};\n");
   fillings.clear();
   rtl::add_board(fillings, {.colour_bits = 8, .scan_pixels = 1, .has_line = true});
-  CHECK(rtl::filled("@BOARD_VIDEO@", fillings) ==
+  CHECK(rtl::fill_template("@BOARD_VIDEO@", fillings) ==
         "  assign video[8:0] = {colours[7:5], colours[4:2], colours[1:0], 1'd0};\n");
 }
 

@@ -196,7 +196,7 @@ TEST_CASE("pixels have the root flag if any instruction of a segment takes a roo
     program.segments.clear();
     for (const std::vector<isa::Instruction>& instructions : segments)
       program.segments.push_back({.region = {0, 0, 8, 8}, .instructions = instructions});
-    for (const rtl::Parameter& parameter : rtl::parameters_of(small_machine(), &program))
+    for (const rtl::Parameter& parameter : rtl::verilog_parameters(small_machine(), &program))
       if (parameter.name == "ROOTS") return parameter.value;
     return ~0U;
   };
@@ -209,7 +209,7 @@ TEST_CASE("pixels have the root flag if any instruction of a segment takes a roo
 
 TEST_CASE("a template name is between two marks and has capitals and underscores") {
   const std::vector<rtl::Filling> fillings{{"A", "1"}, {"A_B", "two"}, {"NOTHING", ""}};
-  const auto filled = [&](std::string_view text) { return rtl::filled(text, fillings); };
+  const auto filled = [&](std::string_view text) { return rtl::fill_template(text, fillings); };
   CHECK(filled("") == "");
   CHECK(filled("@A@") == "1");
   CHECK(filled("@A@@A_B@@NOTHING@x") == "1twox");
@@ -227,8 +227,9 @@ TEST_CASE("a template name is between two marks and has capitals and underscores
 TEST_CASE("a board without settings for its line has none and shows no pixel") {
   std::vector<rtl::Filling> fillings;
   rtl::add_board(fillings, {.colour_bits = 24});
-  CHECK(rtl::filled("@CHANNEL_BITS@|@BOARD_VIDEO@|@BOARD_PORTS@|@BOARD_CONNECTIONS@|@BOARD_LINE_HX@|@BOARD_LINE_UP@",
-                    fillings) ==
-        "4||"
-        "|.request(), .request_from(), ||");
+  CHECK(
+      rtl::fill_template(
+          "@CHANNEL_BITS@|@BOARD_VIDEO@|@BOARD_PORTS@|@BOARD_CONNECTIONS@|@BOARD_LINE_HX@|@BOARD_LINE_UP@", fillings) ==
+      "4||"
+      "|.request(), .request_from(), ||");
 }

@@ -18,7 +18,7 @@ using Values = std::map<std::string, std::uint32_t>;
 
 Values values_of(const machines::Machine& machine, const isa::Program* program = nullptr) {
   Values values;
-  for (const rtl::Parameter& parameter : rtl::parameters_of(machine, program))
+  for (const rtl::Parameter& parameter : rtl::verilog_parameters(machine, program))
     values[std::string(parameter.name)] = parameter.value;
   return values;
 }
@@ -44,7 +44,7 @@ isa::Program showing(unsigned colour_bits, const std::vector<isa::Opcode>& opcod
 std::string video_of(unsigned colour_bits, unsigned scan_pixels) {
   std::vector<rtl::Filling> fillings;
   rtl::add_board(fillings, {.colour_bits = colour_bits, .scan_pixels = scan_pixels, .has_line = false});
-  return rtl::filled("@CHANNEL_BITS@:\n@BOARD_VIDEO@", fillings);
+  return rtl::fill_template("@CHANNEL_BITS@:\n@BOARD_VIDEO@", fillings);
 }
 
 const std::string& text_of(const std::vector<rtl::DesignFile>& files, std::string_view path) {
@@ -145,7 +145,7 @@ TEST_CASE("the Verilog's COLOUR_BITS is the Program's width or 24 with a serial 
 
 TEST_CASE("trees of several bits or fewer registers are rejected by the figure's name") {
   const auto refusal = [](const std::string& changes) {
-    return testing::error_of([&] { rtl::parameters_of(kinds::load("pixel-planes-4" + changes)); });
+    return testing::error_of([&] { rtl::verilog_parameters(kinds::load("pixel-planes-4" + changes)); });
   };
   CHECK(refusal("+alu.bits=3+evaluator.bits=3")
             .ends_with("evaluator.bits is 3, but the Verilog supports only 1; add --set evaluator.bits=1"));

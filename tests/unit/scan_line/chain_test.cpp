@@ -55,7 +55,7 @@ Packet mark() {
 
 void require_same(const scan_line::Snapshot& actual, const reference::ReferenceArray& expected, isa::ArrayShape shape) {
   for (std::uint32_t x = 0; x < shape.width; ++x) {
-    RC_ASSERT((actual.enable[x / 64] >> x % 64 & 1U) == (expected.enabled(x, 0) ? 1U : 0U));
+    RC_ASSERT((actual.enable[x / 64] >> x % 64 & 1U) == (expected.is_enabled(x, 0) ? 1U : 0U));
     for (std::uint32_t bit = 0; bit < shape.memory_bits; ++bit) {
       const Field field{static_cast<std::uint16_t>(bit), 1};
       RC_ASSERT(actual.read(x, field) == expected.read(field, x, 0));

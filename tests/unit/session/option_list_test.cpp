@@ -93,7 +93,7 @@ TEST_CASE("each type of option rejects invalid values with a specific message") 
            {{"--pixel", "1,1", "--colour", "red"}, "--colour excludes --pixel"},
            {{"--count"}, "--count: needs a value"},
            {{"--colr", "red"}, "there is no option --colr; did you mean --colour? see csgsim asked --help"},
-           {{"b.csg"}, "The following argument was not expected: b.csg; see csgsim asked --help"},
+           {{"b.csg"}, "unexpected argument b.csg; see csgsim asked --help"},
        }) {
     Texts words = row.words;
     words.insert(words.begin(), "a.csg");

@@ -151,10 +151,9 @@ TEST_CASE("--max-wrong-pixels chooses the cheapest bits with at most that many w
   CHECK(usual.options.model.fraction_bits == 12);
   // Nothing fits 20 bits of memory.
   Parsed<RenderRequest> small(house_words({"--max-wrong-pixels", "5", "--memory-bits", "20"}));
-  CHECK(
-      testing::error_of([&] { static_cast<void>(session::compile(small.options, studies::choose_bits)); }) ==
-      "every choice of --z-bits and --fraction-bits that fits the machine has more than 5 wrong pixels; allow more, or "
-      "see csgsim accuracy");
+  CHECK(testing::error_of([&] { static_cast<void>(session::compile(small.options, studies::choose_bits)); }) ==
+        "every choice of --z-bits and --fraction-bits that fits the machine has more than 5 wrong pixels; allow more "
+        "wrong pixels, or use csgsim accuracy to find their causes");
   Parsed<RenderRequest> glass({"glass.csg", "--size", "24x20", "--camera", "0,-50,0,0,0,0", "--max-wrong-pixels", "5"});
   CHECK(testing::error_of([&] {
           static_cast<void>(session::compile(glass.options, studies::choose_bits,

@@ -102,7 +102,7 @@ const isa::Instruction& instruction(const isa::Program& program, std::uint64_t n
 std::int64_t stored_depth(const isa::Program& program, const story::Story& story, isa::Field field) {
   std::int64_t depth = -1;
   for (const story::Event& event : story.events) {
-    if (event.what != story::What::stored) continue;
+    if (event.kind != story::EventKind::stored) continue;
     for (const story::Change& change : event.changes)
       if (change.field == field) depth = static_cast<std::int64_t>(change.after);
   }

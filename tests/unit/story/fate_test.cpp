@@ -15,8 +15,8 @@
 #include "tests/support/drawing.h"
 
 using namespace csgsim;
+using story::EventKind;
 using story::Fate;
-using story::What;
 
 namespace {
 
@@ -137,7 +137,7 @@ unsigned check_comparisons(const isa::Program& program, const story::Story& stor
     const std::optional<std::int64_t> z = rules.surface(attempt.primitive);
     for (std::size_t i = attempt.first_event; i <= attempt.last_event; ++i) {
       const story::Event& event = story.events[i];
-      if (event.what != What::comparison) continue;
+      if (event.kind != EventKind::comparison) continue;
       REQUIRE(z.has_value());
       CHECK(event.cut.has_value() == !rules.intervals[event.origin.node].holds(*z));
     }

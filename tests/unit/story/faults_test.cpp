@@ -14,8 +14,8 @@
 
 using namespace csgsim;
 using isa::Opcode;
+using story::EventKind;
 using story::Fate;
-using story::What;
 
 namespace {
 

@@ -51,7 +51,7 @@ class PixelObserver final : public engine::Observer {
     const std::uint32_t y = y_ - region.y;
     Left one{step.segment, step.index, (enable[y * words + x / 64U] >> x % 64U & 1U) != 0, 0};
     if (isa::operands_of(step.instruction.opcode)[0] == isa::OperandKind::target) {
-      const isa::Field target = story::named_around(program_, step.instruction.fields[0]);
+      const isa::Field target = story::enclosing_named_field(program_, step.instruction.fields[0]);
       std::vector<std::uint32_t> values(std::size_t{region.width} * region.height);
       for (unsigned at = 0; at < target.width; at += isa::max_field_width) {
         const unsigned width = std::min<unsigned>(target.width - at, isa::max_field_width);
@@ -81,7 +81,7 @@ TEST_CASE("a run of one pixel equals that of the whole array for random Programs
     PixelObserver observer(program, x, y);
     const std::array<engine::Observer*, 1> observers{&observer};
     engine::make_reference_engine(machine)->run(program, observers);
-    const story::PixelRun run = story::run_pixel(program, story::record_of(program, machine).skips, x, y);
+    const story::PixelRun run = story::run_pixel(program, story::make_run_record(program, machine).skips, x, y);
     RC_ASSERT(run.steps.size() == observer.left.size());
     for (std::size_t i = 0; i < run.steps.size(); ++i) {
       RC_ASSERT(run.steps[i].segment == observer.left[i].segment);

@@ -24,8 +24,8 @@
 #include "tests/unit/effects/effect_picture.h"
 
 using namespace csgsim;
+using story::EventKind;
 using story::Fate;
-using story::What;
 using testing::box_text;
 
 namespace {
@@ -71,9 +71,9 @@ const story::Attempt& find_attempt(const story::Story& story, std::uint32_t prim
 }
 
 /// Returns the first event of this kind in the attempt.
-const story::Event& find_event(const story::Story& story, const story::Attempt& attempt, What what) {
+const story::Event& find_event(const story::Story& story, const story::Attempt& attempt, EventKind kind) {
   for (std::size_t i = attempt.first_event; i <= attempt.last_event; ++i)
-    if (story.events[i].what == what) return story.events[i];
+    if (story.events[i].kind == kind) return story.events[i];
   FAIL("the attempt has no such event");
   return story.events.front();
 }
@@ -115,12 +115,12 @@ TEST_CASE("a nearer box drawn later is merged over the farther one") {
   const story::Attempt& far = find_attempt(story, 1);
   CHECK(far.fate == Fate::covered);
   CHECK(story.events[far.deciding_event].origin.primitive == 2);
-  const story::Event& surface = find_event(story, far, What::surface);
+  const story::Event& surface = find_event(story, far, EventKind::surface);
   REQUIRE(surface.decision.has_value());
   CHECK(surface.decision->value == at_2);
   const story::Attempt& near = find_attempt(story, 2);
   CHECK(near.fate == Fate::seen);
-  const story::Event& merge = find_event(story, near, What::merge);
+  const story::Event& merge = find_event(story, near, EventKind::merge);
   CHECK(merge.owner_before == 1);
   CHECK(merge.owner_after == 2);
   const story::Change* const z2 = merge.change_of(pixel.compiled.program, isa::FieldRole::depth);
@@ -137,8 +137,8 @@ TEST_CASE("a farther box drawn later fails the depth test and both depths are re
   REQUIRE(far.fate == Fate::behind);
   const story::Event& test = story.events[far.deciding_event];
   REQUIRE(test.decision.has_value());
-  CHECK(test.decision->met == at_2);
-  CHECK(test.decision->met_too == at_1);
+  CHECK(test.decision->first_operand == at_2);
+  CHECK(test.decision->second_operand == at_1);
   CHECK(test.owner_before == 1);
 }
 
@@ -170,7 +170,7 @@ TEST_CASE("in a blind hole the back of the subtracted solid is seen") {
   CHECK(find_attempt(story, 1).fate == Fate::classified);
   const story::Attempt& wall = find_attempt(story, 2);
   CHECK(wall.fate == Fate::seen);
-  const story::Event& surface = find_event(story, wall, What::surface);
+  const story::Event& surface = find_event(story, wall, EventKind::surface);
   REQUIRE(surface.decision.has_value());
   const story::HalfspaceFinder finder(pixel.compiled.tree, pixel.compiled.scene, pixel.compiled.view);
   const auto found = finder.find(surface.decision->instruction, pixel.compiled.program.segments[0].region);
@@ -204,10 +204,10 @@ TEST_CASE("explain --why-not gives the reason for each hidden or pruned primitiv
   CHECK(contains(answer(draw_case(big + near_box, 4, 2), 1), "p2 cube@3:56 was merged over it"));
   CHECK(contains(answer(draw_case(near_box + big, 4, 2), 2), "behind p1 cube"));
   CHECK(contains(answer(draw_case(through_hole, 3, 2), 1), "classified out: it is in p2 cube"));
-  CHECK(contains(answer(draw_case(through_hole, 3, 2), 2), "classified out: it is out of p1 cube"));
+  CHECK(contains(answer(draw_case(through_hole, 3, 2), 2), "classified out: it is outside p1 cube"));
   CHECK(contains(answer(draw_case(through_hole, 3, 2), 2), "normal (0, 1, 0), distance 4.5"));
-  CHECK(contains(answer(draw_case(big, 6, 2), 1), "outside it by i"));
-  CHECK(contains(answer(draw_case(big, 2, 2), 1), "is what the pixel shows"));
+  CHECK(contains(answer(draw_case(big, 6, 2), 1), "the pixel is outside its outline: i"));
+  CHECK(contains(answer(draw_case(big, 2, 2), 1), "the pixel shows "));
   const std::string beyond = box_text({20, 1, -4}, {21, 2, -3});
   CHECK(contains(answer(draw_case(big + beyond, 2, 2), 2), "nowhere in the picture"));
 }
@@ -319,12 +319,12 @@ TEST_CASE("each event has the clocks in which the pixel executes its instruction
   const PixelCase pixel = draw_case(blind_hole + near_box, 3, 2);
   const story::Story story = pixel.story();
   const isa::Program& program = pixel.compiled.program;
-  const machines::RunRecord record = story::record_of(program, pixel.machine);
+  const machines::RunRecord record = story::make_run_record(program, pixel.machine);
   const machines::Timeline timeline = machines::timeline(program, pixel.machine, record.outcome());
   const auto clocks = machines::at_pixel(timeline, program, pixel.machine, 0, 3, 2);
   std::uint64_t last = 0;
   for (const story::Event& event : story.events) {
-    if (event.what == What::skip) continue;
+    if (event.kind == EventKind::skip) continue;
     CHECK(event.clocks.begin == clocks[event.first].begin);
     CHECK(event.clocks.end == clocks[event.last].end);
     CHECK(event.clocks.begin >= last);
@@ -344,7 +344,7 @@ TEST_CASE("a run of one pixel equals that of the whole array with effects") {
   const isa::Program& program = compiled.program;
   const machines::Machine machine = testing::machine_of(program.shape);
   const observe::Frame frame = testing::draw(program);
-  const std::vector<machines::Skip> skips = story::record_of(program, machine).skips;
+  const std::vector<machines::Skip> skips = story::make_run_record(program, machine).skips;
   for (std::uint32_t y = 0; y < 6; ++y) {
     for (std::uint32_t x = 0; x < 8; ++x) {
       const story::PixelRun run = story::run_pixel(program, skips, x, y);
@@ -393,7 +393,7 @@ TEST_CASE("a run of one pixel skips the instructions that the whole array skips"
   const story::Story skipped = by_hand(nowhere + query, 0);
   CHECK(skipped.depth == 5);
   const auto skip = std::find_if(skipped.events.begin(), skipped.events.end(),
-                                 [](const story::Event& event) { return event.what == What::skip; });
+                                 [](const story::Event& event) { return event.kind == EventKind::skip; });
   REQUIRE(skip != skipped.events.end());
   CHECK(skip->first == 9);
   CHECK(skip->last == 10);
@@ -401,7 +401,7 @@ TEST_CASE("a run of one pixel skips the instructions that the whole array skips"
   const story::Story carried_out = by_hand(right_alone + query, 0);
   CHECK(carried_out.depth == 7);
   CHECK(std::none_of(carried_out.events.begin(), carried_out.events.end(),
-                     [](const story::Event& event) { return event.what == What::skip; }));
+                     [](const story::Event& event) { return event.kind == EventKind::skip; }));
 }
 
 TEST_CASE("a story of a pixel outside the picture is rejected") {

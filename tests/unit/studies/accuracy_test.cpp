@@ -235,7 +235,7 @@ TEST_CASE("a row of accuracy has a cell for each column name") {
   row.surfaces = "surfaces";
   row.reason = "a reason";
   std::vector<std::string> cells = studies::split_cells(studies::to_line(row));
-  CHECK(studies::split_cells(studies::header_of<studies::ComparisonRow>()).size() == cells.size());
+  CHECK(studies::split_cells(studies::header_line<studies::ComparisonRow>()).size() == cells.size());
   std::vector<std::string> expected{"a machine", "an ideal",  "a model",  "a hash",   "a build",
                                     "a part",    "a picture", "surfaces", "a reason", "cube@1:1=7"};
   for (std::uint64_t i = 1001; i < number; ++i) expected.push_back(std::to_string(i));

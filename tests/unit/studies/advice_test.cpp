@@ -340,7 +340,7 @@ TEST_CASE("a choice that exceeds the memory limit has a row with the reason") {
   const AdviceJobs job({"pixel-planes-4"}, unpruned, many);
   const AdviceRow refused = drawn(job, point_of_bits(16, 6, 24, "rebroadcast", "parallel", 0, 1));
   CHECK(refused.reason.find("memory bits") != std::string::npos);
-  CHECK(drawn(job, point_of_bits(16, 6, 24, "rebroadcast", "list", 0, 1)).compiled());
+  CHECK(drawn(job, point_of_bits(16, 6, 24, "rebroadcast", "list", 0, 1)).is_compiled());
 }
 
 TEST_CASE("fitting a Program to its memory does not depend on the first guess") {

@@ -86,7 +86,7 @@ TEST_CASE("the column names of each study are those of its rows") {
 }
 
 TEST_CASE("an empty row of explore has zeros and empty cells in the order of its columns") {
-  CHECK(studies::header_of<ExploreRow>() ==
+  CHECK(studies::header_line<ExploreRow>() ==
         "model,machine,process,memory_bits,width,height,z_bits,fraction_bits,colour_bits,pruning,colouring,strategy,"
         "stack_bits,curves,model_hash,machine_hash,csgsim,halfspaces,instructions,clock_hz,clock_path,clocks,"
         "interval_clocks,frames_per_second,used_bits,processors,machine_memory_bits,pixel_transistors,"
@@ -94,8 +94,8 @@ TEST_CASE("an empty row of explore has zeros and empty cells in the order of its
   CHECK(studies::to_line(ExploreRow{}) == ",,,,0,0,0,0,0,,,,0,,,,,0,0,0,,0,0,0,0,0,0,,,,,0,0,");
   // The columns before the inputs identify the point.
   CHECK(ExploreRow::point_columns == 14);
-  CHECK(ExploreRow{}.compiled());
-  CHECK_FALSE(refused_row("m", "1", 8, "why").compiled());
+  CHECK(ExploreRow{}.is_compiled());
+  CHECK_FALSE(refused_row("m", "1", 8, "why").is_compiled());
 }
 
 TEST_CASE("each axis of explore reads its value from a row or has none without a price") {

@@ -122,7 +122,7 @@ TEST_CASE("explore reports inconsistent figures and unreadable models in the row
   const Texts rows = explored.measure();
   for (std::size_t i = 0; i < 4; ++i) {
     const ExploreRow row = row_in(rows[i]);
-    CHECK(row.compiled() == (i != 2));
+    CHECK(row.is_compiled() == (i != 2));
     CHECK(row.point.width == (i != 2 ? 16 : 0));
     CHECK(row.point.height == (i != 2 ? 12 : 0));
     CHECK((row.clocks > 0) == (i != 2));
@@ -136,7 +136,7 @@ TEST_CASE("explore reports inconsistent figures and unreadable models in the row
   unread.ask();
   const Texts of_both = unread.measure();
   CHECK(row_in(of_both[0]).reason.find("wrong.csg:1:") != std::string::npos);
-  CHECK(row_in(of_both[1]).compiled());
+  CHECK(row_in(of_both[1]).is_compiled());
   CHECK(testing::error_of([&] { unread.study().refuse(); }).find("explore.csv") != std::string::npos);
   CHECK(testing::error_of([&] {
           Explored({models / "wrong.csg", "--vary", "z-bits=12,13"}).ask();
@@ -167,7 +167,7 @@ TEST_CASE("a row has the figures and wrong pixels of a machine with just enough 
   const process::Process process = process::load_process("cmos-45nm");
   for (std::size_t i = 0; i < 2; ++i) {
     const ExploreRow row = row_in(rows[i]);
-    REQUIRE(row.compiled());
+    REQUIRE(row.is_compiled());
     // The same measured by render's own code.
     Texts render = words;
     render.insert(render.end(), {"--machine", row.point.machine, "--memory-bits", std::to_string(row.used_bits)});

@@ -191,7 +191,7 @@ TEST_CASE("a sweep's points measured in parallel equal those measured one by one
   REQUIRE(rows.size() == all.size());
   for (const Drawn& one : all) {
     const studies::SweepRow expected = measured(one, true);
-    CHECK(expected.compiled());
+    CHECK(expected.is_compiled());
     CHECK(expected.clocks > 100);
     CHECK(expected.pixel_transistors == machines::pixel_transistors(one.job.machine, expected.used_bits));
     CHECK(expected.pixel_transistors < machines::pixel_transistors(one.job.machine, 256));
@@ -214,9 +214,9 @@ TEST_CASE("the colour of a second buffer counts once in a pixel's transistors") 
 TEST_CASE("a sweep's point that does not fit has a reason and the others are measured") {
   std::vector<Drawn> all = drawn_points();
   all[1].job.machine.array.memory_bits = 40;
-  CHECK(measured(all[0], false).compiled());
+  CHECK(measured(all[0], false).is_compiled());
   CHECK(measured(all[1], false).reason.find("memory bits") != std::string::npos);
-  CHECK(measured(all[2], false).compiled());
+  CHECK(measured(all[2], false).is_compiled());
 }
 
 TEST_CASE("the page of a sweep counts its models or names the only one") {

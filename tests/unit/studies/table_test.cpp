@@ -51,7 +51,7 @@ studies::PointRequest requested(const std::string& value, const studies::Inputs&
 
 studies::Table table_at(const fs::path& path, const std::string& title = "a study",
                         studies::Serves serves = studies::serves_all) {
-  return {path, title, studies::format_of<TestRow>(), std::move(serves)};
+  return {path, title, studies::row_format<TestRow>(), std::move(serves)};
 }
 
 fs::path fresh(const std::string& name) {
@@ -181,7 +181,7 @@ TEST_CASE("rows of a table follow the order of requested points before other row
 }
 
 TEST_CASE("a table without a file keeps rows in memory") {
-  studies::Table table(studies::format_of<TestRow>());
+  studies::Table table(studies::row_format<TestRow>());
   const std::array points{requested("x"), requested("y")};
   table.add(Rows{row("y", 2)});
   CHECK(table.missing(points) == Numbers{0});

@@ -37,14 +37,14 @@ TEST_CASE("a child program reads its input and all of its output is available at
   CHECK(ended.errors == large_text);
   CHECK(ended.exceeded == system::Exceeded::nothing);
   CHECK(WEXITSTATUS(ended.status) == 3);
-  CHECK_FALSE(system::is_done(ended));
-  CHECK(system::is_done(run_shell("true")));
+  CHECK_FALSE(system::has_succeeded(ended));
+  CHECK(system::has_succeeded(run_shell("true")));
 }
 
 TEST_CASE("a child program may write exactly up to its limits") {
   const std::string exact = "head -c 1048576 /dev/zero";
-  CHECK(system::is_done(run_shell(exact)));
-  CHECK(system::is_done(run_shell(exact + " >&2")));
+  CHECK(system::has_succeeded(run_shell(exact)));
+  CHECK(system::has_succeeded(run_shell(exact + " >&2")));
   for (const auto& [commands, exceeded] :
        {std::pair("; echo", system::Exceeded::output), std::pair(" >&2; echo >&2", system::Exceeded::errors)}) {
     const system::ChildEnd ended = run_shell(exact + commands + "; sleep 300");
@@ -65,14 +65,14 @@ TEST_CASE("a child program and its children are terminated at the time limit") {
 
 TEST_CASE("children that a child program leaves behind are terminated") {
   const system::ChildEnd ended = run_shell("sleep 300 & echo $!");
-  CHECK(system::is_done(ended));
+  CHECK(system::has_succeeded(ended));
   CHECK(::kill(std::stoi(ended.output), 0) != 0);
 }
 
 TEST_CASE("the peak memory of a child program's processes is reported") {
   constexpr std::size_t held = 64 * mib;
   const system::ChildEnd ended = run_shell("head -c 64M /dev/zero | tail -c 64M > /dev/null");
-  CHECK(system::is_done(ended));
+  CHECK(system::has_succeeded(ended));
   CHECK(ended.memory >= held);
   CHECK(ended.memory < 4 * held);
   CHECK(run_shell("true").memory < held);

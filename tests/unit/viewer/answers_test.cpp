@@ -371,19 +371,19 @@ TEST_CASE("a drawing requested several times at once is evaluated once") {
       viewer::Evaluation evaluation(evaluations, "");
       ++waiting;
       while (waiting < count) std::this_thread::yield();
-      drawn[i] = drawings.drawn(wish, evaluation);
+      drawn[i] = drawings.draw(wish, evaluation);
     });
   }
   for (std::thread& thread : threads) thread.join();
   for (const std::shared_ptr<viewer::Drawing>& one : drawn) CHECK(one == drawn[0]);
   CHECK(drawings.latest() == drawn[0]);
   viewer::Evaluation evaluation(evaluations, "");
-  const std::shared_ptr<viewer::Drawing> other = drawings.compiled(box_wish(), evaluation);
+  const std::shared_ptr<viewer::Drawing> other = drawings.compile(box_wish(), evaluation);
   CHECK(other != drawn[0]);
   CHECK_FALSE(other->found->drawn);
   CHECK(drawings.latest() == other);
-  CHECK(drawings.compiled(wish, evaluation) == drawn[0]);
+  CHECK(drawings.compile(wish, evaluation) == drawn[0]);
   CHECK(drawings.latest() == drawn[0]);
-  CHECK(drawings.drawn(box_wish(), evaluation) == other);
+  CHECK(drawings.draw(box_wish(), evaluation) == other);
   CHECK(other->found->drawn);
 }

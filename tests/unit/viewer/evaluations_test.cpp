@@ -8,8 +8,8 @@
 
 using namespace csgsim;
 using namespace std::chrono_literals;
-using viewer::Doing;
-using viewer::Ended;
+using viewer::EndReason;
+using viewer::Stage;
 
 namespace {
 
@@ -30,37 +30,37 @@ TEST_CASE("cancelling an evaluation by name ends only its thread's work") {
   all.cancel("two");
   all.cancel("");
   CHECK_FALSE(is_interrupted());
-  CHECK(one.ended() == Ended::not_yet);
+  CHECK(one.end_reason() == EndReason::not_yet);
   all.cancel("one");
   CHECK(is_interrupted());
-  CHECK(one.ended() == Ended::cancelled);
+  CHECK(one.end_reason() == EndReason::cancelled);
   std::thread([&] {
     const viewer::Evaluation unnamed(all, "");
     all.cancel("");
     CHECK_FALSE(is_interrupted());
-    CHECK(unnamed.ended() == Ended::not_yet);
+    CHECK(unnamed.end_reason() == EndReason::not_yet);
   }).join();
 }
 
 TEST_CASE("only evaluations have a time limit and each one restarts it") {
   viewer::Evaluations all(20ms);
   viewer::Evaluation one(all, "one");
-  const auto is_overdue_after = [&](Doing doing, std::chrono::milliseconds time) {
+  const auto is_overdue_after = [&](Stage doing, std::chrono::milliseconds time) {
     one.begin(doing);
     std::this_thread::sleep_for(time);
     all.end_overdue();
-    return one.ended() == Ended::overdue;
+    return one.end_reason() == EndReason::overdue;
   };
-  CHECK_FALSE(is_overdue_after(Doing::waiting, 40ms));
-  CHECK_FALSE(is_overdue_after(Doing::evaluating, 0ms));
-  CHECK_FALSE(is_overdue_after(Doing::drawing, 40ms));
-  CHECK_FALSE(is_overdue_after(Doing::evaluating, 0ms));
+  CHECK_FALSE(is_overdue_after(Stage::waiting, 40ms));
+  CHECK_FALSE(is_overdue_after(Stage::evaluating, 0ms));
+  CHECK_FALSE(is_overdue_after(Stage::drawing, 40ms));
+  CHECK_FALSE(is_overdue_after(Stage::evaluating, 0ms));
   CHECK_FALSE(is_interrupted());
-  CHECK(is_overdue_after(Doing::evaluating, 40ms));
+  CHECK(is_overdue_after(Stage::evaluating, 40ms));
   CHECK(is_interrupted());
   // The first reason is kept.
   all.cancel("one");
-  CHECK(one.ended() == Ended::overdue);
+  CHECK(one.end_reason() == EndReason::overdue);
 }
 
 TEST_CASE("a closed session ends current and later work") {
@@ -69,7 +69,7 @@ TEST_CASE("a closed session ends current and later work") {
     const viewer::Evaluation before(all, "");
     all.close();
     CHECK(is_interrupted());
-    CHECK(before.ended() == Ended::closed);
+    CHECK(before.end_reason() == EndReason::closed);
   }
   CHECK_FALSE(is_interrupted());
   const viewer::Evaluation behind(all, "");
@@ -83,11 +83,11 @@ TEST_CASE("the progress of an evaluation has the activity and its duration and t
   CHECK(all.progress("") == viewer::Json::object());
   CHECK(all.progress("one")["doing"] == "waiting");
   CHECK_FALSE(all.progress("one").contains("most"));
-  one.begin(Doing::evaluating);
+  one.begin(Stage::evaluating);
   CHECK(all.progress("one")["doing"] == "evaluating the model");
   CHECK(all.progress("one")["most"] == 4);
   CHECK(all.progress("one")["seconds"] < 4);
-  one.begin(Doing::drawing);
+  one.begin(Stage::drawing);
   CHECK(all.progress("one")["doing"] == "drawing");
   CHECK_FALSE(all.progress("one").contains("most"));
 }

@@ -69,10 +69,10 @@ TEST_CASE("the fields of an instant equal the reference's in steps forwards and 
       CAPTURE(field.name);
       const nlohmann::ordered_json instant = instants.at({.number = number, .field = field.name});
       CHECK(instant["number"] == number);
-      CHECK(instant["picture"] == url_of(debug::picture_of(field.field, *run, of.program).picture));
+      CHECK(instant["picture"] == url_of(debug::draw_field(field.field, *run, of.program).picture));
     }
     const nlohmann::ordered_json instant = instants.at({.number = number, .field = "E"});
-    CHECK(instant["picture"] == url_of(debug::picture_of({}, *run, of.program).picture));
+    CHECK(instant["picture"] == url_of(debug::draw_field({}, *run, of.program).picture));
     const auto& listed = instant["instructions"];
     const auto here = std::ranges::find_if(listed, [&](const auto& one) { return one["number"] == number; });
     REQUIRE(here != listed.end());
@@ -191,8 +191,8 @@ TEST_CASE("tinting mixes half the mark's colour into enabled pixels in any regio
       const std::unique_ptr<engine::Run> run = reference->begin(of.program);
       run->advance(instant["number"].get<std::uint64_t>(), {});
       const auto field = std::ranges::find(of.program.facts->fields, std::string("Z1"), &isa::NamedField::name)->field;
-      std::vector<std::uint8_t> expected = rgb_of(debug::picture_of(field, *run, of.program).picture);
-      const observe::Picture enabled = debug::picture_of({}, *run, of.program).picture;
+      std::vector<std::uint8_t> expected = rgb_of(debug::draw_field(field, *run, of.program).picture);
+      const observe::Picture enabled = debug::draw_field({}, *run, of.program).picture;
       REQUIRE(enabled.channels == 1);
       for (std::size_t pixel = 0; pixel < enabled.bytes.size(); ++pixel) {
         if (enabled.bytes[pixel] == 0) continue;

@@ -15,7 +15,7 @@ std::string nested_objects(std::size_t depth) {
 }
 
 std::string error_of(const std::string& text, const session::JsonLimits& limits) {
-  return testing::error_of([&] { static_cast<void>(session::parsed_json(text, limits)); });
+  return testing::error_of([&] { static_cast<void>(session::parse_json(text, limits)); });
 }
 
 }  // namespace
@@ -42,8 +42,8 @@ TEST_CASE("the number of values in a JSON text counts keys and values and bracke
 }
 
 TEST_CASE("a JSON text within its limits is parsed unchanged") {
-  CHECK(session::parsed_json(R"({"b":[1,2.5,"x",null,true],"a":{}})", {}).dump() ==
+  CHECK(session::parse_json(R"({"b":[1,2.5,"x",null,true],"a":{}})", {}).dump() ==
         R"({"b":[1,2.5,"x",null,true],"a":{}})");
-  CHECK_THROWS_AS(static_cast<void>(session::parsed_json("{", {})), nlohmann::ordered_json::exception);
-  CHECK_THROWS_AS(static_cast<void>(session::parsed_json("{}{}", {})), nlohmann::ordered_json::exception);
+  CHECK_THROWS_AS(static_cast<void>(session::parse_json("{", {})), nlohmann::ordered_json::exception);
+  CHECK_THROWS_AS(static_cast<void>(session::parse_json("{}{}", {})), nlohmann::ordered_json::exception);
 }

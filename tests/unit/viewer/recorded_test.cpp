@@ -28,7 +28,7 @@ struct Script {
 std::string recorded_with(const std::string& script, const system::ChildLimits& limits = viewer::wave_limits) {
   const Script csgsim(script);
   const std::vector<std::string> options{"--pixel=1,2", "--lanes"};
-  return viewer::recorded_by(csgsim.path, {}, options, limits);
+  return viewer::record_wave_with(csgsim.path, {}, options, limits);
 }
 
 std::string recording_error(const std::string& script, const system::ChildLimits& limits = viewer::wave_limits) {
@@ -52,7 +52,7 @@ TEST_CASE("a failed recording is reported with its reason and a fix") {
   const std::string error = recording_error("printf 0123456789a", small);
   CHECK(error.starts_with("csgsim wave: "));
   CHECK(error.ends_with("; use a smaller picture, or record it with csgsim wave and a --window"));
-  CHECK(testing::error_of([] { static_cast<void>(viewer::recorded_by("/nosuch/csgsim", {}, {})); }) ==
+  CHECK(testing::error_of([] { static_cast<void>(viewer::record_wave_with("/nosuch/csgsim", {}, {})); }) ==
         "cannot run csgsim wave: the program file has been moved");
 }
 

@@ -94,7 +94,7 @@ TEST_CASE("a surface's active tree has the Program's compared primitives on each
 
 TEST_CASE("the model's tree has each node of the file once with operands after operators") {
   const Compiled one = compiled("carburettor", {"--size", "32x32", "--view-all"});
-  const Json rows = viewer::tree_of(one.model.tree, *one.model.program.facts);
+  const Json rows = viewer::tree_json(one.model.tree, *one.model.program.facts);
   std::vector<std::uint32_t> primitives;
   std::size_t deepest = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -125,7 +125,7 @@ TEST_CASE("the first 4000 rows of a tree are shown and all rows of a smaller one
     tree.nodes.push_back(std::move(root));
     isa::Facts facts;
     facts.primitives.assign(leaves, "cube");
-    const Json rows = viewer::tree_of(tree, facts);
+    const Json rows = viewer::tree_json(tree, facts);
     CHECK(rows.size() == std::min(leaves + 1, 4000U));
     CHECK(rows[0] == Json::parse(R"({"depth":0,"text":"union"})"));
     CHECK(rows[3].at("primitive") == 2);
@@ -183,7 +183,7 @@ std::string rows_text(const Json& rows) {
 TEST_CASE("a tree has its operators' names with operands one level deeper in order") {
   const auto tree = [](const std::string& text) {
     const Compiled one = small_compiled(text);
-    return rows_text(viewer::tree_of(one.model.tree, *one.model.program.facts));
+    return rows_text(viewer::tree_json(one.model.tree, *one.model.program.facts));
   };
   CHECK(tree(cube_a) == "p0\n");
   CHECK(tree("difference(){" + cube_a + sphere_b + cylinder_c + "}") == "difference\n  p0\n  p1\n  p2\n");
@@ -191,7 +191,7 @@ TEST_CASE("a tree has its operators' names with operands one level deeper in ord
         "intersection\n  p0\n  union\n    p1\n    p2\n");
   CHECK(tree("union(){difference(){" + cube_a + sphere_b + "}" + cylinder_c + "}") ==
         "union\n  difference\n    p0\n    p1\n  p2\n");
-  CHECK(viewer::tree_of({}, {}) == Json::array());
+  CHECK(viewer::tree_json({}, {}) == Json::array());
 }
 
 TEST_CASE("pieces of a node are named as the node and an unnamed primitive by its number") {
@@ -209,7 +209,7 @@ TEST_CASE("pieces of a node are named as the node and an unnamed primitive by it
   tree.root = static_cast<std::uint32_t>(tree.nodes.size() - 1);
   isa::Facts facts;
   facts.primitives = {"one"};
-  const Json rows = viewer::tree_of(tree, facts);
+  const Json rows = viewer::tree_json(tree, facts);
   REQUIRE(rows.size() == 3);
   CHECK(rows[0] == Json::parse(R"({"depth":0,"text":"difference"})"));
   CHECK(rows[1] == Json::parse(R"({"depth":1,"text":"p0 one","primitive":0})"));
