@@ -300,7 +300,8 @@ void put_text_form(std::string& page) {
       "`.array` comes first. `.field NAME PLACE ROLE`, `.primitive \"NAME\"` and `.extent` appear once per item, "
       "before the first\n`.segment`. The other directives take `key=value` pairs; missing values are zero (`far`: "
       "1).\n\n"
-      "A machine acts only on `.array`, `.frame`, `.extent`, `.display_model`, `.prepare`, the region and division "
+      "A machine acts only on `.array`, `.frame`, `.extent`, `.display_model`, `.prepare`, `.prepare_model`, the "
+      "region and division "
       "counts "
       "of a\nsegment, and the instructions. Everything else, including origins, is for users: without it clocks, "
       "instruction counts and\npicture are the same.\n\n"
@@ -332,6 +333,12 @@ void put_text_form(std::string& page) {
       "`.segment` for "
       "the\nframe, and one after the line of each segment with such work ([the host](host.md)):\n\n");
   put_keys(page, "prepare", Preparation{});
+  put(page,
+      "\nA `.prepare_model` line before the first `.segment` has the same keys for work that is done once per model, "
+      "whatever\nthe camera. `.pruning` lines say what the prunings did: for how many items each was `tried`, how many "
+      "it `decided`,\nhow many were `left` because a test would not pay, the estimated instructions `saved`, and the "
+      "host's `nanoseconds`:\n\n");
+  put_keys(page, "pruning", PruningFacts{});
 }
 
 }  // namespace
