@@ -1,6 +1,8 @@
 #include "host/csg/pair_table.h"
 
-#include "tests/support/drawing.h"
+#include <fmt/format.h>
+
+#include "host/read/read.h"
 #include "tests/support/test.h"
 
 using namespace csgsim;
@@ -14,13 +16,17 @@ std::string ball(double x, double y, double z) {
       x, y, z);
 }
 
-testing::Compiled seen_from(const glm::dvec3& eye, view::Projection projection, const std::string& solids) {
-  testing::Setup setup;
-  setup.camera = testing::camera(eye, {0, 0, 0}, projection);
-  setup.sampling.width = 128;
-  setup.sampling.height = 128;
-  setup.options.pruning = csg::Pruning::none();
-  return testing::compile_text("group() {" + solids + "}", setup);
+struct Seen {
+  model::Tree tree;
+  facet::Geometry scene;
+  view::View view;
+};
+
+Seen seen_from(const glm::dvec3& eye, view::Projection projection, const std::string& solids) {
+  Seen seen{read::read_csg_text("group() {" + solids + "}", "test"), facet::Geometry{{}, {{}, 1}, {}}, {}};
+  seen.scene = facet::make_geometry(seen.tree);
+  seen.view = view::make_view(seen.scene, seen.tree, {eye, {0, 0, 0}, projection}, {.width = 128, .height = 128});
+  return seen;
 }
 
 std::uint64_t supports(const csg::PairTable& pairs) { return pairs.work().supports; }
@@ -30,8 +36,8 @@ std::uint64_t supports(const csg::PairTable& pairs) { return pairs.work().suppor
 TEST_CASE("PairTable searches a pair once for both orders and for every camera") {
   // The boxes of the balls meet and their spheres do not.
   const std::string two = ball(0, 0, 0) + ball(8, 8, 8);
-  const testing::Compiled first = seen_from({60, -40, 30}, view::Projection::orthographic, two);
-  const testing::Compiled second = seen_from({-30, -70, 10}, view::Projection::perspective, two);
+  const Seen first = seen_from({60, -40, 30}, view::Projection::orthographic, two);
+  const Seen second = seen_from({-30, -70, 10}, view::Projection::perspective, two);
   csg::PairTable pairs(first.scene);
   isa::Preparation counted;
   CHECK(pairs.are_apart(0, 1, first.view, csg::Counted(counted)));
@@ -50,16 +56,14 @@ TEST_CASE("PairTable searches a pair once for both orders and for every camera")
 TEST_CASE("PairTable finds no plane between solids that touch or meet") {
   const std::string cube = "cube(size = [10, 10, 10], center = true);";
   const std::string beside = "multmatrix([[1, 0, 0, 10], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) {" + cube + "}";
-  const testing::Compiled seen =
-      seen_from({60, -40, 30}, view::Projection::orthographic, cube + beside + ball(4, 0, 0));
+  const Seen seen = seen_from({60, -40, 30}, view::Projection::orthographic, cube + beside + ball(4, 0, 0));
   csg::PairTable pairs(seen.scene);
   CHECK(!pairs.are_apart(0, 1, seen.view, {}));
   CHECK(!pairs.are_apart(0, 2, seen.view, {}));
 }
 
 TEST_CASE("PairTable estimates a search before it and nothing for a pair without a plane after it") {
-  const testing::Compiled seen =
-      seen_from({60, -40, 30}, view::Projection::orthographic, ball(0, 0, 0) + ball(1, 0, 0));
+  const Seen seen = seen_from({60, -40, 30}, view::Projection::orthographic, ball(0, 0, 0) + ball(1, 0, 0));
   csg::PairTable pairs(seen.scene);
   const csg::Prices prices{.support = 2};
   const auto points = static_cast<double>(seen.scene.solids[0].vertices.size() + seen.scene.solids[1].vertices.size());

@@ -133,7 +133,7 @@ TEST_CASE("the host's clocks for the model are apart from those of the frame") {
 TEST_CASE("rejects a Program with an excessive amount of preparation") {
   const machines::Machine machine = machine_named("pixel-planes-4");
   isa::Program program = drawn_on(machine);
-  program.preparation->planes = 1'000'000'000'000;
+  program.preparation->planes = 10'000'000'000'000;
   CHECK_THROWS_WITH_AS(host::compile_clocks(program, machine), doctest::Contains("more than the limit of 9e15"),
                        InputError);
 }

@@ -1,6 +1,8 @@
 #include <rapidcheck.h>
 
 #include "hw/base/nearest.h"
+#include "hw/isa/facts.h"
+#include "hw/isa/host_counts.h"
 #include "hw/isa/text.h"
 #include "tests/support/test.h"
 #include "tests/unit/isa/sample.h"
@@ -142,6 +144,19 @@ TEST_CASE("rejects preparation counts beyond the limit and their sum") {
   CHECK_NOTHROW(parse(array + ".prepare boxes=" + most + "\n" + segment, "t"));
   CHECK(error_of(array + ".prepare boxes=" + most + "\n" + segment + ".prepare boxes=1\n") ==
         std::string("t: sum of all .prepare: boxes=281474976710657 exceeds the limit for a frame, ") + most);
+}
+
+TEST_CASE("counts of the model and of prunings come before the segments") {
+  const std::string segment = ".segment width=8 height=8\n";
+  const isa::Program program =
+      parse(array + ".prepare_model supports=7\n.pruning name=\"space\" tried=3\n" + segment, "t");
+  CHECK(*program.model_preparation == isa::Preparation{.supports = 7});
+  CHECK(program.facts->prunings == std::vector{isa::PruningFacts{.name = "space", .tried = 3}});
+  CHECK(*program.preparation == isa::Preparation{});
+  CHECK(error_of(array + ".prepare_model\n.prepare_model\n").starts_with("t:3:2: .prepare_model appears twice"));
+  CHECK(error_of(array + segment + ".prepare_model\n").starts_with("t:3:2: .prepare_model comes after a .segment"));
+  CHECK(error_of(array + ".prepare_model boxes=281474976710657\n").starts_with("t:2:1: boxes=281474976710657 exceeds"));
+  CHECK(error_of(array + ".pruning tries=3\n").find("the nearest is 'tried'") != std::string::npos);
 }
 
 TEST_CASE("directives must be in order") {
