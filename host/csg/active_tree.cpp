@@ -214,22 +214,25 @@ bool Pruner::are_apart(std::uint32_t one, std::uint32_t other) const {
   return are_apart;
 }
 
-/// What is known of a leaf, complemented or not.
+/// What the half-spaces of a primitive say about the place, if finding their extremes pays. The extremes themselves are
+/// needed for the comparison's instructions anyway.
+Known Pruner::located(std::uint32_t primitive, const Place& place) const {
+  const double saved = comparison_instructions(primitive);
+  if (!prices_.pays(saved, prices_.box)) {
+    ++tallies_.halfspaces.left;
+    return Known::depends;
+  }
+  const Known known = locate(view_, geometry_, primitive, place.block, counted_);
+  tallies_.halfspaces.add(known != Known::depends, saved, prices_.box);
+  return known;
+}
+
+/// What is known of a leaf, complemented or not. The cheaper test comes first.
 Known Pruner::leaf_known(const PositiveNode& leaf, const Place& place) const {
-  const Known known = [&] {
-    const auto is_apart = [&](std::uint32_t primitive) { return are_apart(leaf.primitive, primitive); };
-    if (pruning_.separation && std::any_of(place.set.begin(), place.set.end(), is_apart)) return Known::out;
-    if (!pruning_.halfspaces) return Known::depends;
-    // The tests are needed again for the comparison's instructions, so that only finding them is additional.
-    const double saved = comparison_instructions(leaf.primitive);
-    if (!prices_.pays(saved, prices_.box)) {
-      ++tallies_.halfspaces.left;
-      return Known::depends;
-    }
-    const Known found = locate(view_, geometry_, leaf.primitive, place.block, counted_);
-    tallies_.halfspaces.add(found != Known::depends, saved, prices_.box);
-    return found;
-  }();
+  Known known = pruning_.halfspaces ? located(leaf.primitive, place) : Known::depends;
+  const auto is_apart = [&](std::uint32_t primitive) { return are_apart(leaf.primitive, primitive); };
+  if (known == Known::depends && pruning_.separation && std::any_of(place.set.begin(), place.set.end(), is_apart))
+    known = Known::out;
   if (known == Known::depends || !leaf.complemented) return known;
   return known == Known::in ? Known::out : Known::in;
 }

@@ -120,6 +120,7 @@ class Pruner {
   [[nodiscard]] double comparison_instructions(std::uint32_t primitive) const;
   [[nodiscard]] bool have_disjoint_boxes(std::uint32_t one, std::uint32_t other) const;
   [[nodiscard]] bool are_apart(std::uint32_t one, std::uint32_t other) const;
+  [[nodiscard]] Known located(std::uint32_t primitive, const Place& place) const;
   [[nodiscard]] Known leaf_known(const PositiveNode& leaf, const Place& place) const;
   [[nodiscard]] Known known(const PositiveNode& leaf, const Place& place) const;
   [[nodiscard]] Primitives below(std::uint32_t node, Primitives from) const;

@@ -182,7 +182,7 @@ unsigned owner_bits(const std::vector<const Drawing*>& drawings) {
   return static_cast<unsigned>(std::bit_width(most));
 }
 
-/// Host work before the first segment: transforming and planning all drawings.
+/// Host work before the first segment: transforming the models of all drawings.
 isa::Preparation count_preparation(const std::vector<const Drawing*>& drawings) {
   isa::Preparation all;
   std::map<const facet::Geometry*, DistinctNumbers> distinct;
@@ -190,17 +190,21 @@ isa::Preparation count_preparation(const std::vector<const Drawing*>& drawings) 
     const auto [found, is_new] = distinct.try_emplace(one->geometry.get());
     if (is_new) found->second = count_distinct(*one->geometry);
     all += emit::count_preparation(*one->geometry, one->view, found->second, one->sampled_from != nullptr);
-    all += one->plan.preparation;
   }
   return all;
 }
 
-/// Host work for the model, whatever the camera. Drawings of one model share their table of pairs.
+/// Host work for the model, whatever the camera: its positive form and sets, what its half-spaces have in common, and
+/// searches of pairs. Drawings of one model share all of it.
 isa::Preparation count_model_preparation(const std::vector<const Drawing*>& drawings) {
   isa::Preparation all;
   std::set<const csg::PairTable*> counted;
-  for (const Drawing* const one : drawings)
-    if (counted.insert(one->plan.pairs.get()).second) all += one->plan.pairs->work();
+  for (const Drawing* const one : drawings) {
+    if (!counted.insert(one->plan.pairs.get()).second) continue;
+    all.nodes += one->plan.positive.nodes.size();
+    all += count_sharing(*one->geometry);
+    all += one->plan.pairs->work();
+  }
   return all;
 }
 

@@ -99,7 +99,7 @@ void add_division(isa::Program& program, const machines::Division& division, con
                   const facet::Geometry& geometry, const view::View& view, const machines::Machine& machine,
                   const Options& options) {
   *program.preparation = count_preparation(geometry, view, count_distinct(geometry));
-  *program.model_preparation = {};
+  *program.model_preparation = count_sharing(geometry);
   program.facts->prunings.clear();
   program.display_model = to_bytes(division::encode(make_display_model(
       tree, geometry, view, options, program.shape.memory_bits, csg::Counted(*program.preparation))));

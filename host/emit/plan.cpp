@@ -189,7 +189,6 @@ Plan make_plan(const model::Tree& tree, const facet::Geometry& geometry, const v
   plan.pairs = settings.pairs != nullptr ? settings.pairs : std::make_shared<csg::PairTable>(geometry);
   plan.positive = csg::make_positive(tree);
   const std::vector<csg::ConvexSet> sets = split_by_opacity(csg::convex_sets(plan.positive, pruning.sets), opacity);
-  plan.preparation.nodes = plan.positive.nodes.size();
   isa::Preparation counted;
   csg::Tested tested;
   const csg::Pruner pruner(geometry, view, plan.positive,

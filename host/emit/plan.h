@@ -43,7 +43,6 @@ struct SegmentPlan {
 struct Plan {
   csg::PositiveTree positive;
   std::vector<SegmentPlan> segments;
-  isa::Preparation preparation;  ///< host work before the first segment
   std::shared_ptr<csg::PairTable> pairs;
   csg::Tallies tallies;  ///< what the prunings did
 

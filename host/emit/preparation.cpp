@@ -66,6 +66,14 @@ DistinctNumbers count_distinct(const facet::Geometry& geometry) {
   return distinct;
 }
 
+isa::Preparation count_sharing(const facet::Geometry& geometry) {
+  isa::Preparation preparation;
+  preparation.nodes = geometry.halfspaces() + (axes + 1) * geometry.planes.planes().size();
+  for (const facet::Convex& solid : geometry.solids)
+    preparation.nodes += solid.vertices.empty() ? coordinates_of_box : axes * solid.vertices.size();
+  return preparation;
+}
+
 isa::Preparation count_preparation(const facet::Geometry& geometry, const view::View& view,
                                    const DistinctNumbers& distinct, bool is_sample) {
   // A quadric has ten coefficients and a plane four, so that a quadric counts as three planes, whose 16 numbers each

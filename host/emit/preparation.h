@@ -21,6 +21,10 @@ struct DistinctNumbers {
 
 DistinctNumbers count_distinct(const facet::Geometry& geometry);
 
+/// The host work of finding what half-spaces and corners of a model have in common, for any camera: a plane in a table
+/// for each half-space, and a number in a table for each coordinate, component and direction.
+isa::Preparation count_sharing(const facet::Geometry& geometry);
+
 /// The host work of transforming a model for a camera (docs/host.md): its planes and quadrics, and the points of its
 /// solids. `is_sample`: the same camera's products and quotients are known, because only the sample positions differ.
 isa::Preparation count_preparation(const facet::Geometry& geometry, const view::View& view,

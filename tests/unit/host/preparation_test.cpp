@@ -37,12 +37,14 @@ TEST_CASE("a cube takes the transformation of six planes and eight corners") {
   const isa::Program program = compiled(cube);
   CHECK(program.preparation->planes == 6);
   CHECK(program.preparation->points == 8);
-  CHECK(program.preparation->nodes == 1);
+  CHECK(program.preparation->nodes == 0);
   // Two coordinates an axis by three numbers of the matrix; the components 0 and 1 of normals an axis by four.
   CHECK(program.preparation->products == 2 * 3 * 3 + 2 * 3 * 4);
   // One for each direction in a parallel projection.
   CHECK(program.preparation->quotients == 3);
-  CHECK(*program.model_preparation == isa::Preparation{});
+  // The tree's only node; a plane for each half-space, three components and a direction for each plane, and three
+  // coordinates for each corner.
+  CHECK(*program.model_preparation == isa::Preparation{.nodes = 1 + 6 + 6 * 4 + 8 * 3});
 }
 
 TEST_CASE("two cubes side by side share directions and each coordinate that they have in common") {
@@ -88,7 +90,8 @@ TEST_CASE("each surface of a notched cube examines the other cube") {
   const std::uint64_t supports = program.model_preparation->supports;
   CHECK(supports > 17);
   CHECK((supports - 17) % 16 == 0);
-  CHECK(*program.model_preparation == isa::Preparation{.supports = supports});
+  // Three nodes of the tree, and the tables of twelve half-spaces and sixteen corners.
+  CHECK(*program.model_preparation == isa::Preparation{.supports = supports, .nodes = 3 + 12 + 12 * 4 + 16 * 3});
 }
 
 TEST_CASE("prunings that do not pay are left out, and all are done where the host is free") {
@@ -128,7 +131,7 @@ TEST_CASE("disabled prunings are not counted") {
   pruning.halfspaces = false;
   CHECK(of_segments(compiled(notched, pruning)).values == 0);
   const isa::Preparation none = of_segments(compiled(notched, csg::Pruning::none()));
-  CHECK(*compiled(notched, csg::Pruning::none()).model_preparation == isa::Preparation{});
+  CHECK(compiled(notched, csg::Pruning::none()).model_preparation->supports == 0);
   CHECK(none.values == 0);
   CHECK(none.boxes < of_segments(compiled(notched)).boxes);
 }
