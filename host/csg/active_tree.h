@@ -77,12 +77,12 @@ struct Tallies {
   Tally hidden;
 };
 
-/// What pruning needs to know besides the model and the view.
+/// Inputs of pruning in addition to the model and the view.
 struct PrunerSettings {
   Pruning pruning{};
   Prices prices{};
   Counted counted{};           ///< counts the work for a view
-  PairTable* pairs = nullptr;  ///< results for pairs of primitives; null: a table of its own
+  PairTable* pairs = nullptr;  ///< results for pairs of primitives; null: a separate table
 };
 
 /// Prunes I-trees for regions of the picture. It keeps references to its arguments and is not thread-safe.

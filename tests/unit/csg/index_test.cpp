@@ -15,7 +15,7 @@ using csg::Known;
 
 namespace {
 
-/// Gilbert's algorithm with so many steps that it finds any gap between these models.
+/// Gilbert's algorithm with 100,000 steps, which find any gap between these models.
 bool have_gap(const std::vector<glm::dvec3>& one, const std::vector<glm::dvec3>& other) {
   const facet::Box box = facet::hull(facet::box_of(one), facet::box_of(other));
   const auto farthest = [&](const std::vector<glm::dvec3>& points, const glm::dvec3& direction) {

@@ -62,7 +62,7 @@ TEST_CASE("PairTable finds no plane between solids that touch or meet") {
   CHECK(!pairs.are_apart(0, 2, seen.view, {}));
 }
 
-TEST_CASE("PairTable estimates a search before it and nothing for a pair without a plane after it") {
+TEST_CASE("PairTable estimates a search, and nothing for a pair known to have no plane") {
   const Seen seen = seen_from({60, -40, 30}, view::Projection::orthographic, ball(0, 0, 0) + ball(1, 0, 0));
   csg::PairTable pairs(seen.scene);
   const csg::Prices prices{.support = 2};

@@ -47,7 +47,7 @@ TEST_CASE("a cube takes the transformation of six planes and eight corners") {
   CHECK(*program.model_preparation == isa::Preparation{.nodes = 1 + 6 + 6 * 4 + 8 * 3});
 }
 
-TEST_CASE("two cubes side by side share directions and each coordinate that they have in common") {
+TEST_CASE("cubes side by side share directions and the coordinates in common") {
   const isa::Preparation took = *compiled("group() {" + cube + moved + "{" + cube + "} }").preparation;
   CHECK(took.planes == 12);
   CHECK(took.points == 16);

@@ -196,7 +196,7 @@ TEST_CASE("a field takes two numbers") {
   CHECK(clocks_of(copy) == called + 5 * number + 2 * stored);
 }
 
-TEST_CASE("words of an earlier instruction are copied, with another opcode if they have an expression") {
+TEST_CASE("words of an earlier instruction are copied, with another opcode if needed") {
   using isa::Opcode;
   const isa::Field z1{0, 8};
   const isa::Linear plane{.a = 1, .b = 2, .c = 3, .width = 20};
