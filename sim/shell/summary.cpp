@@ -84,7 +84,7 @@ void print_prunings(const observe::Report& report) {
   for (const isa::PruningFacts& pruning : report.program.facts->prunings) {
     std::string text = fmt::format("tried {}, decided {}", grouped(pruning.tried), grouped(pruning.decided));
     if (pruning.nanoseconds > 0)
-      text += fmt::format(" in {}", time_text(static_cast<double>(pruning.nanoseconds) / 1e9));
+      text += fmt::format(" in {:.3g} ms of the host", static_cast<double>(pruning.nanoseconds) / 1e6);
     if (pruning.decided > 0) text += fmt::format(", which saves about {} instructions", grouped(pruning.saved));
     if (pruning.left > 0)
       text += fmt::format("; left out {}, where the host would take longer than half of what it saves",
