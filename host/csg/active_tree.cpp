@@ -31,7 +31,7 @@ void tighten(Block& block, const view::View& view, const facet::Convex& solid, c
   for (const facet::Halfspace& halfspace : solid.halfspaces) {
     const view::ScreenPlane& plane = view.planes[halfspace.plane];
     if (!plane.representable) continue;
-    counted.add(&isa::Preparation::halfspaces);
+    counted.test(plane.linear, block.pixels);
     const view::Side side = view::side_of(plane, halfspace);
     if (side == view::Side::front) {
       block.z_low = std::max(block.z_low, depth_range(plane, view.sampling.fraction_bits, block.pixels).low);
@@ -98,9 +98,17 @@ BoxIndex make_index(const view::View& view) {
 }  // namespace
 
 Pruner::Pruner(const facet::Geometry& geometry, const view::View& view, const PositiveTree& tree,
-               const Pruning& pruning, const Counted& counted)
-    : geometry_(geometry), view_(view), tree_(tree), pruning_(pruning), counted_(counted), paths_(tree) {
-  if (pruning.picture && view.extents.size() > few_primitives) boxes_ = make_index(view);
+               const PrunerSettings& settings)
+    : geometry_(geometry),
+      view_(view),
+      tree_(tree),
+      pruning_(settings.pruning),
+      prices_(settings.prices),
+      counted_(settings.counted),
+      paths_(tree),
+      own_pairs_(geometry),
+      pairs_(settings.pairs != nullptr ? *settings.pairs : own_pairs_) {
+  if (pruning_.picture && view.extents.size() > few_primitives) boxes_ = make_index(view);
 }
 
 Block Pruner::surface_block(std::span<const std::uint32_t> set, const view::PixelRect& region) const {
@@ -127,10 +135,8 @@ bool Pruner::disjoint(std::uint32_t primitive, const Place& place) const {
       common(extent.pixels, block.pixels).empty() || extent.z_low > block.z_high || extent.z_high < block.z_low;
   if (pruning_.picture) counted_.add(&isa::Preparation::boxes);
   return (pruning_.picture && picture) ||
-         (pruning_.space && std::any_of(place.set.begin(), place.set.end(), [&](std::uint32_t other) {
-            counted_.add(&isa::Preparation::boxes);
-            return csg::disjoint(extent.box, view_.extents[other].box);
-          }));
+         (pruning_.space && std::any_of(place.set.begin(), place.set.end(),
+                                        [&](std::uint32_t other) { return have_disjoint_boxes(primitive, other); }));
 }
 
 /// Appends the primitives in [first, end) that are not disjoint from the place, in order.
@@ -174,24 +180,59 @@ std::vector<std::uint32_t> Pruner::meeting(std::span<const std::uint32_t> set, c
   return found;
 }
 
-Hull& Pruner::hull(std::uint32_t primitive) const {
-  return hulls_.try_emplace(primitive, view_.extents[primitive].corners).first->second;
+/// Estimated instructions that compare a primitive with Z1.
+double Pruner::comparison_instructions(std::uint32_t primitive) const {
+  constexpr double around = 3;  // for the result of the comparison
+  const facet::Convex& solid = geometry_.solids[primitive];
+  return around + static_cast<double>(solid.halfspaces.size() + solid.quadrics.size());
 }
 
-bool Pruner::separated(std::uint32_t one, std::uint32_t other) const {
-  constexpr unsigned index_bits = 32;
-  const auto [pair, is_new] = separated_.try_emplace(std::uint64_t{one} << index_bits | other, false);
-  if (is_new) pair->second = csg::separated(hull(one), hull(other), counted_);
-  return pair->second;
+/// Tests the boxes in model space, if that pays.
+bool Pruner::have_disjoint_boxes(std::uint32_t one, std::uint32_t other) const {
+  const double saved = comparison_instructions(one);
+  if (!prices_.pays(saved, prices_.box)) {
+    ++tallies_.space.left;
+    return false;
+  }
+  counted_.add(&isa::Preparation::boxes);
+  const bool are_disjoint = csg::disjoint(view_.extents[one].box, view_.extents[other].box);
+  tallies_.space.add(are_disjoint, saved, prices_.box);
+  return are_disjoint;
 }
 
-/// What is known of a leaf, complemented or not.
+/// Searches a plane between the primitives, if that pays.
+bool Pruner::are_apart(std::uint32_t one, std::uint32_t other) const {
+  const double saved = comparison_instructions(one);
+  if (!prices_.pays(saved, pairs_.price(one, other, prices_))) {
+    ++tallies_.separation.left;
+    return false;
+  }
+  const std::uint64_t before = pairs_.work().supports;
+  const bool are_apart = pairs_.are_apart(one, other, view_, counted_);
+  const auto supports = static_cast<double>(pairs_.work().supports - before + 1);
+  tallies_.separation.add(are_apart, saved, supports * prices_.support);
+  return are_apart;
+}
+
+/// What the half-spaces of a primitive say about the place, if finding their extremes pays. The extremes themselves are
+/// needed for the comparison's instructions anyway.
+Known Pruner::located(std::uint32_t primitive, const Place& place) const {
+  const double saved = comparison_instructions(primitive);
+  if (!prices_.pays(saved, prices_.box)) {
+    ++tallies_.halfspaces.left;
+    return Known::depends;
+  }
+  const Known known = locate(view_, geometry_, primitive, place.block, counted_);
+  tallies_.halfspaces.add(known != Known::depends, saved, prices_.box);
+  return known;
+}
+
+/// What is known of a leaf, complemented or not. The cheaper test comes first.
 Known Pruner::leaf_known(const PositiveNode& leaf, const Place& place) const {
-  const Known known = [&] {
-    const auto is_separate = [&](std::uint32_t primitive) { return separated(leaf.primitive, primitive); };
-    if (pruning_.separation && std::any_of(place.set.begin(), place.set.end(), is_separate)) return Known::out;
-    return pruning_.halfspaces ? locate(view_, geometry_, leaf.primitive, place.block, counted_) : Known::depends;
-  }();
+  Known known = pruning_.halfspaces ? located(leaf.primitive, place) : Known::depends;
+  const auto is_apart = [&](std::uint32_t primitive) { return are_apart(leaf.primitive, primitive); };
+  if (known == Known::depends && pruning_.separation && std::any_of(place.set.begin(), place.set.end(), is_apart))
+    known = Known::out;
   if (known == Known::depends || !leaf.complemented) return known;
   return known == Known::in ? Known::out : Known::in;
 }

@@ -5,15 +5,15 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "host/csg/box_index.h"
 #include "host/csg/convex_sets.h"
 #include "host/csg/counted.h"
-#include "host/csg/hull.h"
 #include "host/csg/locate.h"
+#include "host/csg/pair_table.h"
 #include "host/csg/positive_tree.h"
+#include "host/csg/prices.h"
 #include "host/csg/pruning.h"
 #include "host/csg/tree_paths.h"
 #include "host/facet/geometry.h"
@@ -51,14 +51,51 @@ struct ActiveTree {
   [[nodiscard]] std::uint32_t depth() const;
 };
 
+/// What a pruning did; members as in isa::PruningFacts.
+struct Tally {
+  std::uint64_t tried = 0;
+  std::uint64_t decided = 0;
+  std::uint64_t left = 0;
+  double saved = 0;
+  double nanoseconds = 0;
+
+  /// Records an item to which the pruning was applied.
+  void add(bool is_decided, double instructions, double took) {
+    ++tried;
+    nanoseconds += took;
+    if (!is_decided) return;
+    ++decided;
+    saved += instructions;
+  }
+};
+
+/// The tallies of the prunings that are applied item by item.
+struct Tallies {
+  Tally space;
+  Tally separation;
+  Tally halfspaces;
+  Tally hidden;
+};
+
+/// Inputs of pruning in addition to the model and the view.
+struct PrunerSettings {
+  Pruning pruning{};
+  Prices prices{};
+  Counted counted{};           ///< counts the work for a view
+  PairTable* pairs = nullptr;  ///< results for pairs of primitives; null: a separate table
+};
+
 /// Prunes I-trees for regions of the picture. It keeps references to its arguments and is not thread-safe.
 ///
 /// An index of boxes finds the primitives that may meet the block. Only the parts of an I-tree that contain some of
 /// these are visited; the values of the other parts are precomputed, as they do not depend on the place.
 class Pruner {
  public:
-  Pruner(const facet::Geometry& geometry, const view::View& view, const PositiveTree& tree, const Pruning& pruning = {},
-         const Counted& counted = {});
+  Pruner(const facet::Geometry& geometry, const view::View& view, const PositiveTree& tree,
+         const PrunerSettings& settings = {});
+
+  /// What the prunings did until now.
+  [[nodiscard]] const Tallies& tallies() const { return tallies_; }
 
   /// The part of the region and the depths in which the surface of a set can be; its pixels are empty if there is none.
   [[nodiscard]] Block surface_block(std::span<const std::uint32_t> set, const view::PixelRect& region) const;
@@ -80,8 +117,10 @@ class Pruner {
   };
   using Primitives = std::span<const std::uint32_t>;
   [[nodiscard]] bool disjoint(std::uint32_t primitive, const Place& place) const;
-  [[nodiscard]] Hull& hull(std::uint32_t primitive) const;
-  [[nodiscard]] bool separated(std::uint32_t one, std::uint32_t other) const;
+  [[nodiscard]] double comparison_instructions(std::uint32_t primitive) const;
+  [[nodiscard]] bool have_disjoint_boxes(std::uint32_t one, std::uint32_t other) const;
+  [[nodiscard]] bool are_apart(std::uint32_t one, std::uint32_t other) const;
+  [[nodiscard]] Known located(std::uint32_t primitive, const Place& place) const;
   [[nodiscard]] Known leaf_known(const PositiveNode& leaf, const Place& place) const;
   [[nodiscard]] Known known(const PositiveNode& leaf, const Place& place) const;
   [[nodiscard]] Primitives below(std::uint32_t node, Primitives from) const;
@@ -94,11 +133,12 @@ class Pruner {
   const view::View& view_;
   const PositiveTree& tree_;
   Pruning pruning_;
+  Prices prices_;
   Counted counted_;
   TreePaths paths_;
-  /// Cached results for pairs of primitives, which are the same for every region.
-  mutable std::unordered_map<std::uint64_t, bool> separated_;
-  mutable std::unordered_map<std::uint32_t, Hull> hulls_;  ///< cached hulls of primitives
+  mutable PairTable own_pairs_;
+  PairTable& pairs_;
+  mutable Tallies tallies_;
   std::optional<BoxIndex> boxes_;  ///< index of the primitives by pixels, depths and number; empty without picture
                                    ///< pruning
 };

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "host/csg/tested.h"
 #include "hw/isa/host_counts.h"
 #include "hw/isa/program.h"
 
@@ -13,15 +14,29 @@ namespace csgsim::csg {
 class Counted {
  public:
   Counted() = default;
-  /// `into` must outlive this object.
-  explicit Counted(isa::Preparation& into) : into_(&into) {}
+  /// `into` and `tested`, which may be null, must outlive this object.
+  explicit Counted(isa::Preparation& into, Tested* tested = nullptr) : into_(&into), tested_(tested) {}
 
   void add(std::uint64_t isa::Preparation::*kind, std::uint64_t times = 1) const {
     if (into_ != nullptr) into_->*kind += times;
   }
 
+  /// Counts the test of a plane over a rectangle, or, if it has been tested there before, the comparison of rectangles
+  /// that finds its extremes.
+  void test(const view::FixedLinear& plane, const view::PixelRect& pixels) const {
+    if (!test_if_new(plane, pixels)) add(&isa::Preparation::boxes);
+  }
+
+  /// Counts the test of a plane over a rectangle unless its extremes there are at hand. Returns whether it was new.
+  bool test_if_new(const view::FixedLinear& plane, const view::PixelRect& pixels) const {
+    const bool is_new = into_ != nullptr && (tested_ == nullptr || tested_->add(plane, pixels));
+    if (is_new) add(&isa::Preparation::halfspaces);
+    return is_new;
+  }
+
  private:
   isa::Preparation* into_ = nullptr;
+  Tested* tested_ = nullptr;
 };
 
 /// Testing a quadric over a rectangle evaluates three functions, each at its corners and its turning points.

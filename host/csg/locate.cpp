@@ -12,11 +12,13 @@ namespace {
 /// A bound beyond all values that the machine uses, for planes whose coefficients do not fit.
 constexpr double beyond = 1e15;
 
-void count_test(const facet::Halfspace& /*bound*/, const Counted& counted) {
-  counted.add(&isa::Preparation::halfspaces);
+void count_test(const view::View& view, const facet::Halfspace& bound, const view::PixelRect& pixels,
+                const Counted& counted) {
+  counted.test(view.planes[bound.plane].linear, pixels);
 }
 
-void count_test(const facet::QuadricSide& /*bound*/, const Counted& counted) {
+void count_test(const view::View& /*view*/, const facet::QuadricSide& /*bound*/, const view::PixelRect& /*pixels*/,
+                const Counted& counted) {
   counted.add(&isa::Preparation::halfspaces, tests_of_quadric);
 }
 
@@ -101,7 +103,7 @@ Known locate(const view::View& view, const facet::Geometry& geometry, std::uint3
   bool inside = shared == block.pixels;
   const Block part{shared, block.z_low, block.z_high};
   const auto is_out = [&](const auto& bound) {
-    count_test(bound, counted);
+    count_test(view, bound, shared, counted);
     const Known known = locate(view, bound, part);
     inside = inside && known == Known::in;
     return known == Known::out;
@@ -119,7 +121,7 @@ bool holds(const view::View& view, const facet::Geometry& geometry, std::uint32_
                          common(extent.pixels, block.pixels) == block.pixels && extent.z_low <= block.z_high &&
                          extent.z_high >= block.z_low;
   const auto holds_block = [&](const auto& bound) {
-    count_test(bound, counted);
+    count_test(view, bound, block.pixels, counted);
     return locate(view, bound, block) == Known::in;
   };
   const facet::Convex& solid = geometry.solids[primitive];

@@ -26,8 +26,13 @@ bool separated(std::span<const glm::dvec3> first, std::span<const glm::dvec3> se
   return separated(one, other, counted);
 }
 
-bool separated(Hull& first, Hull& second, const Counted& counted) {
-  if (first.points().empty() || second.points().empty()) return false;
+namespace {
+
+/// Searches a plane, and calls found(direction, farthest of the first hull, of the second) for each that separates the
+/// hulls, until that returns false.
+template <class Found>
+void search(Hull& first, Hull& second, const Counted& counted, const Found& found) {
+  if (first.points().empty() || second.points().empty()) return;
   const glm::dvec3 low = glm::min(first.low(), second.low());
   const glm::dvec3 high = glm::max(first.high(), second.high());
   // The scale equalizes the axes, but is limited so that rounding of coordinates remains negligible.
@@ -40,16 +45,49 @@ bool separated(Hull& first, Hull& second, const Counted& counted) {
     // The point of the difference farthest back along `nearest`; directions transform inversely.
     const glm::dvec3 direction = nearest / size;
     counted.add(&isa::Preparation::supports, first.points().size() + second.points().size());
-    const glm::dvec3 farthest = difference(first.support(-direction), second.support(direction));
+    const glm::dvec3 of_first = first.support(-direction);
+    const glm::dvec3 of_second = second.support(direction);
+    const glm::dvec3 farthest = difference(of_first, of_second);
     const double length = glm::length(nearest);
-    if (!(length > certainty)) return false;
-    if (glm::dot(farthest, nearest) > certainty * length) return true;
+    if (!(length > certainty)) return;
+    if (glm::dot(farthest, nearest) > certainty * length && !found(direction, of_first, of_second)) return;
     const glm::dvec3 edge = farthest - nearest;
     const double square = glm::dot(edge, edge);
-    if (!(square > 0.0)) return false;
+    if (!(square > 0.0)) return;
     nearest += std::clamp(-glm::dot(nearest, edge) / square, 0.0, 1.0) * edge;
   }
-  return false;
+}
+
+/// Extent of a hull's box along a direction.
+double extent_along(const Hull& hull, const glm::dvec3& direction) {
+  return glm::dot(hull.high() - hull.low(), glm::abs(direction));
+}
+
+double narrowness(const Gap& gap) { return std::max(gap.far_first, gap.far_second) / gap.half; }
+
+}  // namespace
+
+bool separated(Hull& first, Hull& second, const Counted& counted) {
+  bool are_separated = false;
+  search(first, second, counted, [&](const auto&...) {
+    are_separated = true;
+    return false;
+  });
+  return are_separated;
+}
+
+std::optional<Gap> find_gap(Hull& first, Hull& second, const Counted& counted) {
+  std::optional<Gap> widest;
+  search(first, second, counted,
+         [&](const glm::dvec3& direction, const glm::dvec3& of_first, const glm::dvec3& of_second) {
+           counted.add(&isa::Preparation::supports, 2);
+           const double half = glm::dot(direction, of_first - of_second) / 2;
+           if (!(half > 0)) return true;
+           const Gap gap{half, half + extent_along(first, direction), half + extent_along(second, direction)};
+           if (!widest || narrowness(gap) < narrowness(*widest)) widest = gap;
+           return !widest->is_wide();
+         });
+  return widest;
 }
 
 bool disjoint(const facet::Box& a, const facet::Box& b) {
@@ -66,8 +104,7 @@ bool disjoint(const view::View& view, std::uint32_t a, std::uint32_t b, const Pr
   counted.add(&isa::Preparation::boxes, (pruning.picture ? 1U : 0U) + (pruning.space ? 1U : 0U));
   const bool in_picture =
       common(first.pixels, second.pixels).empty() || first.z_low > second.z_high || first.z_high < second.z_low;
-  return (pruning.picture && in_picture) || (pruning.space && disjoint(first.box, second.box)) ||
-         (pruning.separation && separated(first.corners, second.corners, counted));
+  return (pruning.picture && in_picture) || (pruning.space && disjoint(first.box, second.box));
 }
 
 }  // namespace csgsim::csg

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 
 #include "host/csg/counted.h"
@@ -22,10 +23,25 @@ namespace csgsim::csg {
 bool separated(std::span<const glm::dvec3> first, std::span<const glm::dvec3> second, const Counted& counted = {});
 bool separated(Hull& first, Hull& second, const Counted& counted = {});
 
+/// A plane between two solids. Distances are in one unit, that of any linear function that is 0 on the plane.
+struct Gap {
+  double half = 0;        ///< the least distance of both solids from the plane
+  double far_first = 0;   ///< no point of the first solid is farther from the plane
+  double far_second = 0;  ///< the same for the second
+
+  /// Whether the gap is so wide that rounding in a usual view leaves it open.
+  [[nodiscard]] bool is_wide() const { return half * 64 > far_first && half * 64 > far_second; }
+};
+
+/// The plane between two hulls that the same search finds. It goes on until the gap is wide, and returns the widest gap
+/// relative to the solids; empty if none is found.
+std::optional<Gap> find_gap(Hull& first, Hull& second, const Counted& counted = {});
+
 /// Whether the boxes have no point in common.
 bool disjoint(const facet::Box& a, const facet::Box& b);
 
-/// Whether the enabled prunings prove that two primitives have no point of the picture and depth range in common.
+/// Whether the prunings `picture` and `space`, as far as they are enabled, prove that two primitives have no point of
+/// the picture and depth range in common.
 bool disjoint(const view::View& view, std::uint32_t a, std::uint32_t b, const Pruning& pruning,
               const Counted& counted = {});
 

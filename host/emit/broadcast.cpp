@@ -132,17 +132,24 @@ void Broadcast::surface(isa::Opcode opcode, isa::Field field, const view::FixedL
 
 void Broadcast::expression(isa::Opcode opcode, isa::Field field, const view::FixedLinear& line, unsigned shift,
                            const view::PixelRect& pixels) {
+  counted.test_if_new(line, pixels);
   const unsigned drop = shared_zeros(line, shift);
   linear(opcode, field, {line.a >> drop, line.b >> drop, line.c >> drop}, shift - drop, pixels);
 }
 
 void Broadcast::edge(isa::Opcode opcode, const view::FixedLinear& line, const view::PixelRect& pixels) {
+  counted.test_if_new(line, pixels);
+  cut(opcode, line, pixels);
+}
+
+void Broadcast::cut(isa::Opcode opcode, const view::FixedLinear& line, const view::PixelRect& pixels) {
   const unsigned drop = shared_zeros(line, isa::max_linear_width);
   linear(opcode, {}, {line.a >> drop, line.b >> drop, line.c >> drop}, 0, pixels);
 }
 
 void Broadcast::quadratic(isa::Opcode opcode, isa::Field field, const view::FixedQuadratic& quadratic, unsigned shift,
                           const view::PixelRect& pixels) {
+  counted.test_if_new(quadratic.linear, pixels);
   const unsigned drop = shared_zeros(quadratic, shift);
   const view::FixedQuadratic q = without_low_bits(quadratic, drop);
   const unsigned fraction = shift - drop;
@@ -179,7 +186,7 @@ void Broadcast::clip(const view::PixelRect& inner, const view::PixelRect& outer)
   view::PixelRect left = outer;
   const auto side = [&](bool cuts, const view::FixedLinear& line) {
     if (!cuts) return;
-    edge(isa::Opcode::edge_not_negative, line, left);
+    cut(isa::Opcode::edge_not_negative, line, left);
     left = view::common(left, {line.a > 0 ? inner.x0 : left.x0, line.b > 0 ? inner.y0 : left.y0,
                                line.a < 0 ? inner.x1 : left.x1, line.b < 0 ? inner.y1 : left.y1});
   };

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "host/csg/counted.h"
 #include "host/view/fixed_point.h"
 #include "host/view/projection.h"
 #include "host/view/screen_quadric.h"
@@ -35,6 +36,7 @@ class Broadcast {
   isa::Origin origin;
   std::uint8_t effect = isa::no_effect;  ///< effect that instructions are billed to
   ScanConversions counts;                ///< scan conversions made until now
+  csg::Counted counted{};                ///< counts the tests that find the widths of expressions
 
   /// Appends an instruction without a linear expression.
   void plain(isa::Opcode opcode, isa::Field first = {}, isa::Field second = {}, std::uint64_t constant = 0);
@@ -91,6 +93,7 @@ class Broadcast {
   void clip(const view::PixelRect& inner, const view::PixelRect& outer);
 
  private:
+  void cut(isa::Opcode opcode, const view::FixedLinear& line, const view::PixelRect& pixels);
   void linear(isa::Opcode opcode, isa::Field field, view::FixedLinear plane, unsigned shift,
               const view::PixelRect& pixels);
   void append(const isa::Instruction& instruction);

@@ -4,18 +4,23 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <exception>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "host/emit/context.h"
 #include "host/emit/divided.h"
 #include "host/emit/drawing.h"
 #include "host/emit/effect.h"
 #include "host/emit/evaluation.h"
+#include "host/emit/facet_colour.h"
 #include "host/emit/fast_spheres.h"
 #include "host/emit/preparation.h"
 #include "host/emit/quadric_depths.h"
@@ -122,10 +127,13 @@ isa::Segment compile_segment(Context context, std::span<const Drawing* const> dr
   });
   for (const Drawing* const one : drawings) *segment.preparation += one->plan.segments[context.segment].preparation;
   if (is_empty && !is_whole) return segment;
-  context.counted = csg::Counted(*segment.preparation);
+  csg::Tested tested;
+  for (const Drawing* const one : drawings) tested.add(one->plan.segments[context.segment].tested);
+  context.counted = csg::Counted(*segment.preparation, &tested);
   const std::size_t halfspaces = halfspaces_drawn(context);
   if (halfspaces >= many_halfspaces) segment.instructions.reserve(instructions_per_halfspace * halfspaces);
   Broadcast out(segment, sampling, context.options.work);
+  out.counted = context.counted;
   if (context.layout.squares.width > 0 && !is_empty) emit_squares(context, out);
   const DrawnCounts kept = placed(context.tree, out, [&] { return emit_picture(context, out); });
   segment.facts->kept_primitives = kept.primitives;
@@ -174,12 +182,54 @@ unsigned owner_bits(const std::vector<const Drawing*>& drawings) {
   return static_cast<unsigned>(std::bit_width(most));
 }
 
-/// Host work before the first segment: transforming and planning all drawings.
+/// Host work before the first segment: transforming the models of all drawings.
 isa::Preparation count_preparation(const std::vector<const Drawing*>& drawings) {
   isa::Preparation all;
+  std::map<const facet::Geometry*, DistinctNumbers> distinct;
   for (const Drawing* const one : drawings) {
-    all += emit::count_preparation(*one->geometry, one->view);
-    all += one->plan.preparation;
+    const auto [found, is_new] = distinct.try_emplace(one->geometry.get());
+    if (is_new) found->second = count_distinct(*one->geometry);
+    all += emit::count_preparation(*one->geometry, one->view, found->second, one->sampled_from != nullptr);
+  }
+  return all;
+}
+
+/// Host work for the model, whatever the camera: its positive form and sets, what its half-spaces have in common, and
+/// searches of pairs. Drawings of one model share all of it.
+isa::Preparation count_model_preparation(const std::vector<const Drawing*>& drawings) {
+  isa::Preparation all;
+  std::set<const csg::PairTable*> counted;
+  for (const Drawing* const one : drawings) {
+    if (!counted.insert(one->plan.pairs.get()).second) continue;
+    all.nodes += one->plan.positive.nodes.size();
+    all += count_sharing(*one->geometry);
+    all += one->plan.pairs->work();
+  }
+  return all;
+}
+
+/// What the prunings did in all drawings; without those that considered nothing.
+std::vector<isa::PruningFacts> list_prunings(const std::vector<const Drawing*>& drawings) {
+  constexpr std::pair<const char*, csg::Tally csg::Tallies::*> named[] = {{"space", &csg::Tallies::space},
+                                                                          {"separation", &csg::Tallies::separation},
+                                                                          {"halfspaces", &csg::Tallies::halfspaces},
+                                                                          {"hidden", &csg::Tallies::hidden}};
+  std::vector<isa::PruningFacts> all;
+  for (const auto& [name, member] : named) {
+    isa::PruningFacts facts{.name = name};
+    double saved = 0;
+    double nanoseconds = 0;
+    for (const Drawing* const one : drawings) {
+      const csg::Tally& tally = one->plan.tallies.*member;
+      facts.tried += tally.tried;
+      facts.decided += tally.decided;
+      facts.left += tally.left;
+      saved += tally.saved;
+      nanoseconds += tally.nanoseconds;
+    }
+    facts.saved = static_cast<std::uint64_t>(std::llround(saved));
+    facts.nanoseconds = static_cast<std::uint64_t>(std::llround(nanoseconds));
+    if (facts.tried + facts.left > 0) all.push_back(std::move(facts));
   }
   return all;
 }
@@ -216,6 +266,7 @@ isa::Program compile_as(const Input& input, const Options& options) {
   program.background = packed_background(options.scene, options.colour_bits);
 
   *program.preparation = count_preparation(drawings);
+  KnownColours known_colours;
   ScanConversions counts;
   for (std::size_t i = 0; i < drawing.plan.segments.size(); ++i) {
     Context context{input.tree, input.geometry, drawing.view,  drawing.plan.positive, drawing.plan.segments[i],
@@ -223,8 +274,12 @@ isa::Program compile_as(const Input& input, const Options& options) {
     context.segment = i;
     context.called = input.called;
     context.states = &drawing.states;
+    context.known_colours = &known_colours;
     program.segments.push_back(compile_segment(context, drawings, counts));
   }
+  // Products search pairs while they are emitted.
+  *program.model_preparation = count_model_preparation(drawings);
+  program.facts->prunings = list_prunings(drawings);
   if (machines::keeps_active_list(input.machine)) program.extents = isa::extents_of(program.segments);
   program.facts->compile = {std::string(name_of(options.strategy)),
                             has_owners ? "deferred" : std::string(name_of(options.colouring)),
@@ -305,7 +360,7 @@ std::vector<Options> candidates(const Options& options, const Plan& plan) {
 isa::Program compile_within(const model::Tree& tree, const facet::Geometry& geometry, view::View view,
                             const machines::Machine& machine, const Options& wanted, const ClockCounter& count) {
   const std::optional<machines::Division> division = machines::division(machine);
-  Options options = division ? options_for(*division, wanted) : wanted;
+  Options options = with_prices(division ? options_for(*division, wanted) : wanted, machine);
   options.work = wanted.work.afresh();
   const std::vector<EffectRequest> called =
       called_effects(options, make_look(options.scene, tree, csg::make_positive(tree), view.camera));

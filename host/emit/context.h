@@ -20,6 +20,7 @@
 namespace csgsim::emit {
 
 class Effect;
+class KnownColours;
 class StoredDepths;
 struct Drawing;
 struct EffectRow;
@@ -85,6 +86,7 @@ struct Context {
   const Paint* paint = nullptr;                ///< used in place of colours; may be null
   const StoredDepths* stored = nullptr;        ///< depths stored while surfaces are drawn; null: none
   csg::Counted counted{};                      ///< counters of host work
+  KnownColours* known_colours = nullptr;       ///< colours computed for the frame until now; null: none are kept
 
   [[nodiscard]] std::int64_t farthest() const { return (std::int64_t{1} << view.sampling.z_bits) - 1; }
   [[nodiscard]] bool complemented(std::uint32_t primitive) const {

@@ -132,6 +132,8 @@ division::Fields field_positions(const Layout& layout, std::uint32_t memory_bits
 Options divider_options(Options options) {
   options.strategy = Strategy::stack;
   options.pruning = csg::Pruning::divider();
+  options.prices = {};
+  options.prices_on = nullptr;
   return options;
 }
 

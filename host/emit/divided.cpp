@@ -98,7 +98,9 @@ Options options_for(const machines::Division& /*division*/, const Options& optio
 void add_division(isa::Program& program, const machines::Division& division, const model::Tree& tree,
                   const facet::Geometry& geometry, const view::View& view, const machines::Machine& machine,
                   const Options& options) {
-  *program.preparation = count_preparation(geometry, view);
+  *program.preparation = count_preparation(geometry, view, count_distinct(geometry));
+  *program.model_preparation = count_sharing(geometry);
+  program.facts->prunings.clear();
   program.display_model = to_bytes(division::encode(make_display_model(
       tree, geometry, view, options, program.shape.memory_bits, csg::Counted(*program.preparation))));
   const std::span<isa::Segment> segments = program.segments;

@@ -80,8 +80,11 @@ void plan_and_prepare(Drawing& drawing, const Workshop& workshop) {
     // A primitive that hides others may itself be in front of the mirror and not be drawn.
     pruning.hidden = false;
   }
-  drawing.plan = make_plan(*drawing.tree, *drawing.geometry, drawing.view, machines::regions(workshop.machine), pruning,
-                           opacities(drawing.look, workshop.called), options.work);
+  // A reflected drawing shows another model, whose pairs of primitives are others.
+  const auto pairs = drawing.sampled_from != nullptr ? drawing.sampled_from->plan.pairs
+                                                     : std::make_shared<csg::PairTable>(*drawing.geometry);
+  drawing.plan = make_plan(*drawing.tree, *drawing.geometry, drawing.view, machines::regions(workshop.machine),
+                           {pruning, options.prices, pairs}, opacities(drawing.look, workshop.called), options.work);
   if (drawing.reflection) drop_unseen(drawing);
   for (const EffectRequest& one : workshop.called)
     drawing.states.push_back(one.effect->prepared_for(drawing, workshop));
@@ -136,6 +139,7 @@ Context context_for(const Drawing& drawing, const Context& outer) {
   inner.nesting = drawing.nesting;
   inner.base = outer.base;
   inner.counted = outer.counted;
+  inner.known_colours = outer.known_colours;
   return inner;
 }
 
@@ -154,6 +158,7 @@ Context with_layout(const Context& context, const Layout& layout) {
   other.lights = context.lights;
   other.paint = context.paint;
   other.counted = context.counted;
+  other.known_colours = context.known_colours;
   return other;
 }
 

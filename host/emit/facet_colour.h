@@ -2,12 +2,31 @@
 // Used by flat shading and the effects.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <set>
 
 #include "host/emit/halfspaces.h"
+#include "host/scene/scene.h"
 
 namespace csgsim::emit {
+
+/// The colours that the host has computed for a frame. Where light depends on the normal alone, facets with the same
+/// normal, material and colour share one.
+class KnownColours {
+ public:
+  /// Returns whether the colour has not been computed before.
+  bool add(const glm::dvec3& normal, const scene::Material& material, const glm::dvec3& colour) {
+    return keys_
+        .insert({normal.x, normal.y, normal.z, material.ambient, material.diffuse, material.specular,
+                 material.shininess, material.mirror, colour.x, colour.y, colour.z})
+        .second;
+  }
+
+ private:
+  std::set<std::array<double, 11>> keys_;
+};
 
 /// The colour of a facet in the format of the colour field.
 std::uint32_t facet_colour(const Context& context, const Facet& facet);

@@ -27,8 +27,11 @@ void require_representable(const Context& context, std::uint32_t primitive, face
                    "or split the primitive");
 }
 
+/// Values compared for each half-space of a surface in a usual block.
+constexpr double usual_values = 8;
+
 csg::Known locate_block(const Context& context, facet::Halfspace halfspace, const csg::Block& block) {
-  context.counted.add(&isa::Preparation::halfspaces);
+  context.counted.test(context.linear_plane(halfspace), block.pixels);
   const csg::Known known = csg::locate(context.view, halfspace, block);
   const bool representable = context.view.planes[halfspace.plane].representable;
   return context.options.pruning.halfspaces || !representable ? known : csg::Known::depends;
@@ -117,7 +120,10 @@ Deciding undecided(const Context& context, std::span<const std::uint32_t> set, S
 
 Deciding deciding(const Context& context, std::span<const std::uint32_t> set, Side side, const csg::Block& block) {
   Deciding result = undecided(context, set, side, block);
-  if (context.options.pruning.halfspaces && !result.nothing && result.facets.size() > 1) {
+  const auto count = static_cast<double>(result.facets.size());
+  const csg::Prices& prices = context.options.prices;
+  if (context.options.pruning.halfspaces && !result.nothing && count > 1 &&
+      prices.pays(count, count * usual_values * prices.value)) {
     drop_dominated(context, result.facets, side, block.pixels);
   }
   return result;

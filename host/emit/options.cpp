@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <stdexcept>
+#include <utility>
 
 #include "host/emit/strategy.h"
 
@@ -38,6 +39,12 @@ std::vector<Strategy> default_strategies() {
   for (const Strategy strategy : strategies)
     if (strategy != Strategy::automatic && row_of(strategy).is_usual) usual.push_back(strategy);
   return usual;
+}
+
+Options with_prices(Options options, const machines::Machine& machine) {
+  if (options.prices_on != nullptr) options.prices = options.prices_on(machine);
+  options.prices_on = nullptr;
+  return options;
 }
 
 csg::Pruning pruning_of(const Options& options) {

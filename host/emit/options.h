@@ -8,10 +8,12 @@
 #include <string_view>
 #include <vector>
 
+#include "host/csg/prices.h"
 #include "host/csg/pruning.h"
 #include "host/scene/scene.h"
 #include "hw/base/work.h"
 #include "hw/isa/colour_format.h"
+#include "hw/machines/machine.h"
 
 namespace csgsim::emit {
 
@@ -57,6 +59,10 @@ inline constexpr unsigned min_stack_bits = 3;
 inline constexpr std::uint64_t max_products = 16'384;
 
 struct EffectRow;
+struct Options;
+
+/// The options with the prices on the machine.
+Options with_prices(Options options, const machines::Machine& machine);
 
 /// The list with only flat shading.
 std::span<const EffectRow* const> only_flat_shading();
@@ -67,6 +73,8 @@ struct Options {
   Colouring colouring = Colouring::rebroadcast;
   unsigned colour_bits = isa::max_colour_bits;
   csg::Pruning pruning;
+  csg::Prices prices;
+  csg::Prices (*prices_on)(const machines::Machine& machine) = nullptr;  ///< if given, replaces `prices`
   scene::Scene scene;
   std::span<const EffectRow* const> effects = only_flat_shading();  ///< all known effects, in the order of their work
   Work work{};  ///< limit on the work of compiling, for each tried strategy and colouring separately

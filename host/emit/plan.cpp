@@ -29,6 +29,9 @@ class Hiders {
         counted_(counted),
         index_(entries(surfaces, positive, view, opacity)) {}
 
+  /// Number of boxes compared to find those in front of a block.
+  [[nodiscard]] std::uint64_t boxes() const { return index_.path_boxes(); }
+
   /// Whether one of them fills the block's pixels one depth step in front of the block, so that no surface in the block
   /// is visible. It may be hidden itself: whatever hides it also hides the block.
   [[nodiscard]] bool hide(const csg::Block& block) const {
@@ -74,14 +77,41 @@ class Hiders {
   csg::BoxIndex index_;
 };
 
+/// Estimated instructions that draw a surface and compare it with others.
+double surface_instructions(const PlannedSurface& surface, const facet::Geometry& geometry) {
+  constexpr double around = 10;  // enabling pixels, depth test and merge
+  const auto bounds = [&](std::uint32_t primitive) {
+    return static_cast<double>(geometry.solids[primitive].halfspaces.size() +
+                               geometry.solids[primitive].quadrics.size());
+  };
+  double count = around;
+  for (const std::uint32_t primitive : surface.set) count += bounds(primitive);
+  for (const csg::ActiveNode& node : surface.active.nodes) {
+    if (!node.is_leaf) continue;
+    count += bounds(node.primitive);
+    for (const std::uint32_t other : node.others) count += bounds(other);
+  }
+  return count;
+}
+
+/// Half-spaces that are usually tested until one shows that a solid does not hide a block.
+constexpr double usual_tests = 4;
+
 void drop_hidden(SegmentPlan& plan, const csg::PositiveTree& positive, const facet::Geometry& geometry,
-                 const view::View& view, const std::vector<double>& opacity) {
+                 const view::View& view, const std::vector<double>& opacity, const csg::Prices& prices,
+                 csg::Tally& tally) {
   if (plan.surfaces.size() < 2) return;
-  const csg::Counted counted(plan.preparation);
+  const csg::Counted counted(plan.preparation, &plan.tested);
   counted.add(&isa::Preparation::boxes, plan.surfaces.size());
   const Hiders hiders(plan.surfaces, positive, geometry, view, opacity, counted);
   std::vector<bool> drop;
-  for (const PlannedSurface& one : plan.surfaces) drop.push_back(hiders.hide(one.block));
+  const double price = static_cast<double>(hiders.boxes()) * prices.box + usual_tests * prices.test;
+  for (const PlannedSurface& one : plan.surfaces) {
+    const double saved = surface_instructions(one, geometry);
+    const bool pays = prices.pays(saved, price);
+    drop.push_back(pays && hiders.hide(one.block));
+    pays ? tally.add(drop.back(), saved, price) : void(++tally.left);
+  }
   std::size_t index = 0;
   std::erase_if(plan.surfaces, [&](const PlannedSurface&) { return drop[index++]; });
 }
@@ -152,14 +182,17 @@ std::uint32_t Plan::depth() const {
 }
 
 Plan make_plan(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view,
-               const std::vector<isa::Region>& regions, const csg::Pruning& pruning, const std::vector<double>& opacity,
-               const Work& work) {
+               const std::vector<isa::Region>& regions, const PlanSettings& settings,
+               const std::vector<double>& opacity, const Work& work) {
   Plan plan;
+  const csg::Pruning& pruning = settings.pruning;
+  plan.pairs = settings.pairs != nullptr ? settings.pairs : std::make_shared<csg::PairTable>(geometry);
   plan.positive = csg::make_positive(tree);
   const std::vector<csg::ConvexSet> sets = split_by_opacity(csg::convex_sets(plan.positive, pruning.sets), opacity);
-  plan.preparation.nodes = plan.positive.nodes.size();
   isa::Preparation counted;
-  const csg::Pruner pruner(geometry, view, plan.positive, pruning, csg::Counted(counted));
+  csg::Tested tested;
+  const csg::Pruner pruner(geometry, view, plan.positive,
+                           {pruning, settings.prices, csg::Counted(counted, &tested), plan.pairs.get()});
   const std::vector<std::vector<std::uint32_t>> active_sets = sets_in(regions, sets, view);
   plan.segments.resize(regions.size());
   for (std::size_t i = 0; i < regions.size(); ++i) plan.segments[i].region = regions[i];
@@ -168,6 +201,7 @@ Plan make_plan(const model::Tree& tree, const facet::Geometry& geometry, const v
     SegmentPlan& segment = plan.segments[i];
     counted = {};
     counted.boxes = active_sets[i].size();
+    tested = {};
     for (const std::uint32_t number : active_sets[i]) {
       const csg::ConvexSet& set = sets[number];
       const csg::Block block = pruner.surface_block(set, segment.pixels());
@@ -178,10 +212,16 @@ Plan make_plan(const model::Tree& tree, const facet::Geometry& geometry, const v
       segment.surfaces.push_back({set, block, std::move(active), 0});
     }
     segment.preparation = counted;
-    if (pruning.hidden) drop_hidden(segment, plan.positive, geometry, view, opacity);
+    segment.tested = std::move(tested);
+    segment.pairs = plan.pairs;
+    if (pruning.hidden)
+      drop_hidden(segment, plan.positive, geometry, view, opacity, settings.prices, plan.tallies.hidden);
     std::uint32_t number = 0;
     for (PlannedSurface& one : segment.surfaces) one.number = ++number;
   }
+  const csg::Tally hidden = plan.tallies.hidden;
+  plan.tallies = pruner.tallies();
+  plan.tallies.hidden = hidden;
   return plan;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "host/csg/active_tree.h"
@@ -32,6 +33,8 @@ struct SegmentPlan {
   std::uint32_t active_primitives = 0;   ///< primitives with pixels in the region
   std::uint32_t active_halfspaces = 0;   ///< half-spaces of these primitives
   isa::Preparation preparation;          ///< host work for this segment
+  csg::Tested tested;                    ///< planes tested for this segment
+  std::shared_ptr<csg::PairTable> pairs;
 
   [[nodiscard]] view::PixelRect pixels() const;
 };
@@ -40,16 +43,24 @@ struct SegmentPlan {
 struct Plan {
   csg::PositiveTree positive;
   std::vector<SegmentPlan> segments;
-  isa::Preparation preparation;  ///< host work before the first segment
+  std::shared_ptr<csg::PairTable> pairs;
+  csg::Tallies tallies;  ///< what the prunings did
 
   /// Number of levels of the deepest active tree.
   [[nodiscard]] std::uint32_t depth() const;
 };
 
+/// How to prune a plan.
+struct PlanSettings {
+  csg::Pruning pruning;
+  csg::Prices prices{};
+  std::shared_ptr<csg::PairTable> pairs = nullptr;  ///< of the geometry; null: a new one
+};
+
 /// `opacity` is by primitive: those below 1 hide nothing, and no set mixes different values; empty if all are 1. Throws
 /// InputError, naming the primitive, if the work limit is exceeded.
 Plan make_plan(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view,
-               const std::vector<isa::Region>& regions, const csg::Pruning& pruning, const std::vector<double>& opacity,
-               const Work& work);
+               const std::vector<isa::Region>& regions, const PlanSettings& settings,
+               const std::vector<double>& opacity, const Work& work);
 
 }  // namespace csgsim::emit

@@ -2,6 +2,8 @@
 // Used by the compiler.
 #pragma once
 
+#include <cstdint>
+
 #include "host/facet/geometry.h"
 #include "host/view/projection.h"
 #include "hw/isa/host_counts.h"
@@ -9,17 +11,23 @@
 
 namespace csgsim::emit {
 
+/// Distinct numbers of a model as longs of 32 bits, relative to its size: what the host has to multiply by the camera's
+/// matrix. The host finds them once per model.
+struct DistinctNumbers {
+  std::uint64_t coordinates = 0;  ///< of corners: values along x, along y and along z
+  std::uint64_t components = 0;   ///< of normals, without their signs
+  std::uint64_t directions = 0;   ///< normals of planes that are not parallel
+};
+
+DistinctNumbers count_distinct(const facet::Geometry& geometry);
+
+/// The host work of finding what half-spaces and corners of a model have in common, for any camera: a plane in a table
+/// for each half-space, and a number in a table for each coordinate, component and direction.
+isa::Preparation count_sharing(const facet::Geometry& geometry);
+
 /// The host work of transforming a model for a camera (docs/host.md): its planes and quadrics, and the points of its
-/// solids.
-inline isa::Preparation count_preparation(const facet::Geometry& geometry, const view::View& view) {
-  // A quadric has ten coefficients and a plane four, so that a quadric counts as three planes.
-  constexpr std::uint64_t planes_of_quadric = 3;
-  constexpr std::uint64_t corners_of_box = 8;
-  isa::Preparation preparation;
-  preparation.planes = view.planes.size() + planes_of_quadric * view.quadrics.size();
-  for (const facet::Convex& solid : geometry.solids)
-    preparation.points += solid.vertices.empty() ? corners_of_box : solid.vertices.size();
-  return preparation;
-}
+/// solids. `is_sample`: the same camera's products and quotients are known, because only the sample positions differ.
+isa::Preparation count_preparation(const facet::Geometry& geometry, const view::View& view,
+                                   const DistinctNumbers& distinct, bool is_sample = false);
 
 }  // namespace csgsim::emit

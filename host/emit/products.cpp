@@ -34,6 +34,17 @@ PlannedSurface with_product(const PlannedSurface& planned, const std::vector<csg
   return product;
 }
 
+/// Whether a plane is found between two primitives, if searching it pays.
+bool are_apart(const Context& context, std::uint32_t one, std::uint32_t other) {
+  if (!context.options.pruning.separation) return false;
+  const facet::Geometry& geometry = context.geometry;
+  const auto halfspaces = geometry.solids[one].halfspaces.size() + geometry.solids[other].halfspaces.size();
+  csg::PairTable& pairs = *context.plan.pairs;
+  const csg::Prices& prices = context.options.prices;
+  return prices.pays(static_cast<double>(halfspaces), pairs.price(one, other, prices)) &&
+         pairs.are_apart(one, other, context.view, context.counted);
+}
+
 /// A product is empty if two of its solids are disjoint (thesis 6.3.2).
 bool is_empty(const Context& context, const std::vector<csg::ActiveNode>& nodes,
               const std::vector<std::uint32_t>& leaves) {
@@ -41,8 +52,9 @@ bool is_empty(const Context& context, const std::vector<csg::ActiveNode>& nodes,
     for (std::size_t j = 0; j < i; ++j) {
       const csg::ActiveNode& a = nodes[leaves[i]];
       const csg::ActiveNode& b = nodes[leaves[j]];
-      if (!a.complemented && !b.complemented &&
-          csg::disjoint(context.view, a.primitive, b.primitive, context.options.pruning, context.counted)) {
+      if (a.complemented || b.complemented) continue;
+      if (csg::disjoint(context.view, a.primitive, b.primitive, context.options.pruning, context.counted) ||
+          are_apart(context, a.primitive, b.primitive)) {
         return true;
       }
     }

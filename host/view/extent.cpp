@@ -167,13 +167,17 @@ Extent make_extent(const facet::Convex& solid, const EyeSpace& space, const View
       space.perspective && std::any_of(solid.vertices.begin(), solid.vertices.end(), [&](const glm::dvec3& vertex) {
         return space.to_eye(vertex).z < view.depth.near;
       });
+  double nearest = infinite;
+  double farthest = -infinite;
   for (glm::dvec3& place : places) {
+    nearest = std::min(nearest, place.z);
+    farthest = std::max(farthest, place.z);
     place = space.to_picture(place);
     place.z = isa::depth_of(view.depth, sampling.z_bits, place.z);
     inside += place / static_cast<double>(places.size());
   }
   const std::int64_t top = (std::int64_t{1} << sampling.z_bits) - 1;
-  Extent extent{touched_pixels(places, sampling), 0, top, everywhere, near_cuts, {}};
+  Extent extent{touched_pixels(places, sampling), 0, top, everywhere, near_cuts};
   if (extent.empty()) return extent;
   const double growth = growth_about(inside, solid, near_cuts, view, extent.pixels);
   if (std::isfinite(growth)) {
@@ -191,6 +195,8 @@ Extent make_extent(const facet::Convex& solid, const EyeSpace& space, const View
     extent.z_high = std::min(top, to_step(std::ceil(high)));
     extent.box = box_around(places, space, view);
     extent.corners = std::move(places);
+    // A plane of the model is affine in the picture, where its values at the corners are divided by their distances.
+    extent.looseness = growth / (1 + growth) * (space.perspective ? farthest / nearest : 1.0);
   }
   narrow_by_planes(extent, solid, view);
   for (const facet::QuadricSide side : solid.quadrics) narrow(extent, view.quadrics[side.quadric], side, view);

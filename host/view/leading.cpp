@@ -15,9 +15,12 @@ Corners at_corners(const FixedLinear& function, const PixelRect& pixels) {
   return {at(pixels.x0, pixels.y0), at(pixels.x1, pixels.y0), at(pixels.x0, pixels.y1), at(pixels.x1, pixels.y1)};
 }
 
-bool is_below(const Corners& one, const Corners& other, std::int64_t step) {
-  return std::equal(one.begin(), one.end(), other.begin(),
-                    [&](std::int64_t mine, std::int64_t theirs) { return mine + step <= theirs; });
+/// Whether `one` is below at every corner; adds the number of compared corners, up to the first where it is not.
+bool is_below(const Corners& one, const Corners& other, std::int64_t step, std::uint64_t& compared) {
+  return std::equal(one.begin(), one.end(), other.begin(), [&](std::int64_t mine, std::int64_t theirs) {
+    ++compared;
+    return mine + step <= theirs;
+  });
 }
 
 }  // namespace
@@ -32,18 +35,16 @@ std::vector<bool> leading(std::span<const FixedLinear> functions, const PixelRec
     const auto greatest = std::ranges::max_element(values, {}, [&](const Corners& one) { return one[corner]; });
     leaders[corner] = static_cast<std::size_t>(greatest - values.begin());
   }
-  std::uint64_t compared = functions.size();
+  std::uint64_t compared = functions.size() * leaders.size();
   std::vector<bool> leads;
   leads.reserve(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
     leads.push_back(std::ranges::none_of(leaders, [&](std::size_t by) {
-      if (by == i) return false;
-      ++compared;
-      if (!is_below(values[i], values[by], step)) return false;
-      return i > by || !is_below(values[by], values[i], step);
+      if (by == i || !is_below(values[i], values[by], step, compared)) return false;
+      return i > by || !is_below(values[by], values[i], step, compared);
     }));
   }
-  if (held != nullptr) *held += compared * leaders.size();
+  if (held != nullptr) *held += compared;
   return leads;
 }
 

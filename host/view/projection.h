@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -83,6 +84,10 @@ struct Extent {
   facet::Box box;           ///< model space; infinite if no bound is known
 
   bool cut_by_near = false;  ///< whether the near plane cuts the solid open
+
+  /// Rounding moves the surface towards a plane by less than this part of the farthest distance of a corner from the
+  /// plane. Infinite if no bound is known.
+  double looseness = std::numeric_limits<double>::infinity();
 
   /// Corners of a solid that contains the primitive: columns, rows, depth steps. Empty if no bound is known.
   std::vector<glm::dvec3> corners;

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <mutex>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "hw/base/error.h"
@@ -42,6 +43,20 @@ const processors::Processor& load_host_processor(const machines::Machine& machin
   return read.at(which);
 }
 
+/// Clocks of the machine until its host has finished, rounded up.
+std::uint64_t clocks_of(const Operations& operations, const machines::Machine& machine, std::string_view what) {
+  if (machine.host.processor == machines::ideal_processor) return 0;
+  const double seconds = processors::seconds(operations, load_host_processor(machine));
+  const double clocks = std::ceil(seconds * static_cast<double>(machine.clock_hz) / machine.kind->hosts(machine));
+  if (!(clocks <= max_clocks)) {
+    throw InputError(
+        fmt::format("the host {} takes {:.3g} clocks for the {}, more than the limit of 9e15; choose a faster "
+                    "host.processor",
+                    machines::host_processor_names.at(machine.host.processor), clocks, what));
+  }
+  return static_cast<std::uint64_t>(clocks);
+}
+
 }  // namespace
 
 Operations count_operations(const isa::Program& program, const machines::Machine& machine) {
@@ -52,32 +67,41 @@ Operations count_operations(const isa::Program& program, const machines::Machine
     all += quotient_up(std::uint64_t{program.display_model.size()}, bytes_of_long) * model_long_operations();
     return all;
   }
-  Written written;
+  Writer writer(machine.link.width);
   for (const isa::Segment& segment : program.segments) {
     add(*segment.preparation, all);
-    for (const isa::Instruction& instruction : segment.instructions) written.add(instruction, machine.link.width);
+    writer.begin(segment.region);
+    for (const isa::Instruction& instruction : segment.instructions) writer.add(instruction);
   }
-  all += count_operations(written);
+  all += count_operations(writer.written());
   return all;
 }
 
-std::uint64_t compile_clocks(const isa::Program& program, const machines::Machine& machine) {
+Operations count_model_operations(const isa::Program& program) {
+  Operations all;
+  add(*program.model_preparation, all);
+  return all;
+}
+
+double nanoseconds(const Operations& operations, const machines::Machine& machine) {
+  constexpr double in_second = 1e9;
   if (machine.host.processor == machines::ideal_processor) return 0;
-  const double seconds = processors::seconds(count_operations(program, machine), load_host_processor(machine));
-  const double clocks = std::ceil(seconds * static_cast<double>(machine.clock_hz) / machine.kind->hosts(machine));
-  if (!(clocks <= max_clocks)) {
-    throw InputError(
-        fmt::format("the host {} takes {:.3g} clocks for the frame, more than the limit of 9e15; choose a faster "
-                    "host.processor",
-                    machines::host_processor_names.at(machine.host.processor), clocks));
-  }
-  return static_cast<std::uint64_t>(clocks);
+  return in_second * processors::seconds(operations, load_host_processor(machine)) / machine.kind->hosts(machine);
+}
+
+std::uint64_t compile_clocks(const isa::Program& program, const machines::Machine& machine) {
+  return clocks_of(count_operations(program, machine), machine, "frame");
+}
+
+std::uint64_t model_clocks(const isa::Program& program, const machines::Machine& machine) {
+  return clocks_of(count_model_operations(program), machine, "model");
 }
 
 machines::FrameTiming with_host(machines::FrameTiming timing, const isa::Program& program,
                                 const machines::Machine& machine) {
   timing = machines::with_pace(std::move(timing));
   timing.host_clocks = compile_clocks(program, machine);
+  timing.host_model_clocks = model_clocks(program, machine);
   return timing;
 }
 

@@ -16,9 +16,18 @@ namespace csgsim::host {
 /// and otherwise compiles every segment.
 processors::Operations count_operations(const isa::Program& program, const machines::Machine& machine);
 
-/// Clocks of the machine until its host has finished that work, rounded up; 0 for an ideal host. Throws InputError
-/// above 9e15.
+/// Work of the host for the model, whatever the camera.
+processors::Operations count_model_operations(const isa::Program& program);
+
+/// Time of the machine's host for operations, shared by its processors; 0 for an ideal host.
+double nanoseconds(const processors::Operations& operations, const machines::Machine& machine);
+
+/// Clocks of the machine until its host has finished a frame, rounded up; 0 for an ideal host. Throws InputError above
+/// 9e15.
 std::uint64_t compile_clocks(const isa::Program& program, const machines::Machine& machine);
+
+/// The same for the work on the model.
+std::uint64_t model_clocks(const isa::Program& program, const machines::Machine& machine);
 
 /// The timing with the host's clocks, completed by machines::with_pace().
 machines::FrameTiming with_host(machines::FrameTiming timing, const isa::Program& program,

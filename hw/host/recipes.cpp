@@ -23,22 +23,42 @@ constexpr Operations made(std::initializer_list<std::pair<Operation, std::uint64
 }
 
 // Recipes. Numbers of the model and of matrices are longs.
-constexpr Operations plane = made({{Operation::load_long, 20},
-                                   {Operation::multiply_long, 16},
-                                   {Operation::add_long, 12},
-                                   {Operation::divide_long, 3},
-                                   {Operation::shift_long, 3},
-                                   {Operation::shifted_bit, 36},
+
+/// A distinct coordinate times a number of the matrix, stored in a table.
+constexpr Operations product = made({{Operation::load_long, 2},
+                                     {Operation::multiply_long, 1},
+                                     {Operation::add_long, 1},
+                                     {Operation::compare_long, 1},
+                                     {Operation::branch_taken, 1},
+                                     {Operation::store_long, 1}});
+
+/// Three sums of three products; the reciprocal of one sum, times the others; aligned and stored.
+constexpr Operations quotient = made({{Operation::load_long, 9},
+                                      {Operation::add_long, 6},
+                                      {Operation::divide_long, 1},
+                                      {Operation::multiply_long, 2},
+                                      {Operation::shift_long, 3},
+                                      {Operation::shifted_bit, 36},
+                                      {Operation::compare_long, 2},
+                                      {Operation::branch, 2},
+                                      {Operation::store_long, 3}});
+
+/// The sum of a plane's offset and three products, times the reciprocal of its direction; aligned and stored.
+constexpr Operations plane = made({{Operation::load_long, 6},
+                                   {Operation::add_long, 3},
+                                   {Operation::multiply_long, 1},
+                                   {Operation::shift_long, 1},
+                                   {Operation::shifted_bit, 12},
                                    {Operation::compare_long, 2},
                                    {Operation::branch, 2},
-                                   {Operation::store_long, 3}});
-constexpr Operations point = made({{Operation::load_long, 15},
-                                   {Operation::multiply_long, 9},
-                                   {Operation::add_long, 9},
-                                   {Operation::divide_long, 2},
+                                   {Operation::store_long, 1}});
+
+/// Three sums of three products, and the update of a box.
+constexpr Operations point = made({{Operation::load_long, 9},
+                                   {Operation::add_long, 6},
                                    {Operation::compare_long, 6},
                                    {Operation::branch, 6},
-                                   {Operation::store_long, 2}});
+                                   {Operation::store_long, 3}});
 constexpr Operations colour = made({{Operation::load_long, 6},
                                     {Operation::multiply_long, 6},
                                     {Operation::add_long, 5},
@@ -91,6 +111,8 @@ constexpr auto rows = std::to_array<Recipe>({
     {"values", &isa::Preparation::values, value},
     {"supports", &isa::Preparation::supports, support},
     {"nodes", &isa::Preparation::nodes, node},
+    {"products", &isa::Preparation::products, product},
+    {"quotients", &isa::Preparation::quotients, quotient},
 });
 
 /// Selection of the next instruction and the call of the procedure that assembles it.
@@ -123,8 +145,14 @@ constexpr Operations fitted = made({{Operation::logic_long, 6},
 constexpr Operations squares_moved =
     made({{Operation::load_long, 6}, {Operation::load, 2}, {Operation::multiply, 16}, {Operation::add_long, 16}});
 
+/// The opcode put into words that are kept.
+constexpr Operations renamed = made({{Operation::load_long, 1}, {Operation::logic_long, 2}, {Operation::move, 1}});
+
 constexpr Operations long_stored = made(
     {{Operation::store_long, 1}, {Operation::add_long, 1}, {Operation::compare_long, 1}, {Operation::branch_taken, 1}});
+
+/// A long of kept words, read to be stored.
+constexpr Operations long_read = made({{Operation::load_long, 1}});
 
 constexpr unsigned long_bits = 32;
 
@@ -147,32 +175,78 @@ std::uint64_t numbers_in(const isa::Instruction& instruction) {
   return numbers;
 }
 
+/// A hash of numbers with 64 bits, so long that different ones are taken for equal less than once in 10^8 frames.
+class Mixed {
+ public:
+  Mixed& add(std::uint64_t number) {
+    constexpr std::uint64_t odd = 0x9e3779b97f4a7c15;
+    hash_ = (hash_ ^ number) * odd;
+    hash_ ^= hash_ >> 29U;
+    return *this;
+  }
+  Mixed& add(const isa::Linear& linear) {
+    for (const std::int64_t number : {linear.a, linear.b, linear.c}) add(static_cast<std::uint64_t>(number));
+    return add(std::uint64_t{linear.width} << 16U | linear.shift);
+  }
+  [[nodiscard]] std::uint64_t hash() const { return hash_; }
+
+ private:
+  std::uint64_t hash_ = 0;
+};
+
+/// The words of an instruction; with an expression, without the opcode, which is exchanged in kept words.
+std::uint64_t words_of(const isa::Instruction& instruction, bool has_expression) {
+  Mixed words;
+  words.add(has_expression ? isa::opcode_numbers : static_cast<std::uint64_t>(instruction.opcode));
+  for (const isa::Field& field : instruction.fields) words.add(std::uint64_t{field.base} << 16U | field.width);
+  return words.add(instruction.linear).add(instruction.constant).hash();
+}
+
 }  // namespace
 
 std::span<const Recipe> recipes() { return rows; }
 
-void Written::add(const isa::Instruction& instruction, unsigned link_width) {
+void Writer::begin(const isa::Region& region) {
+  is_moved_ = region.x != 0 || region.y != 0;
+  expressions_.clear();
+  words_.clear();
+}
+
+void Writer::add(const isa::Instruction& instruction) {
   const isa::Operands& operands = isa::operands_of(instruction.opcode);
-  ++instructions;
-  numbers += numbers_in(instruction);
-  if (isa::has_operand(operands, isa::OperandKind::linear)) ++linear;
-  if (isa::has_operand(operands, isa::OperandKind::squares)) ++squares;
-  longs += std::uint64_t{isa::wire_words(instruction, link_width)} * quotient_up(link_width, long_bits);
+  const bool has_linear = isa::has_operand(operands, isa::OperandKind::linear);
+  const bool has_squares = isa::has_operand(operands, isa::OperandKind::squares);
+  const bool has_expression = has_linear || has_squares;
+  const std::uint64_t longs =
+      std::uint64_t{isa::wire_words(instruction, link_width_)} * quotient_up(link_width_, long_bits);
+  ++written_.instructions;
+  const bool is_new = (has_expression ? words_ : frame_words_).insert(words_of(instruction, has_expression)).second;
+  if (!is_new) {
+    ++written_.kept;
+    written_.kept_longs += longs;
+    return;
+  }
+  written_.numbers += numbers_in(instruction);
+  written_.longs += longs;
+  if (!has_expression || !expressions_.insert(Mixed().add(instruction.linear).hash()).second) return;
+  if (has_squares) {
+    ++written_.squares;
+  } else {
+    ++written_.linear;
+    if (is_moved_) ++written_.moved;
+  }
 }
 
 Operations count_operations(const Written& written) {
   Operations all = written.instructions * any_instruction;
-  all += (written.instructions + written.numbers) * packed;
-  for (const Operations& each : {moved, halfspace, fitted}) all += written.linear * each;
+  all += (written.instructions - written.kept + written.numbers) * packed;
+  all += written.kept * renamed;
+  all += written.kept_longs * long_read;
+  all += (written.longs + written.kept_longs) * long_stored;
+  all += written.linear * fitted;
+  all += written.moved * moved;
   all += written.squares * squares_moved;
-  all += written.longs * long_stored;
   return all;
-}
-
-Operations count_operations(const isa::Instruction& instruction, unsigned link_width) {
-  Written written;
-  written.add(instruction, link_width);
-  return count_operations(written);
 }
 
 Operations model_long_operations() {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <unordered_set>
 
 #include "hw/isa/host_counts.h"
 #include "hw/isa/program.h"
@@ -26,18 +27,40 @@ std::span<const Recipe> recipes();
 /// Counts of the written instructions that determine the work of writing them.
 struct Written {
   std::uint64_t instructions = 0;
-  std::uint64_t numbers = 0;  ///< numbers after the opcodes
-  std::uint64_t linear = 0;   ///< instructions with a linear expression
-  std::uint64_t squares = 0;  ///< instructions with squares
-  std::uint64_t longs = 0;    ///< longs stored for the words
+  std::uint64_t kept = 0;        ///< instructions of these whose words are kept, so that they are only copied
+  std::uint64_t kept_longs = 0;  ///< longs copied
+  std::uint64_t numbers = 0;     ///< numbers after the opcodes of the other instructions
+  std::uint64_t longs = 0;       ///< longs stored for their words
+  std::uint64_t linear = 0;      ///< linear expressions, each once per segment
+  std::uint64_t moved = 0;       ///< those of segments that do not begin at the picture's corner
+  std::uint64_t squares = 0;     ///< squares, each once per segment
 
-  /// Counts an instruction in words of a link of that width.
-  void add(const isa::Instruction& instruction, unsigned link_width);
+  bool operator==(const Written&) const = default;
+};
+
+/// Counts the work of writing instructions, as a host does that keeps words: those of the expressions of a segment
+/// until its end, because each plane is broadcast several times, and those without an expression for the whole frame.
+class Writer {
+ public:
+  explicit Writer(unsigned link_width) : link_width_(link_width) {}
+
+  /// Begins the next segment.
+  void begin(const isa::Region& region);
+  void add(const isa::Instruction& instruction);
+
+  [[nodiscard]] const Written& written() const { return written_; }
+
+ private:
+  unsigned link_width_;
+  bool is_moved_ = false;
+  std::unordered_set<std::uint64_t> expressions_;  ///< hashes of the segment's expressions
+  std::unordered_set<std::uint64_t> words_;        ///< hashes of its instructions with an expression
+  std::unordered_set<std::uint64_t> frame_words_;  ///< hashes of the frame's other instructions
+  Written written_;
 };
 
 /// Operations to move expressions to their segments, minimize their widths, and assemble and store the instructions.
 processors::Operations count_operations(const Written& written);
-processors::Operations count_operations(const isa::Instruction& instruction, unsigned link_width);
 
 /// Operations for one long of the display model, assembled from its numbers.
 processors::Operations model_long_operations();

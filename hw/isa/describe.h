@@ -115,6 +115,18 @@ void describe(T& preparation, Visit&& visit) {
   visit("values", preparation.values);
   visit("supports", preparation.supports);
   visit("nodes", preparation.nodes);
+  visit("products", preparation.products);
+  visit("quotients", preparation.quotients);
+}
+
+template <Any<PruningFacts> T, class Visit>
+void describe(T& pruning, Visit&& visit) {
+  visit("name", pruning.name);
+  visit("tried", pruning.tried);
+  visit("decided", pruning.decided);
+  visit("left", pruning.left);
+  visit("saved", pruning.saved);
+  visit("nanoseconds", pruning.nanoseconds);
 }
 
 /// The counts of a group, without the steps.

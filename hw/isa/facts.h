@@ -41,6 +41,19 @@ struct CompileFacts {
   bool operator==(const CompileFacts&) const = default;
 };
 
+/// What a pruning did while a Program was compiled. An item is a pair of primitives for `space` and `separation`, a
+/// primitive at a place for `halfspaces`, and a surface for `hidden`.
+struct PruningFacts {
+  std::string name;               ///< as in --pruning
+  std::uint64_t tried = 0;        ///< items to which it was applied
+  std::uint64_t decided = 0;      ///< items of these that need no instructions
+  std::uint64_t left = 0;         ///< items to which it was not applied, because that would not pay
+  std::uint64_t saved = 0;        ///< estimated instructions for the decided items
+  std::uint64_t nanoseconds = 0;  ///< time of the host for the tried items; 0 for an ideal host
+
+  bool operator==(const PruningFacts&) const = default;
+};
+
 /// Names and parameters of a Program for statistics, pictures and waves. No hardware reads them.
 struct Facts {
   std::vector<NamedField> fields;
@@ -51,6 +64,7 @@ struct Facts {
   DepthScale depth_scale;
   ModelFacts model;
   CompileFacts compile;
+  std::vector<PruningFacts> prunings{};  ///< those that were considered
 
   bool operator==(const Facts&) const = default;
 };

@@ -29,6 +29,8 @@ struct Preparation {
   std::uint64_t values = 0;      ///< comparisons of plane values at single pixels
   std::uint64_t supports = 0;    ///< tests of a point against a direction in space
   std::uint64_t nodes = 0;       ///< visits of tree nodes
+  std::uint64_t products = 0;    ///< distinct coordinates multiplied by a number of the camera's matrix
+  std::uint64_t quotients = 0;   ///< divisions by a distance or a slope in perspective or depth
 
   Preparation& operator+=(const Preparation& more) {
     planes += more.planes;
@@ -39,6 +41,8 @@ struct Preparation {
     values += more.values;
     supports += more.supports;
     nodes += more.nodes;
+    products += more.products;
+    quotients += more.quotients;
     return *this;
   }
   constexpr bool operator==(const Preparation&) const = default;

@@ -300,10 +300,9 @@ void put_text_form(std::string& page) {
       "`.array` comes first. `.field NAME PLACE ROLE`, `.primitive \"NAME\"` and `.extent` appear once per item, "
       "before the first\n`.segment`. The other directives contain `key=value` pairs; missing values are zero (`far`: "
       "1).\n\n"
-      "A machine acts only on `.array`, `.frame`, `.extent`, `.display_model`, `.prepare`, the region and division "
-      "counts "
-      "of a\nsegment, and the instructions. Everything else, including origins, is for users: without it clocks, "
-      "instruction counts and\npicture are the same.\n\n"
+      "A machine acts only on `.array`, `.frame`, `.extent`, `.display_model`, `.prepare`, `.prepare_model`, the "
+      "region and\ndivision counts of a segment, and the instructions. Everything else, including origins, is for users: "
+      "without it clocks,\ninstruction counts and picture are the same.\n\n"
       "- `.machine` names the machine that the Program was compiled for, with its changed parameters, and lists its "
       "parameters,\n  `\"KEY=VALUE\"` each; the others have csgsim's values. Commands run the Program on it and reject "
       "another "
@@ -332,6 +331,12 @@ void put_text_form(std::string& page) {
       "`.segment` for "
       "the\nframe, and one after the line of each segment with such work ([the host](host.md)):\n\n");
   put_keys(page, "prepare", Preparation{});
+  put(page,
+      "\nA `.prepare_model` line before the first `.segment` has the same keys for work that is done once per model, "
+      "whatever\nthe camera. `.pruning` lines say what the prunings did: for how many items each was `tried`, how many "
+      "it `decided`,\nhow many were `left` because a test would not pay, the estimated instructions `saved`, and the "
+      "host's `nanoseconds`:\n\n");
+  put_keys(page, "pruning", PruningFacts{});
 }
 
 }  // namespace

@@ -113,15 +113,22 @@ void read(const json& value, std::string_view what, RowExtent& extent) {
   read(row[1], what, extent.last);
 }
 
+/// Number of counts of a Preparation before `products` and `quotients` were added; such rows stay readable.
+constexpr std::size_t first_counts = 8;
+
 /// A record stored as a row of its members in order.
 template <class Record>
-requires std::same_as<Record, DivisionStep> || std::same_as<Record, Preparation>
+requires std::same_as<Record, DivisionStep> || std::same_as<Record, Preparation> || std::same_as<Record, PruningFacts>
 void read(const json& value, std::string_view what, Record& record) {
   std::size_t members = 0;
   describe(record, [&](const char*, auto&) { ++members; });
+  const bool is_first = std::same_as<Record, Preparation> && value.is_array() && value.size() == first_counts;
+  if (is_first) members = first_counts;
   const json& row = require_row(value, what, members);
   std::size_t column = 0;
-  describe(record, [&](const char* key, auto& member) { read(row[column++], key, member); });
+  describe(record, [&](const char* key, auto& member) {
+    if (column < members) read(row[column++], key, member);
+  });
 }
 
 template <class Element>
@@ -298,6 +305,11 @@ std::vector<std::uint8_t> encode_metadata(const Program& program) {
       for (const DivisionStep& step : segment.division->steps) steps.push_back(number_row(step));
   }
   if (json rows = preparation_rows(program); !rows.is_null()) root["preparation"] = std::move(rows);
+  if (*program.model_preparation != Preparation{}) root["model_preparation"] = number_row(*program.model_preparation);
+  if (!program.facts->prunings.empty()) {
+    json& prunings = root["prunings"] = json::array();
+    for (const PruningFacts& pruning : program.facts->prunings) prunings.push_back(number_row(pruning));
+  }
   return json::to_cbor(root);
 }
 
@@ -340,6 +352,9 @@ Metadata decode_metadata(std::span<const std::byte> cbor, bool names_machine) {
     read(*found, "preparation", rows);
     share_out(rows, program);
   }
+  if (const auto found = root.find("model_preparation"); found != root.end())
+    read(*found, "model_preparation", *program.model_preparation);
+  if (const auto found = root.find("prunings"); found != root.end()) read(*found, "prunings", program.facts->prunings);
   return metadata;
 }
 

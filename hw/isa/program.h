@@ -98,6 +98,7 @@ struct Program {
   std::vector<std::uint8_t> display_model{};
   Indirect<Preparation> preparation{};  ///< work of the host for the frame, before the first segment
   Indirect<Facts> facts{};
+  Indirect<Preparation> model_preparation{};  ///< work of the host for the model, the same for every camera
 
   bool operator==(const Program&) const = default;
 };

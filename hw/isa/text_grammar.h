@@ -130,6 +130,8 @@ struct directive_body {
       case Directive::extent:
       case Directive::step:
       case Directive::preparation:
+      case Directive::model_preparation:
+      case Directive::pruning:
       case Directive::segment: return demand(std::type_identity<star<blanks, pair>>{});
     }
     return false;

@@ -156,8 +156,8 @@ void put_display_model(Buffer& out, std::span<const std::uint8_t> bytes) {
     put(out, ".display_model \"{}\"\n", hexadecimal(bytes.first(std::min(bytes.size(), model_line))));
 }
 
-void put_preparation(Buffer& out, const Preparation& preparation) {
-  if (preparation != Preparation{}) put_record(out, "prepare", preparation);
+void put_preparation(Buffer& out, const Preparation& preparation, std::string_view name = "prepare") {
+  if (preparation != Preparation{}) put_record(out, name, preparation);
 }
 
 void put_header(Buffer& out, const Program& program) {
@@ -175,6 +175,8 @@ void put_header(Buffer& out, const Program& program) {
   }
   for (const RowExtent& extent : program.extents) put_record(out, "extent", extent);
   put_display_model(out, program.display_model);
+  for (const PruningFacts& pruning : program.facts->prunings) put_record(out, "pruning", pruning);
+  put_preparation(out, *program.model_preparation, "prepare_model");
   put_preparation(out, *program.preparation);
 }
 

@@ -30,6 +30,8 @@ constexpr std::string_view model_directive = "display_model";
 constexpr std::string_view segment_directive = "segment";
 constexpr std::string_view step_directive = "step";
 constexpr std::string_view preparation_directive = "prepare";
+constexpr std::string_view model_preparation_directive = "prepare_model";
+constexpr std::string_view pruning_directive = "pruning";
 
 template <class... Args>
 [[noreturn]] void refuse(fmt::format_string<Args...> format, Args&&... args) {
@@ -58,8 +60,9 @@ std::size_t index_in(const Table& table, std::string_view what, std::string_view
 }
 
 std::vector<std::string_view> directive_names(Program& program) {
-  std::vector<std::string_view> names{field_directive,   primitive_directive, extent_directive,     model_directive,
-                                      segment_directive, step_directive,      preparation_directive};
+  std::vector<std::string_view> names{field_directive,       primitive_directive,         extent_directive,
+                                      model_directive,       segment_directive,           step_directive,
+                                      preparation_directive, model_preparation_directive, pruning_directive};
   describe_header(program, [&](std::string_view name, auto&) { names.push_back(name); });
   return names;
 }
@@ -141,14 +144,16 @@ void Reading::begin_directive(const std::string& name) {
   name_ = name;
   keys_seen_.clear();
   if (directive == Directive::primitive && name != primitive_directive) set_pieces();
-  directive = name == field_directive         ? Directive::field
-              : name == primitive_directive   ? Directive::primitive
-              : name == extent_directive      ? Directive::extent
-              : name == model_directive       ? Directive::display_model
-              : name == segment_directive     ? Directive::segment
-              : name == step_directive        ? Directive::step
-              : name == preparation_directive ? Directive::preparation
-                                              : Directive::record;
+  directive = name == field_directive               ? Directive::field
+              : name == primitive_directive         ? Directive::primitive
+              : name == extent_directive            ? Directive::extent
+              : name == model_directive             ? Directive::display_model
+              : name == segment_directive           ? Directive::segment
+              : name == step_directive              ? Directive::step
+              : name == preparation_directive       ? Directive::preparation
+              : name == model_preparation_directive ? Directive::model_preparation
+              : name == pruning_directive           ? Directive::pruning
+                                                    : Directive::record;
   if (records_seen_.empty() && name != "array") refuse(".{} comes before .array; begin with .array", name);
   if (directive == Directive::extent) program_.extents.emplace_back();
   if (directive == Directive::step) return begin_step();
@@ -158,8 +163,9 @@ void Reading::begin_directive(const std::string& name) {
   } else if (!program_.segments.empty()) {
     refuse(".{} comes after a .segment; put it before the first", name);
   }
-  if (directive == Directive::record && !records_seen_.insert(name).second)
-    refuse(".{} appears twice; keep one of them", name);
+  if (directive == Directive::pruning) program_.facts->prunings.emplace_back();
+  const bool is_once = directive == Directive::record || directive == Directive::model_preparation;
+  if (is_once && !records_seen_.insert(name).second) refuse(".{} appears twice; keep one of them", name);
 }
 
 void Reading::begin_step() {
@@ -219,6 +225,8 @@ void Reading::set_value() {
   if (directive == Directive::extent) return assign_member(program_.extents.back(), key, value);
   if (directive == Directive::step) return assign_member(program_.segments.back().division->steps.back(), key, value);
   if (directive == Directive::preparation) return assign_member(preparation(), key, value);
+  if (directive == Directive::model_preparation) return assign_member(*program_.model_preparation, key, value);
+  if (directive == Directive::pruning) return assign_member(program_.facts->prunings.back(), key, value);
   if (directive == Directive::segment) {
     const DividedSegment<Segment> segment{program_.segments.back()};
     if (program_.display_model.empty()) return assign_member(segment.segment, key, value);
@@ -252,6 +260,8 @@ void Reading::end_directive() {
     case Directive::extent: return validate_extent(program_.extents.back(), program_.shape);
     case Directive::step: return;
     case Directive::preparation: return validate_preparation(preparation());
+    case Directive::model_preparation: return validate_preparation(*program_.model_preparation);
+    case Directive::pruning: return;
     case Directive::segment: return validate_region(program_.segments.back().region, program_.shape);
     case Directive::field:
       named_.field = field;

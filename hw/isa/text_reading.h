@@ -21,7 +21,18 @@
 namespace csgsim::isa {
 
 /// Kinds of directives of the text form.
-enum class Directive : std::uint8_t { record, field, primitive, extent, display_model, segment, step, preparation };
+enum class Directive : std::uint8_t {
+  record,
+  field,
+  primitive,
+  extent,
+  display_model,
+  segment,
+  step,
+  preparation,
+  model_preparation,
+  pruning,
+};
 
 /// A value that is neither string nor list: a number, true or false.
 struct Bare {

@@ -270,6 +270,7 @@ void validate_preparation(const Preparation& preparation) {
 }
 
 void validate_preparations(const Program& program) {
+  validate_preparation(*program.model_preparation);
   Preparation all = *program.preparation;
   validate_preparation(all);
   for (const Segment& segment : program.segments) {

@@ -19,7 +19,8 @@ struct FrameTiming {
                                       ///< host keeps up
   std::uint64_t latency_clocks = 0;   ///< part of `clocks`: time for the last instruction to reach all pixels
   Account account;
-  std::uint64_t host_clocks = 0;  ///< clocks to compile the frame on the host; 0 for an ideal host (hw/host)
+  std::uint64_t host_clocks = 0;        ///< clocks to compile the frame on the host; 0 for an ideal host (hw/host)
+  std::uint64_t host_model_clocks = 0;  ///< clocks of the host for work done once per model; 0 for an ideal host
 
   bool operator==(const FrameTiming&) const = default;
 };

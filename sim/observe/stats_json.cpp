@@ -143,6 +143,19 @@ Json segments_json(const isa::Program& program) {
           {"linear_width_mean", mean_linear_width(program)}};
 }
 
+/// What each pruning did, by its name.
+Json prunings_json(const isa::Program& program) {
+  Json json = Json::object();
+  for (const isa::PruningFacts& pruning : program.facts->prunings) {
+    json[printable(pruning.name)] = {{"tried", pruning.tried},
+                                     {"decided", pruning.decided},
+                                     {"left", pruning.left},
+                                     {"saved_instructions", pruning.saved},
+                                     {"host_nanoseconds", pruning.nanoseconds}};
+  }
+  return json;
+}
+
 /// Null if the machine's kind reports no units.
 Json bound_json(const Report& report) {
   const std::optional<Bound> bound = bound_of(report.result, report.machine);
@@ -199,6 +212,7 @@ nlohmann::ordered_json to_json(const Report& report) {
   json["shown_clocks"] = report.result.shown_clocks;
   json["interval_clocks"] = report.result.interval_clocks;
   json["host_clocks"] = report.result.host_clocks;
+  json["host_model_clocks"] = report.result.host_model_clocks;
   json["frame_seconds"] =
       static_cast<double>(report.result.shown_clocks) / static_cast<double>(report.machine.clock_hz);
   json["frames_per_second"] = frames_per_second(report, report.result.interval_clocks);
@@ -219,6 +233,7 @@ nlohmann::ordered_json to_json(const Report& report) {
   json["account"] = account_json(report.result.account);
   json["effects"] = Json::array();
   for (const std::string& effect : compile.effects) json["effects"].push_back(printable(effect));
+  json["prunings"] = prunings_json(report.program);
   json["bound_by"] = bound_json(report);
   json["dearest"] = dearest_json(report);
   json["knobs"] = knobs_json(report.knobs);

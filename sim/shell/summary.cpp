@@ -79,6 +79,20 @@ void print_purposes(const observe::Report& report) {
              percent(report.result.latency_clocks, whole), "", "", "until the last instruction reaches the pixels");
 }
 
+/// What each pruning did, and where it was left out.
+void print_prunings(const observe::Report& report) {
+  for (const isa::PruningFacts& pruning : report.program.facts->prunings) {
+    std::string text = fmt::format("tried {}, decided {}", grouped(pruning.tried), grouped(pruning.decided));
+    if (pruning.nanoseconds > 0)
+      text += fmt::format(" in {:.3g} ms of the host", static_cast<double>(pruning.nanoseconds) / 1e6);
+    if (pruning.decided > 0) text += fmt::format(", which saves about {} instructions", grouped(pruning.saved));
+    if (pruning.left > 0)
+      text += fmt::format("; left out {}, where the host would take longer than half of what it saves",
+                          grouped(pruning.left));
+    fmt::print("{:<18}{}\n", "pruning " + pruning.name, text);
+  }
+}
+
 /// Turns waiting_for_host into `wait: host`.
 std::string heading(std::string_view activity) {
   constexpr std::string_view waiting = "waiting_for_";
@@ -182,6 +196,7 @@ void print_summary(const observe::Report& report) {
   fmt::print("{:<18}{} of {} bits a pixel, {} of them for the classification\n", "memory",
              observe::used_memory_bits(report.program), report.machine.array.memory_bits, compile.stack_bits);
   print_account(report);
+  print_prunings(report);
   print_purposes(report);
   const double seconds = std::max(report.wall_seconds, 1e-9);
   const double rate = static_cast<double>(report.result.shown_clocks) / seconds;

@@ -107,8 +107,9 @@ std::optional<Json> ActiveTrees::of(std::uint32_t piece, std::uint32_t segment) 
     const view::View view = session::view_of(model_, options_, machine_);
     emit::Options options = session::emit_options_of(options_);
     if (const auto division = machine_.kind->division(machine_)) options = emit::options_for(*division, options);
+    options = emit::with_prices(std::move(options), machine_);
     emit::Plan plan = emit::make_plan(model_.tree, model_.scene, view, {model_.program.segments[segment].region},
-                                      emit::pruning_of(options), {}, options.work);
+                                      {emit::pruning_of(options), options.prices}, {}, options.work);
     plan_ = std::move(plan.segments.front());
     segment_ = segment;
   }

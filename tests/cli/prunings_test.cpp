@@ -15,11 +15,50 @@ std::string compiled(const std::string& options) {
 }  // namespace
 
 TEST_CASE("--pruning lists the prunings to apply or to omit") {
-  CHECK(compiled("--pruning all") == compiled(""));
+  CHECK(compiled("--pruning auto") == compiled(""));
   CHECK(compiled("--pruning none") != compiled(""));
   CHECK(compiled("--pruning space+picture+separation+halfspaces+near") ==
         compiled("--pruning no-hidden+no-sets+no-early-out"));
   CHECK(compiled("--pruning early-out") != compiled("--pruning none"));
+}
+
+TEST_CASE("--pruning auto equals all where the host is ideal") {
+  const std::string ideal = "--machine pixel-planes-4+host.processor=ideal ";
+  CHECK(compiled(ideal + "--pruning auto") == compiled(ideal + "--pruning all"));
+}
+
+TEST_CASE("every machine draws the same picture with all prunings, none, and those that pay") {
+  for (const char* const machine : {"pixel-planes-4", "pixel-planes-4+host.processor=ideal", "pixel-planes-5",
+                                    "scan-line", "pixel-square+divider.kind=host", "pixel-powers"}) {
+    const Folder folder;
+    const auto drawn = [&](const std::string& pruning) {
+      succeeded(run("render " + model("old_example002") + " --size 48x48 --machine " + machine + " --pruning " +
+                    pruning + " -o " + (folder / "p.ppm")));
+      return content(folder / "p.ppm");
+    };
+    const std::string all = drawn("all");
+    CHECK(drawn("auto") == all);
+    CHECK(drawn("none") == all);
+  }
+}
+
+TEST_CASE("render says which prunings were tried and which left out, and what they cost") {
+  const Folder folder;
+  const std::string render = "render " + model("old_example002") + " --size 48x48 --verbose -o " + (folder / "p.ppm") +
+                             " --stats " + (folder / "p.json");
+  const Outcome paying = run(render);
+  succeeded(paying);
+  CHECK(paying.out.find("pruning separation") != std::string::npos);
+  CHECK(paying.out.find("where the host would take longer than half of what it saves") != std::string::npos);
+  const nlohmann::json prunings = json(folder / "p.json")["prunings"];
+  CHECK(prunings["separation"]["left"] > 0);
+  CHECK(prunings["separation"]["tried"] == 0);
+  CHECK(prunings["space"]["host_nanoseconds"] > 0);
+  succeeded(run(render + " --pruning all"));
+  const nlohmann::json all = json(folder / "p.json");
+  CHECK(all["prunings"]["separation"]["tried"] > 0);
+  CHECK(all["prunings"]["separation"]["left"] == 0);
+  CHECK(all["host_model_clocks"] > 0);
 }
 
 TEST_CASE("rejects contradictory and unknown prunings") {

@@ -8,7 +8,7 @@ from figures import MODELS, Figures
 from runs import ROOT, Record
 from tables import comparison, host, machine, today
 
-NUMBERS = ("clocks", "interval_clocks", "host_clocks", "pixel_operations", "processors", "processor_clocks", "machine_memory_bits", "halfspaces")
+NUMBERS = ("clocks", "interval_clocks", "host_clocks", "host_model_clocks", "pixel_operations", "processors", "processor_clocks", "machine_memory_bits", "halfspaces")
 RATES = ("simulated_seconds", "frames_per_second", "hosted_frames_per_second", "frame_joules", "utilisation")
 
 

@@ -14,6 +14,20 @@ emit::Options with_strategy(emit::Strategy strategy, unsigned stack_bits = emit:
   return options;
 }
 
+/// Weighed prices, from a host for which everything pays to one for which nothing does.
+std::vector<csg::Prices> weighed_prices() {
+  std::vector<csg::Prices> all;
+  for (const double of_host : {0.0, 10.0, 100.0, 1e6}) {
+    all.push_back({.are_weighed = true,
+                   .box = of_host,
+                   .test = 5 * of_host,
+                   .value = of_host / 3,
+                   .support = 6 * of_host,
+                   .instruction = 1000});
+  }
+  return all;
+}
+
 }  // namespace
 
 std::vector<emit::Options> all_options() {
@@ -53,6 +67,12 @@ std::vector<emit::Options> all_options() {
     all.back().colouring = colouring;
     all.back().pruning = csg::Pruning::divider();
   }
+  for (const csg::Prices& prices : weighed_prices()) {
+    for (const Strategy strategy : {Strategy::stack, Strategy::products}) {
+      all.push_back(with_strategy(strategy));
+      all.back().prices = prices;
+    }
+  }
   return all;
 }
 
@@ -77,6 +97,11 @@ std::vector<Setup> in_parts(Setup how) {
   how.options = with_strategy(emit::Strategy::bits, 4);
   how.options.pruning = csg::Pruning::none();
   all.push_back(how);
+  how.options = with_strategy(emit::Strategy::stack);
+  for (const csg::Prices& prices : weighed_prices()) {
+    how.options.prices = prices;
+    all.push_back(how);
+  }
   return all;
 }
 

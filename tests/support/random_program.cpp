@@ -406,13 +406,26 @@ isa::Preparation pick_preparation() {
           .halfspaces = pick(0U, 9U),
           .values = pick(0U, 9U),
           .supports = pick(0U, 9U),
-          .nodes = pick(0U, 9U)};
+          .nodes = pick(0U, 9U),
+          .products = pick(0U, 9U),
+          .quotients = pick(0U, 9U)};
+}
+
+isa::PruningFacts pick_pruning() {
+  return {.name = pick(0U, 1U) == 0 ? "space" : "hidden",
+          .tried = pick(0U, 9U),
+          .decided = pick(0U, 9U),
+          .left = pick(0U, 9U),
+          .saved = pick(0U, 9U),
+          .nanoseconds = pick(0U, 9U)};
 }
 
 /// Work of the host; often none.
 void pick_preparations(isa::Program& program) {
   if (pick(0U, 1U) == 0) return;
   *program.preparation = pick_preparation();
+  *program.model_preparation = pick_preparation();
+  for (unsigned left = pick(0U, 2U); left > 0; --left) program.facts->prunings.push_back(pick_pruning());
   for (isa::Segment& segment : program.segments) *segment.preparation = pick_preparation();
 }
 

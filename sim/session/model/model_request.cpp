@@ -23,6 +23,7 @@
 #include "hw/base/prints.h"
 #include "hw/base/text.h"
 #include "sim/session/model/fast_curves.h"
+#include "sim/session/model/prices.h"
 #include "sim/session/model/scad.h"
 #include "sim/session/options/numbers.h"
 #include "sim/session/options/paths.h"
@@ -175,9 +176,10 @@ void ModelRequest::add_to(OptionList& options, const std::string& what) {
           "beside Z1)")
       .one_of(by_name(emit::colourings));
   options
-      .option(
-          "--pruning", pruning,
-          "Prunings to apply: all, none, the named ones (space+hidden) or all but the named ones (no-space+no-hidden)")
+      .option("--pruning", pruning,
+              "Prunings to apply: auto (all, where their tests take the host less time than they save), all, none, the "
+              "named "
+              "ones (space+hidden) or all but the named ones (no-space+no-hidden)")
       .words(pruning_words(), is_read_by(pruning_of));
 }
 
@@ -257,6 +259,7 @@ emit::Options emit_options_of(const ModelRequest& request) {
   emit.scene = request.scene();
   emit.effects = effects::all();
   emit.pruning = pruning_of(request.pruning);
+  emit.prices_on = request.pruning == all_that_pay ? weighed_prices_on : prices_on;
   emit.work = work_of(request);
   return emit;
 }

@@ -65,7 +65,7 @@ struct ModelRequest {
   unsigned stack_bits = emit::min_stack_bits;
   std::string colouring = "rebroadcast";
   unsigned colour_bits = isa::max_colour_bits;
-  std::string pruning = "all";  ///< see pruning_of
+  std::string pruning = "auto";  ///< see pruning_of
 
   void add_to(OptionList& options,
               const std::string& what =

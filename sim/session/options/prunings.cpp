@@ -45,7 +45,7 @@ csg::Pruning uniform(bool is_done) {
 }  // namespace
 
 csg::Pruning pruning_of(const std::string& text) {
-  if (text == "all" || text == "none") return uniform(text == "all");
+  if (text == all_that_pay || text == "all" || text == "none") return uniform(text != "none");
   const std::vector<std::string_view> words = split(text, "+");
   const bool are_left_out = words.front().starts_with(left_out);
   csg::Pruning pruning = uniform(are_left_out);
@@ -67,7 +67,7 @@ std::vector<std::string> prunings_of(const std::string& text) {
 }
 
 std::vector<std::string> pruning_words() {
-  std::vector<std::string> words{"all", "none"};
+  std::vector<std::string> words{std::string(all_that_pay), "all", "none"};
   for (const NamedPruning& one : named) words.emplace_back(one.name);
   for (const NamedPruning& one : named) words.push_back(std::string(left_out) + std::string(one.name));
   return words;

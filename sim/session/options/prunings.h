@@ -3,13 +3,17 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host/csg/pruning.h"
 
 namespace csgsim::session {
 
-/// Parses a selection of prunings: `all`, `none`, those to apply (`space+hidden`), or those to leave out
+/// The selection of all prunings, each applied where it pays (csg::Prices).
+inline constexpr std::string_view all_that_pay = "auto";
+
+/// Parses a selection of prunings: `auto`, `all`, `none`, those to apply (`space+hidden`), or those to leave out
 /// (`no-space+no-hidden`). Throws UsageError.
 csg::Pruning pruning_of(const std::string& text);
 

@@ -59,6 +59,7 @@ void draw(const isa::Program& program, const machines::Machine& machine, Compari
   row.shown_clocks = result.shown_clocks;
   row.interval_clocks = result.interval_clocks;
   row.host_clocks = result.host_clocks;
+  row.host_model_clocks = result.host_model_clocks;
   const auto frames = [&](std::uint64_t interval) {
     return static_cast<double>(machine.clock_hz) / static_cast<double>(interval);
   };

@@ -57,6 +57,7 @@ struct ComparisonRow {
   std::uint64_t shown_clocks = 0;       ///< until the last pixel has been shown
   std::uint64_t interval_clocks = 0;    ///< between frames if the host keeps up
   std::uint64_t host_clocks = 0;        ///< for the host to compile a frame
+  std::uint64_t host_model_clocks = 0;  ///< for the host's work done once per model
   double frames_per_second = 0;         ///< if the host keeps up
   double hosted_frames_per_second = 0;  ///< limited by the host too
   std::uint64_t pixel_operations = 0;   ///< sum over instructions of clocks times pixels of the region
@@ -93,6 +94,7 @@ struct ComparisonRow {
     visit("shown_clocks", row.shown_clocks);
     visit("interval_clocks", row.interval_clocks);
     visit("host_clocks", row.host_clocks);
+    visit("host_model_clocks", row.host_model_clocks);
     visit("frames_per_second", row.frames_per_second);
     visit("hosted_frames_per_second", row.hosted_frames_per_second);
     visit("pixel_operations", row.pixel_operations);

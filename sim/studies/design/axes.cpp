@@ -109,7 +109,7 @@ constexpr std::array all_axes{
         {"curves", "curved surfaces", "curves ", "auto"},
         [](const std::string& list) { return session::parse_names(list, "way", names_of(emit::curve_choices)); }),
     axis<&ModelRequest::pruning, &DesignPoint::pruning>(
-        {"pruning", "pruning", "pruning ", "all"}, [](const std::string& list) { return session::prunings_of(list); }),
+        {"pruning", "pruning", "pruning ", "auto"}, [](const std::string& list) { return session::prunings_of(list); }),
 };
 
 }  // namespace

@@ -60,7 +60,7 @@ void SweepOptions::add_to(session::OptionList& command) {
       .list_of(names_of(emit::colourings), "colouring");
   command
       .option("--pruning", prunings,
-              "Prunings to apply, separated by commas: all, none, those named (space+hidden) or all but those "
+              "Prunings to apply, separated by commas: auto, all, none, those named (space+hidden) or all but those "
               "(no-space+no-hidden)")
       .words(session::pruning_words(), session::is_read_by(session::prunings_of));
   command.option("--machines", machines, "Machines, as names or .toml files separated by commas")

@@ -23,7 +23,7 @@ struct SweepOptions {
   std::string strategies = default_strategies();
   std::string stack_bits = "3..8";
   std::string colourings = "rebroadcast";
-  std::string prunings = "all";
+  std::string prunings = "auto";
   std::string curves = "auto";
   bool no_draw = false;
 

@@ -30,17 +30,18 @@ def on_hosts(figures, model, options=""):
 
 
 def hosts(figures):
-    head = ("", "machine, ms", *(f"`{name}`, ms | needed" for name in PROCESSORS))
-    lines = [row(*head), "|---" + "|--:" * (1 + 2 * len(PROCESSORS)) + "|"]
+    head = ("", "machine, ms", *(f"`{name}`: model, ms | frame, ms | needed" for name in PROCESSORS))
+    lines = [row(*head), "|---" + "|--:" * (1 + 3 * len(PROCESSORS)) + "|"]
     for model in THESIS_MODELS:
         points = on_hosts(figures, model)
-        lines.append(row(f"**{model}**", *[""] * (1 + 2 * len(PROCESSORS))))
+        lines.append(row(f"**{model}**", *[""] * (1 + 3 * len(PROCESSORS))))
         for machine in MACHINES:
             own = points[machine, PROCESSORS[0]]
             cells = [four_digits(milliseconds(own.interval_clocks, own))]
             for processor in PROCESSORS:
                 one = points[machine, processor]
-                cells += [four_digits(milliseconds(one.host_clocks, one)), f"{math.ceil(one.host_clocks / one.interval_clocks):,}"]
+                cells += [four_digits(milliseconds(one.host_model_clocks, one)),
+                          four_digits(milliseconds(one.host_clocks, one)), f"{math.ceil(one.host_clocks / one.interval_clocks):,}"]
             lines.append(row(f"`{machine}`", *cells))
     return "\n".join(lines)
 
@@ -56,7 +57,7 @@ def exact(figures):
     return ruled(("machine", "host", *EXACT), rows, numbers_from=2)
 
 
-PRUNINGS = ("all", "no-space", "no-separation", "no-halfspaces", "no-hidden", "no-sets", "none")
+PRUNINGS = ("auto", "all", "no-space", "no-separation", "no-halfspaces", "no-hidden", "no-sets", "none")
 
 
 def prunings(figures):
@@ -67,7 +68,8 @@ def prunings(figures):
             cells = []
             for model in THESIS_MODELS:
                 stats = figures.render(model, f"--machine {machine} --curves facets --pruning {pruning}")
-                cells += [f"{stats.clocks:,}", four_digits(1e3 * stats.host_clocks / stats.machine.clock_hz)]
+                cells += [f"{stats.clocks:,}"]
+                cells += [four_digits(1e3 * clocks / stats.machine.clock_hz) for clocks in (stats.host_model_clocks, stats.host_clocks)]
             rows.append((f"`{machine}`", f"`{pruning}`", *cells))
-    head = ("machine", "`--pruning`", *(cell for model in THESIS_MODELS for cell in (f"{model}: clocks", "host, ms")))
+    head = ("machine", "`--pruning`", *(cell for model in THESIS_MODELS for cell in (f"{model}: clocks", "model, ms", "frame, ms")))
     return ruled(head, rows, numbers_from=2)

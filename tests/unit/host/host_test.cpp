@@ -55,12 +55,13 @@ TEST_CASE("the host's clocks sum segments and their preparation") {
   const machines::Machine machine = machine_named("scan-line");
   const isa::Program program = drawn_on(machine);
   isa::Preparation sum = *program.preparation;
-  double instructions = 0;
+  host::Writer writer(machine.link.width);
   for (const isa::Segment& segment : program.segments) {
     sum += *segment.preparation;
-    for (const isa::Instruction& one : segment.instructions)
-      instructions += clocks_on_mc68000(host::count_operations(one, machine.link.width));
+    writer.begin(segment.region);
+    for (const isa::Instruction& one : segment.instructions) writer.add(one);
   }
+  const double instructions = clocks_on_mc68000(host::count_operations(writer.written()));
   double prepared = 0;
   for (const host::Recipe& recipe : host::recipes())
     prepared += static_cast<double>(sum.*recipe.count) * clocks_on_mc68000(recipe.each);
@@ -113,10 +114,26 @@ TEST_CASE("a host slower than the machine limits the frame and a faster one does
   CHECK(bound.sentence.starts_with(kept_up.sentence));
 }
 
+TEST_CASE("the host's clocks for the model are apart from those of the frame") {
+  const machines::Machine machine = machine_named("pixel-planes-4");
+  isa::Program program = drawn_on(machine);
+  program.model_preparation->supports = 0;
+  const machines::FrameTiming without = host::time_frame(program, machine);
+  CHECK(without.host_model_clocks == 0);
+  program.model_preparation->supports = 1000;
+  const machines::FrameTiming timing = host::time_frame(program, machine);
+  CHECK(timing.host_clocks == without.host_clocks);
+  for (const host::Recipe& recipe : host::recipes())
+    if (recipe.name == "supports")
+      CHECK(static_cast<double>(timing.host_model_clocks) ==
+            doctest::Approx(1000 * clocks_on_mc68000(recipe.each) * 10 / 8).epsilon(1e-6));
+  CHECK(host::time_frame(program, machine_named("pixel-planes-4+host.processor=ideal")).host_model_clocks == 0);
+}
+
 TEST_CASE("a Program with an excessive amount of host preparation is rejected") {
   const machines::Machine machine = machine_named("pixel-planes-4");
   isa::Program program = drawn_on(machine);
-  program.preparation->planes = 1'000'000'000'000;
+  program.preparation->planes = 10'000'000'000'000;
   CHECK_THROWS_WITH_AS(host::compile_clocks(program, machine), doctest::Contains("more than the limit of 9e15"),
                        InputError);
 }
@@ -130,7 +147,12 @@ TEST_CASE("a host's operations are the sum over its preparation and instructions
   program.segments.push_back({.region = {0, 0, 64, 64}, .instructions = {{.opcode = isa::Opcode::enable_all}}});
   program.segments[0].preparation->boxes = 5;
   program.segments[1].preparation->boxes = 7;
-  processors::Operations sum = 2 * host::count_operations(program.segments[0].instructions[0], machine.link.width);
+  host::Writer writer(machine.link.width);
+  for (const isa::Segment& segment : program.segments) {
+    writer.begin(segment.region);
+    writer.add(segment.instructions[0]);
+  }
+  processors::Operations sum = host::count_operations(writer.written());
   for (const host::Recipe& recipe : host::recipes()) {
     if (recipe.name == "planes") sum += 2 * recipe.each;
     if (recipe.name == "points") sum += 3 * recipe.each;

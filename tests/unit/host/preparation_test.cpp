@@ -1,4 +1,5 @@
 #include "host/emit/compile.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/host_counts.h"
 #include "tests/support/drawing.h"
 #include "tests/support/test.h"
@@ -36,15 +37,39 @@ TEST_CASE("a cube takes the host the transformation of six planes and eight corn
   const isa::Program program = compiled(cube);
   CHECK(program.preparation->planes == 6);
   CHECK(program.preparation->points == 8);
-  CHECK(program.preparation->nodes == 1);
+  CHECK(program.preparation->nodes == 0);
+  // Two coordinates an axis by three numbers of the matrix; the components 0 and 1 of normals an axis by four.
+  CHECK(program.preparation->products == 2 * 3 * 3 + 2 * 3 * 4);
+  // One for each direction in a parallel projection.
+  CHECK(program.preparation->quotients == 3);
+  // The tree's only node; a plane for each half-space, three components and a direction for each plane, and three
+  // coordinates for each corner.
+  CHECK(*program.model_preparation == isa::Preparation{.nodes = 1 + 6 + 6 * 4 + 8 * 3});
+}
+
+TEST_CASE("cubes side by side share directions and the coordinates in common") {
+  const isa::Preparation took = *compiled("group() {" + cube + moved + "{" + cube + "} }").preparation;
+  CHECK(took.planes == 12);
+  CHECK(took.points == 16);
+  // -5 and 5, and 0 and 10, along each axis.
+  CHECK(took.products == 4 * 3 * 3 + 2 * 3 * 4);
+  CHECK(took.quotients == 3);
+}
+
+TEST_CASE("each plane and each point takes a quotient in perspective") {
+  testing::Setup setup = setup_of({});
+  setup.camera.projection = view::Projection::perspective;
+  const isa::Preparation took = *testing::compile_text(cube, setup).program.preparation;
+  CHECK(took.quotients == 6 + 8);
+  CHECK(took.products == 2 * 3 * 3 + 2 * 3 * 4);
 }
 
 TEST_CASE("a lone cube takes the host box and half-space tests against its rectangle") {
   const isa::Preparation took = of_segments(compiled(cube));
-  // Whether it is in the picture, and its block.
-  CHECK(took.boxes == 2);
-  // Six to narrow the block, and three each for the deciding front and back half-spaces.
-  CHECK(took.halfspaces == 12);
+  // Whether it is in the picture, its block, and the rectangles of the deciding front and back half-spaces.
+  CHECK(took.boxes == 2 + 6);
+  // Each half-space is tested once over the rectangle, to narrow the block.
+  CHECK(took.halfspaces == 6);
   // Three front and three back half-spaces have values at four corners each; then each is compared with the leading
   // ones.
   CHECK(took.values >= 2 * 3 * 4);
@@ -55,23 +80,58 @@ TEST_CASE("a lone cube takes the host box and half-space tests against its recta
 }
 
 TEST_CASE("each surface of a notched cube takes a test of the other cube by the host") {
-  const isa::Preparation took = of_segments(compiled("difference() {" + cube + moved + "{" + cube + "} }"));
+  const isa::Program program = compiled("difference() {" + cube + moved + "{" + cube + "} }");
+  const isa::Preparation took = of_segments(program);
   CHECK(took.nodes > 0);
-  // Gilbert's algorithm examines eight corners of both in each step.
-  CHECK(took.supports > 0);
-  CHECK(took.supports % 16 == 0);
-  CHECK(took.halfspaces > 24);
+  CHECK(took.halfspaces > 12);
+  // There is no plane between them whose place in the view could be examined.
+  CHECK(took.supports == 0);
+  // Each corner for a sphere, and the spheres; then Gilbert's algorithm examines eight corners of both in each step.
+  const std::uint64_t supports = program.model_preparation->supports;
+  CHECK(supports > 17);
+  CHECK((supports - 17) % 16 == 0);
+  // Three nodes of the tree, and the tables of twelve half-spaces and sixteen corners.
+  CHECK(*program.model_preparation == isa::Preparation{.supports = supports, .nodes = 3 + 12 + 12 * 4 + 16 * 3});
+}
+
+TEST_CASE("prunings that do not pay are left out, and all are done where the host is free") {
+  const std::string notched = "difference() {" + cube + moved + "{" + cube + "} }";
+  testing::Setup setup = setup_of({});
+  const auto facts_at = [&](const csg::Prices& prices, std::string_view name) {
+    setup.options.prices = prices;
+    const isa::Program program = testing::compile_text(notched, setup).program;
+    for (const isa::PruningFacts& facts : program.facts->prunings)
+      if (facts.name == name) return facts;
+    return isa::PruningFacts{};
+  };
+  const csg::Prices free{.are_weighed = true, .instruction = 100};
+  CHECK(facts_at(free, "separation").tried > 0);
+  CHECK(facts_at(free, "separation").left == 0);
+  // A search is estimated at 8 steps of 16 corners; a comparison with a cube at 6 + 3 instructions.
+  csg::Prices prices = free;
+  prices.support = 9 * 100 / 2.0 / (8 * 16);
+  CHECK(facts_at(prices, "separation").left == 0);
+  prices.support *= 1.001;
+  CHECK(facts_at(prices, "separation").tried == 0);
+  CHECK(facts_at(prices, "separation").left > 0);
+  prices.are_weighed = false;
+  CHECK(facts_at(prices, "separation").tried > 0);
+  prices = free;
+  prices.box = 9 * 100 / 2.0;
+  CHECK(facts_at(prices, "space").left == 0);
+  prices.box *= 1.001;
+  CHECK(facts_at(prices, "space").tried == 0);
 }
 
 TEST_CASE("the host's preparation does not count disabled prunings") {
   const std::string notched = "difference() {" + cube + moved + "{" + cube + "} }";
   csg::Pruning pruning;
   pruning.separation = false;
-  CHECK(of_segments(compiled(notched, pruning)).supports == 0);
+  CHECK(compiled(notched, pruning).model_preparation->supports == 0);
   pruning.halfspaces = false;
   CHECK(of_segments(compiled(notched, pruning)).values == 0);
   const isa::Preparation none = of_segments(compiled(notched, csg::Pruning::none()));
-  CHECK(none.supports == 0);
+  CHECK(compiled(notched, csg::Pruning::none()).model_preparation->supports == 0);
   CHECK(none.values == 0);
   CHECK(none.boxes < of_segments(compiled(notched)).boxes);
 }
@@ -89,5 +149,7 @@ TEST_CASE("twice as many cubes side by side take twice the host's work") {
   const isa::Preparation sixteen = row_of(16);
   CHECK(sixteen.halfspaces == 2 * eight.halfspaces);
   CHECK(sixteen.values == 2 * eight.values);
-  CHECK(sixteen.colours == 2 * eight.colours);
+  // All have the same three visible directions and one colour.
+  CHECK(eight.colours == 3);
+  CHECK(sixteen.colours == 3);
 }

@@ -3,11 +3,14 @@
 #include <rapidcheck.h>
 
 #include <boost/crc.hpp>
+#include <nlohmann/json.hpp>
 
 #include "hw/isa/bytes.h"
 #include "hw/isa/extents.h"
 #include "hw/isa/facts.h"
 #include "hw/isa/field_role.h"
+#include "hw/isa/host_counts.h"
+#include "hw/isa/metadata.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/program_file.h"
 #include "places.h"
@@ -232,3 +235,24 @@ TEST_CASE("an invalid Program is rejected when it is read") {
 }
 
 }  // namespace
+
+TEST_CASE("reads Programs from before products, quotients and the model's work were counted") {
+  isa::Program program;
+  program.shape = {8, 8, 16};
+  program.segments.push_back({.region = {0, 0, 8, 8}, .instructions = {}});
+  *program.preparation = {.planes = 1, .nodes = 2, .products = 3, .quotients = 4};
+  *program.model_preparation = {.supports = 5};
+  program.facts->prunings.push_back({.name = "space", .tried = 6});
+  nlohmann::json root = nlohmann::json::from_cbor(isa::encode_metadata(program));
+  for (nlohmann::json& row : root["preparation"]) row.erase(row.begin() + 8, row.end());
+  root.erase("model_preparation");
+  root.erase("prunings");
+  const std::vector<std::uint8_t> old = nlohmann::json::to_cbor(root);
+  const isa::Program read = isa::decode_metadata(std::as_bytes(std::span(old)), true).program;
+  CHECK(*read.preparation == isa::Preparation{.planes = 1, .nodes = 2});
+  CHECK(*read.model_preparation == isa::Preparation{});
+  CHECK(read.facts->prunings.empty());
+  root["preparation"][0].erase(7);
+  const std::vector<std::uint8_t> bad = nlohmann::json::to_cbor(root);
+  CHECK_THROWS_AS(isa::decode_metadata(std::as_bytes(std::span(bad)), true), MalformedBytes);
+}

@@ -1,6 +1,8 @@
 #include <rapidcheck.h>
 
 #include "hw/base/nearest.h"
+#include "hw/isa/facts.h"
+#include "hw/isa/host_counts.h"
 #include "hw/isa/text.h"
 #include "tests/support/test.h"
 #include "tests/unit/isa/sample.h"
@@ -147,6 +149,19 @@ TEST_CASE("preparation counts beyond the limit are rejected and so is their sum"
 }
 
 TEST_CASE("directives in the text of a Program must be in order") {
+  const std::string segment = ".segment width=8 height=8\n";
+  const isa::Program program =
+      parse(array + ".prepare_model supports=7\n.pruning name=\"space\" tried=3\n" + segment, "t");
+  CHECK(*program.model_preparation == isa::Preparation{.supports = 7});
+  CHECK(program.facts->prunings == std::vector{isa::PruningFacts{.name = "space", .tried = 3}});
+  CHECK(*program.preparation == isa::Preparation{});
+  CHECK(error_of(array + ".prepare_model\n.prepare_model\n").starts_with("t:3:2: .prepare_model appears twice"));
+  CHECK(error_of(array + segment + ".prepare_model\n").starts_with("t:3:2: .prepare_model comes after a .segment"));
+  CHECK(error_of(array + ".prepare_model boxes=281474976710657\n").starts_with("t:2:1: boxes=281474976710657 exceeds"));
+  CHECK(error_of(array + ".pruning tries=3\n").find("the nearest is 'tried'") != std::string::npos);
+}
+
+TEST_CASE("directives must be in order") {
   CHECK(error_of("").starts_with("t: there is no .array"));
   CHECK(error_of(".model unions=1\n" + array).starts_with("t:1:2: .model comes before .array"));
   CHECK(error_of(array + "enable_all").starts_with("t:2:1: the instruction is in no segment"));

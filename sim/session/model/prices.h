@@ -1,0 +1,16 @@
+// Prices of prunings on a machine.
+// Used by model_request.cpp and tests.
+#pragma once
+
+#include "host/csg/prices.h"
+#include "hw/machines/machine.h"
+
+namespace csgsim::session {
+
+/// The prices of a machine's host and of its array, which are reported but decide nothing.
+csg::Prices prices_on(const machines::Machine& machine);
+
+/// The same prices, for `--pruning auto`: tests that do not pay are left out.
+csg::Prices weighed_prices_on(const machines::Machine& machine);
+
+}  // namespace csgsim::session
