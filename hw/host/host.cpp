@@ -2,17 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <mutex>
-#include <string>
 #include <utility>
 
 #include "hw/base/error.h"
-#include "hw/base/quotient.h"
 #include "hw/host/recipes.h"
-#include "hw/isa/host_counts.h"
+#include "hw/host/shares.h"
 #include "hw/machines/kind.h"
 #include "hw/machines/regions.h"
 #include "hw/processors/processor.h"
@@ -26,35 +21,18 @@ using processors::Operations;
 /// Maximum clocks of a frame; a double represents it exactly.
 constexpr double max_clocks = 9e15;
 
-void add(const isa::Preparation& preparation, Operations& all) {
-  for (const Recipe& recipe : recipes()) all += preparation.*recipe.count * recipe.each;
-}
-
-/// Reads the processor's description once, because it is needed for each frame.
-const processors::Processor& load_host_processor(const machines::Machine& machine) {
-  constexpr std::size_t all = machines::host_processor_names.size();
-  static std::array<std::once_flag, all> once;
-  static std::array<processors::Processor, all> read;
-  const std::size_t which = machine.host.processor;
-  std::call_once(once.at(which), [&] {
-    read.at(which) = processors::load_processor(std::string(machines::host_processor_names.at(which)));
-  });
-  return read.at(which);
-}
-
 }  // namespace
 
 Operations count_operations(const isa::Program& program, const machines::Machine& machine) {
-  constexpr std::uint64_t bytes_of_long = 4;
   Operations all;
-  add(*program.preparation, all);
+  all += count_operations(*program.preparation);
   if (machines::division(machine)) {
-    all += quotient_up(std::uint64_t{program.display_model.size()}, bytes_of_long) * model_long_operations();
+    all += model_longs(program) * model_long_operations();
     return all;
   }
   Written written;
   for (const isa::Segment& segment : program.segments) {
-    add(*segment.preparation, all);
+    all += count_operations(*segment.preparation);
     for (const isa::Instruction& instruction : segment.instructions) written.add(instruction, machine.link.width);
   }
   all += count_operations(written);
@@ -63,8 +41,11 @@ Operations count_operations(const isa::Program& program, const machines::Machine
 
 std::uint64_t compile_clocks(const isa::Program& program, const machines::Machine& machine) {
   if (machine.host.processor == machines::ideal_processor) return 0;
-  const double seconds = processors::seconds(count_operations(program, machine), load_host_processor(machine));
-  const double clocks = std::ceil(seconds * static_cast<double>(machine.clock_hz) / machine.kind->hosts(machine));
+  const processors::Processor& processor =
+      processors::built_in_processor(machines::host_processor_names.at(machine.host.processor));
+  const std::uint32_t hosts = machine.kind->hosts(machine);
+  const Operations work = hosts == 1 ? count_operations(program, machine) : largest_share(program, machine, processor);
+  const double clocks = std::ceil(processors::seconds(work, processor) * static_cast<double>(machine.clock_hz));
   if (!(clocks <= max_clocks)) {
     throw InputError(
         fmt::format("the host {} takes {:.3g} clocks for the frame, more than the limit of 9e15; choose a faster "

@@ -1,8 +1,7 @@
 #include "hw/host/recipes.h"
 
+#include <algorithm>
 #include <array>
-#include <initializer_list>
-#include <utility>
 
 #include "hw/base/quotient.h"
 #include "hw/isa/host_counts.h"
@@ -13,14 +12,9 @@ namespace csgsim::host {
 
 namespace {
 
+using processors::made;
 using processors::Operation;
 using processors::Operations;
-
-constexpr Operations made(std::initializer_list<std::pair<Operation, std::uint64_t>> counts) {
-  Operations operations;
-  for (const auto& [kind, count] : counts) operations.counts[static_cast<std::size_t>(kind)] += count;
-  return operations;
-}
 
 // Recipes. Numbers of the model and of matrices are longs.
 constexpr Operations plane = made({{Operation::load_long, 20},
@@ -151,6 +145,14 @@ std::uint64_t numbers_in(const isa::Instruction& instruction) {
 
 std::span<const Recipe> recipes() { return rows; }
 
+Operations recipe(std::string_view name) { return std::ranges::find(rows, name, &Recipe::name)->each; }
+
+Operations count_operations(const isa::Preparation& preparation) {
+  Operations all;
+  for (const Recipe& one : rows) all += preparation.*one.count * one.each;
+  return all;
+}
+
 void Written::add(const isa::Instruction& instruction, unsigned link_width) {
   const isa::Operands& operands = isa::operands_of(instruction.opcode);
   ++instructions;
@@ -173,6 +175,19 @@ Operations count_operations(const isa::Instruction& instruction, unsigned link_w
   Written written;
   written.add(instruction, link_width);
   return count_operations(written);
+}
+
+Operations fitted_expression() {
+  Operations all = moved;
+  all += fitted;
+  return all;
+}
+
+Operations stored_long() { return long_stored; }
+
+std::uint64_t model_longs(const isa::Program& program) {
+  constexpr std::uint64_t bytes_of_long = 4;
+  return quotient_up(std::uint64_t{program.display_model.size()}, bytes_of_long);
 }
 
 Operations model_long_operations() {

@@ -57,6 +57,12 @@ std::vector<std::string_view> processor_names();
 /// InputError or machines::ChangeError.
 Processor load_processor(const std::string& spec);
 
+/// The built-in processor with that name, which is read once. Throws std::out_of_range for an unknown name.
+const Processor& built_in_processor(std::string_view name);
+
+/// Clocks of a hand-written program's operations.
+std::uint64_t hand_written_clocks(const Operations& operations, const Processor& processor);
+
 /// Clocks of a program's operations, including the compiler factor.
 double clocks(const Operations& operations, const Processor& processor, Compiled program = Compiled::general);
 

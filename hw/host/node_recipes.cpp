@@ -1,0 +1,62 @@
+#include "hw/host/node_recipes.h"
+
+#include "hw/host/recipes.h"
+
+namespace csgsim::host {
+
+namespace {
+
+using processors::made;
+using processors::Operation;
+using processors::Operations;
+
+/// Another leader of a cell read, compared and branched on.
+constexpr Operations leader = made({{Operation::load_long, 1}, {Operation::compare_long, 1}, {Operation::branch, 1}});
+
+constexpr Operations width_of_four =
+    made({{Operation::compare_long, 4}, {Operation::branch, 4}, {Operation::store, 3}});
+constexpr Operations field = made({{Operation::add, 1}, {Operation::compare, 1}, {Operation::branch_taken, 1}});
+constexpr Operations link = made({{Operation::store, 3}, {Operation::add_long, 1}});
+constexpr Operations call = made({{Operation::call, 1}, {Operation::come_back, 1}});
+constexpr Operations pixel = made({{Operation::branch_taken, 1}});
+constexpr Operations row = made({{Operation::branch_taken, 1}, {Operation::add_long, 2}, {Operation::move, 1}});
+constexpr Operations instruction =
+    made({{Operation::load, 1}, {Operation::load_long, 1}, {Operation::branch_taken, 1}, {Operation::come_back, 1}});
+
+}  // namespace
+
+Operations transformed_plane() { return recipe("planes"); }
+Operations tested_box() { return recipe("boxes"); }
+Operations tested_halfspace() { return recipe("tests"); }
+
+/// Values at four corners, each compared with its corner's leader; one test in four compares the other twelve leaders.
+Operations tested_cell() {
+  Operations all = 4 * recipe("values");
+  all += 3 * leader;
+  return all;
+}
+
+Operations visited_node() {
+  Operations all = recipe("nodes");
+  all += recipe("boxes");
+  return all;
+}
+
+/// Its words are stored as three longs.
+Operations listed_instruction() {
+  Operations all = fitted_expression();
+  all += 3 * stored_long();
+  return all;
+}
+
+/// The width is that of the four values at the corners, which are known; three words are stored.
+Operations listed_number() { return width_of_four; }
+
+Operations found_field() { return field; }
+Operations linked_call() { return link; }
+Operations called() { return call; }
+Operations repeated_pixel() { return pixel; }
+Operations repeated_row() { return row; }
+Operations repeated_instruction() { return instruction; }
+
+}  // namespace csgsim::host
