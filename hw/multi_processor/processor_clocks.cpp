@@ -23,7 +23,7 @@ struct Task {
   Operations each;
 };
 
-Operations one(Operation kind) { return made({{kind, 1}}); }
+Operations single(Operation kind) { return made({{kind, 1}}); }
 
 void price(const Task& task, const processors::Processor& processor, std::uint32_t compiler_factor) {
   if (task.clocks != machines::not_priced) return;
@@ -53,16 +53,16 @@ void price(Figures& figures) {
   const processors::Processor& node = complete(figures.node_processor);
   OperationClocks& words = figures.operations;
   TestClocks& second = figures.node_tests;
-  for (const Task& task : std::to_array<Task>({{words.read, one(Operation::load)},
-                                               {words.write, one(Operation::store)},
-                                               {words.add, one(Operation::add)},
-                                               {words.compare, one(Operation::compare)},
-                                               {words.logic, one(Operation::logic)},
-                                               {words.multiply, one(Operation::multiply)},
-                                               {words.shift, one(Operation::shift)},
-                                               {words.shift_bit, one(Operation::shifted_bit)},
-                                               {figures.branches.taken, one(Operation::branch_taken)},
-                                               {figures.branches.passed, one(Operation::branch)},
+  for (const Task& task : std::to_array<Task>({{words.read, single(Operation::load)},
+                                               {words.write, single(Operation::store)},
+                                               {words.add, single(Operation::add)},
+                                               {words.compare, single(Operation::compare)},
+                                               {words.logic, single(Operation::logic)},
+                                               {words.multiply, single(Operation::multiply)},
+                                               {words.shift, single(Operation::shift)},
+                                               {words.shift_bit, single(Operation::shifted_bit)},
+                                               {figures.branches.taken, single(Operation::branch_taken)},
+                                               {figures.branches.passed, single(Operation::branch)},
                                                {figures.field_clocks, host::found_field()},
                                                {figures.chain.link, host::linked_call()},
                                                {figures.chain.call, host::called()},

@@ -15,8 +15,8 @@ namespace tasks_by_hand {
 
 namespace {
 
-/// Tolerance of a recipe's clocks, relative to those of the assembly: multiplications are priced at their maximum, and
-/// the recipes do not count signs.
+/// Tolerance of a recipe's clocks, relative to those of the assembly: the recipes price multiplications at their
+/// maximum, and do not count signs.
 constexpr double most_off = 0.2;
 
 constexpr std::uint32_t program_at = 0x1000;
@@ -25,7 +25,7 @@ constexpr std::uint32_t operands_at = 0x5000;  ///< a0
 constexpr std::uint32_t others_at = 0x5100;    ///< a1
 constexpr std::uint32_t results_at = 0x5200;   ///< a2
 constexpr std::uint32_t box_at = 0x5300;       ///< a3
-constexpr std::uint64_t call_and_return = 16;  ///< of the last RTS, which is not part of a recipe
+constexpr std::uint64_t rts_clocks = 16;       ///< not part of a recipe
 constexpr unsigned long_bits = 32;
 constexpr std::int32_t bits_of_places = 12;
 
@@ -83,7 +83,7 @@ class Task {
   /// Calls the subroutine and returns its clocks.
   std::uint64_t run(std::uint32_t at) {
     processor_.call(at, 10'000);
-    return processor_.clocks() - call_and_return;
+    return processor_.clocks() - rts_clocks;
   }
 
   [[nodiscard]] std::int32_t data(unsigned reg) const { return static_cast<std::int32_t>(processor_.d[reg]); }
