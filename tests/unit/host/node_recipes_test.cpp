@@ -3,6 +3,7 @@
 #include "hw/host/recipes.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/change_error.h"
+#include "hw/machines/schema.h"
 #include "hw/multi_processor/figures.h"
 #include "hw/processors/processor.h"
 #include "tests/support/test.h"
@@ -75,4 +76,13 @@ TEST_CASE("only parameters with a recipe can be left to a processor") {
   CHECK_THROWS_WITH_AS(kinds::load("multi-processor+node.processor=ideal"),
                        doctest::Contains("node.processor is 'ideal'; it takes i486dx2, i860, mc68000"),
                        machines::ChangeError);
+}
+
+TEST_CASE("shows the clocks of a parameter that is left to a processor, and records the word") {
+  const machines::Machine machine = kinds::load("multi-processor+node.processor=mc68020-weitek");
+  CHECK(machine.name == "multi-processor+node.processor=mc68020-weitek");
+  const auto found = std::ranges::find(machine.figures, "node.read_clocks", &machines::Figure::key);
+  REQUIRE(found != machine.figures.end());
+  CHECK(found->value == machines::priced_value);
+  CHECK(machines::used_value(*found, machine) == "11");  // 7 times 1.5, rounded up
 }
