@@ -78,7 +78,7 @@ TEST_CASE("only parameters with a recipe can be left to a processor") {
                        machines::ChangeError);
 }
 
-TEST_CASE("shows the clocks of a parameter that is left to a processor, and records the word") {
+TEST_CASE("shows the clocks of a parameter left to a processor and records the word") {
   const machines::Machine machine = kinds::load("multi-processor+node.processor=mc68020-weitek");
   CHECK(machine.name == "multi-processor+node.processor=mc68020-weitek");
   const auto found = std::ranges::find(machine.figures, "node.read_clocks", &machines::Figure::key);
