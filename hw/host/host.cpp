@@ -2,18 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <mutex>
-#include <string>
+#include <cstdint>
 #include <string_view>
 #include <utility>
 
 #include "hw/base/error.h"
-#include "hw/base/quotient.h"
 #include "hw/host/recipes.h"
-#include "hw/isa/host_counts.h"
+#include "hw/host/shares.h"
 #include "hw/machines/kind.h"
 #include "hw/machines/regions.h"
 #include "hw/processors/processor.h"
@@ -27,27 +23,14 @@ using processors::Operations;
 /// Maximum clocks of a frame; a double represents it exactly.
 constexpr double max_clocks = 9e15;
 
-void add(const isa::Preparation& preparation, Operations& all) {
-  for (const Recipe& recipe : recipes()) all += preparation.*recipe.count * recipe.each;
+const processors::Processor& host_processor(const machines::Machine& machine) {
+  return processors::built_in_processor(machines::host_processor_names.at(machine.host.processor));
 }
 
-/// Reads the processor's description once, because it is needed for each frame.
-const processors::Processor& load_host_processor(const machines::Machine& machine) {
-  constexpr std::size_t all = machines::host_processor_names.size();
-  static std::array<std::once_flag, all> once;
-  static std::array<processors::Processor, all> read;
-  const std::size_t which = machine.host.processor;
-  std::call_once(once.at(which), [&] {
-    read.at(which) = processors::load_processor(std::string(machines::host_processor_names.at(which)));
-  });
-  return read.at(which);
-}
-
-/// Clocks of the machine until its host has finished, rounded up.
-std::uint64_t clocks_of(const Operations& operations, const machines::Machine& machine, std::string_view what) {
-  if (machine.host.processor == machines::ideal_processor) return 0;
-  const double seconds = processors::seconds(operations, load_host_processor(machine));
-  const double clocks = std::ceil(seconds * static_cast<double>(machine.clock_hz) / machine.kind->hosts(machine));
+/// Clocks of the machine until its host has finished `share`, the work of its busiest processor; rounded up.
+std::uint64_t clocks_of(const Operations& share, const machines::Machine& machine, std::string_view what) {
+  const double seconds = processors::seconds(share, host_processor(machine));
+  const double clocks = std::ceil(seconds * static_cast<double>(machine.clock_hz));
   if (!(clocks <= max_clocks)) {
     throw InputError(
         fmt::format("the host {} takes {:.3g} clocks for the {}, more than the limit of 9e15; choose a faster "
@@ -60,16 +43,15 @@ std::uint64_t clocks_of(const Operations& operations, const machines::Machine& m
 }  // namespace
 
 Operations count_operations(const isa::Program& program, const machines::Machine& machine) {
-  constexpr std::uint64_t bytes_of_long = 4;
   Operations all;
-  add(*program.preparation, all);
+  all += count_operations(*program.preparation);
   if (machines::division(machine)) {
-    all += quotient_up(std::uint64_t{program.display_model.size()}, bytes_of_long) * model_long_operations();
+    all += model_longs(program) * model_long_operations();
     return all;
   }
   Writer writer(machine.link.width);
   for (const isa::Segment& segment : program.segments) {
-    add(*segment.preparation, all);
+    all += count_operations(*segment.preparation);
     writer.begin(segment.region);
     for (const isa::Instruction& instruction : segment.instructions) writer.add(instruction);
   }
@@ -77,24 +59,25 @@ Operations count_operations(const isa::Program& program, const machines::Machine
   return all;
 }
 
-Operations count_model_operations(const isa::Program& program) {
-  Operations all;
-  add(*program.model_preparation, all);
-  return all;
-}
+Operations count_model_operations(const isa::Program& program) { return count_operations(*program.model_preparation); }
 
 double nanoseconds(const Operations& operations, const machines::Machine& machine) {
   constexpr double in_second = 1e9;
   if (machine.host.processor == machines::ideal_processor) return 0;
-  return in_second * processors::seconds(operations, load_host_processor(machine)) / machine.kind->hosts(machine);
+  return in_second * processors::seconds(operations, host_processor(machine)) / machine.kind->hosts(machine);
 }
 
 std::uint64_t compile_clocks(const isa::Program& program, const machines::Machine& machine) {
-  return clocks_of(count_operations(program, machine), machine, "frame");
+  if (machine.host.processor == machines::ideal_processor) return 0;
+  const bool is_shared = machine.kind->hosts(machine) > 1;
+  return clocks_of(
+      is_shared ? largest_share(program, machine, host_processor(machine)) : count_operations(program, machine),
+      machine, "frame");
 }
 
 std::uint64_t model_clocks(const isa::Program& program, const machines::Machine& machine) {
-  return clocks_of(count_model_operations(program), machine, "model");
+  if (machine.host.processor == machines::ideal_processor) return 0;
+  return clocks_of(largest_model_share(program, machine), machine, "model");
 }
 
 machines::FrameTiming with_host(machines::FrameTiming timing, const isa::Program& program,

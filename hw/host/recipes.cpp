@@ -1,8 +1,7 @@
 #include "hw/host/recipes.h"
 
+#include <algorithm>
 #include <array>
-#include <initializer_list>
-#include <utility>
 
 #include "hw/base/quotient.h"
 #include "hw/isa/host_counts.h"
@@ -13,14 +12,9 @@ namespace csgsim::host {
 
 namespace {
 
+using processors::made;
 using processors::Operation;
 using processors::Operations;
-
-constexpr Operations made(std::initializer_list<std::pair<Operation, std::uint64_t>> counts) {
-  Operations operations;
-  for (const auto& [kind, count] : counts) operations.counts[static_cast<std::size_t>(kind)] += count;
-  return operations;
-}
 
 // Recipes. Numbers of the model and of matrices are longs.
 
@@ -206,6 +200,14 @@ std::uint64_t words_of(const isa::Instruction& instruction, bool has_expression)
 
 std::span<const Recipe> recipes() { return rows; }
 
+Operations recipe(std::string_view name) { return std::ranges::find(rows, name, &Recipe::name)->each; }
+
+Operations count_operations(const isa::Preparation& preparation) {
+  Operations all;
+  for (const Recipe& one : rows) all += preparation.*one.count * one.each;
+  return all;
+}
+
 void Writer::begin(const isa::Region& region) {
   is_moved_ = region.x != 0 || region.y != 0;
   expressions_.clear();
@@ -247,6 +249,19 @@ Operations count_operations(const Written& written) {
   all += written.moved * moved;
   all += written.squares * squares_moved;
   return all;
+}
+
+Operations fitted_expression() {
+  Operations all = moved;
+  all += fitted;
+  return all;
+}
+
+Operations stored_long() { return long_stored; }
+
+std::uint64_t model_longs(const isa::Program& program) {
+  constexpr std::uint64_t bytes_of_long = 4;
+  return quotient_up(std::uint64_t{program.display_model.size()}, bytes_of_long);
 }
 
 Operations model_long_operations() {

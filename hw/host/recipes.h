@@ -24,6 +24,12 @@ struct Recipe {
 
 std::span<const Recipe> recipes();
 
+/// Operations of the task with that name, which must exist.
+processors::Operations recipe(std::string_view name);
+
+/// Operations of all counted tasks.
+processors::Operations count_operations(const isa::Preparation& preparation);
+
 /// Counts of the written instructions that determine the work of writing them.
 struct Written {
   std::uint64_t instructions = 0;
@@ -61,6 +67,15 @@ class Writer {
 
 /// Operations to move expressions to their segments, minimize their widths, and assemble and store the instructions.
 processors::Operations count_operations(const Written& written);
+
+/// Operations to move a linear expression to a region's corner and to find its common trailing zeros and its width.
+processors::Operations fitted_expression();
+
+/// Operations to store a long of an assembled command.
+processors::Operations stored_long();
+
+/// Longs of the display model.
+std::uint64_t model_longs(const isa::Program& program);
 
 /// Operations for one long of the display model, assembled from its numbers.
 processors::Operations model_long_operations();

@@ -32,7 +32,7 @@ std::vector<FigureForm> make_forms(std::span<const FigureSchema> schema) {
   std::vector<FigureForm> forms;
   forms.reserve(schema.size());
   for (const FigureSchema& figure : schema)
-    forms.push_back({figure.key, figure.unit, figure.least, figure.most, figure.names, figure.ideal});
+    forms.push_back({figure.key, figure.unit, figure.least, figure.most, figure.names, figure.ideal, figure.priced});
   return forms;
 }
 

@@ -86,11 +86,9 @@ class FigureReader {
     for (const auto& [key, node] : table)
       if (!is_one_of(key.str(), figure_keys)) fail_unknown(key, figure_keys, std::string(form.key) + ".");
 
-    const bool is_ideal = says_ideal(table, form);
-    const std::int64_t value = is_ideal             ? *form.ideal
-                               : form.names.empty() ? value_of(table, form)
-                                                    : choice_of(table, form);
-    const std::string text = is_ideal             ? std::string(ideal_value)
+    const std::optional<Word> word = word_of(table, form);
+    const std::int64_t value = word ? word->value : form.names.empty() ? value_of(table, form) : choice_of(table, form);
+    const std::string text = word                 ? std::string(word->text)
                              : form.names.empty() ? fmt::format("{}", value)
                                                   : std::string(form.names[static_cast<std::size_t>(value)]);
     Figure figure{std::string(form.key), text, form.unit.empty() ? "" : text_of(table, "unit"),
@@ -106,9 +104,26 @@ class FigureReader {
     return {0, value, std::move(figure)};
   }
 
-  [[nodiscard]] static bool says_ideal(const toml::table& table, const FigureForm& form) {
+  /// A word in place of a number, with its meaning.
+  struct Word {
+    std::string_view text;
+    std::int64_t value = 0;
+  };
+
+  /// The words that the parameter takes.
+  [[nodiscard]] static std::vector<Word> words_of(const FigureForm& form) {
+    std::vector<Word> words;
+    if (form.ideal) words.push_back({ideal_value, *form.ideal});
+    if (form.priced) words.push_back({priced_value, *form.priced});
+    return words;
+  }
+
+  [[nodiscard]] static std::optional<Word> word_of(const toml::table& table, const FigureForm& form) {
     const auto* const text = table.get_as<std::string>("value");
-    return form.ideal && text != nullptr && text->get() == ideal_value;
+    if (text == nullptr) return std::nullopt;
+    for (const Word& word : words_of(form))
+      if (text->get() == word.text) return word;
+    return std::nullopt;
   }
 
   /// Index of the value among its names.
@@ -126,9 +141,11 @@ class FigureReader {
     const toml::node* const node = table.get("value");
     if (node == nullptr) fail(table.source().begin, fmt::format("{} has no value; add value = ...", form.key));
     const toml::value<std::int64_t>* const value = node->as_integer();
-    if (value == nullptr)
-      fail(node->source().begin, fmt::format("{} is {}; make it an integer{}", form.key, type_name(*node),
-                                             form.ideal ? ", or \"ideal\"" : ""));
+    if (value == nullptr) {
+      std::string forms;
+      for (const Word& word : words_of(form)) forms += fmt::format(", or \"{}\"", word.text);
+      fail(node->source().begin, fmt::format("{} is {}; make it an integer{}", form.key, type_name(*node), forms));
+    }
     if (value->get() < form.least || value->get() > form.most)
       fail(node->source().begin,
            form.least == form.most

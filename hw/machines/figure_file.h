@@ -25,6 +25,7 @@ struct FigureForm {
   std::int64_t most = 0;                      ///< maximum value
   std::span<const std::string_view> names{};  ///< if not empty, the value is one of these strings, counted from 0
   std::optional<std::int64_t> ideal{};        ///< meaning of `value = "ideal"`, if that is allowed
+  std::optional<std::int64_t> priced{};       ///< meaning of `value = "processor"`, if that is allowed
 };
 
 /// A parameter as read from a file.

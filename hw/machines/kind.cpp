@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 
 #include "hw/machines/clocks.h"
 #include "hw/machines/regions.h"
@@ -26,6 +28,12 @@ void set_picture_size(Machine& machine, Size size) {
 void adopt(Machine& machine, const isa::Program& program) {
   set_picture_size(machine, {program.shape.width, program.shape.height});
   machine.array.memory_bits = program.shape.memory_bits;
+}
+
+std::string used_value(const Figure& figure, const Machine& machine) {
+  const auto row = std::ranges::find(machine.kind->schema, std::string_view(figure.key), &FigureSchema::key);
+  const bool is_number = figure.value != ideal_value && row->names.empty() && row->least != row->most;
+  return is_number ? std::to_string(row->load(machine)) : figure.value;
 }
 
 std::vector<std::string> ideal_candidates(const Machine& machine) {

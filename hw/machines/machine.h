@@ -88,6 +88,10 @@ void complete(Machine& machine);
 /// Sets the machine's picture size and memory to the Program's. Throws like set_picture_size().
 void adopt(Machine& machine, const isa::Program& program);
 
+/// The value of a parameter as used, as text: an integer also where the description leaves it to a processor, or where
+/// options have changed the picture's size or the memory.
+std::string used_value(const Figure& figure, const Machine& machine);
+
 /// Keys of the parameters that could be ideal but are not, in the order of the schema.
 std::vector<std::string> ideal_candidates(const Machine& machine);
 

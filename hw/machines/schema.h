@@ -23,10 +23,21 @@ struct FigureSchema {
   std::int64_t (*load)(const Machine& machine);         ///< returns the stored value
   std::span<const std::string_view> names{};            ///< if not empty, the value is one of these, counted from 0
   std::optional<std::int64_t> ideal{};                  ///< meaning of `value = "ideal"`, if that is allowed
+  std::optional<std::int64_t> priced{};                 ///< meaning of `value = "processor"`, if that is allowed
 };
 
 /// Value of a parameter for hardware without limit or delay.
 inline constexpr std::string_view ideal_value = "ideal";
+
+/// Value of a parameter that Kind::complete() computes from the prices of a processor, and its stored form before.
+inline constexpr std::string_view priced_value = "processor";
+inline constexpr std::int64_t not_priced = 0xffff'ffff;
+
+/// The same parameter, whose value may be left to the prices of a processor.
+constexpr FigureSchema or_priced(FigureSchema figure) {
+  figure.priced = not_priced;
+  return figure;
+}
 
 /// The same parameter, with "ideal" as an additional value.
 constexpr FigureSchema or_ideal(FigureSchema figure, std::int64_t ideal) {

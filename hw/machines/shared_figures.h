@@ -51,7 +51,7 @@ inline constexpr FigureSchema host_processor = or_ideal(
         host_processor_names),
     ideal_processor);
 inline constexpr FigureSchema host_count =
-    figure<&Machine::host, &Host::count>("host.count", "processors", 1, 4096, "processors that share this work evenly");
+    figure<&Machine::host, &Host::count>("host.count", "processors", 1, 4096, "processors that share this work");
 inline constexpr FigureSchema link_width =
     or_ideal(figure<&Machine::link, &Link::width>("link.width", "bits", 1, isa::LinkWord::most_bits,
                                                   "bits of a word of the link"),

@@ -113,8 +113,18 @@ struct RefreshFigures {
 /// Value of Figures::field_clocks: a node holds each number of a record or an instruction in separate words on arrival.
 inline constexpr std::uint32_t unpacked = 1'000'001;
 
+/// A processor of the machine (hw/processors). It counts the machine's clocks.
+struct ProcessorFigures {
+  std::uint32_t type = 0;                ///< index into machines::processor_names
+  std::uint32_t compiler_factor = 1000;  ///< clocks of a compiled program per thousand clocks of a hand-written one
+
+  constexpr bool operator==(const ProcessorFigures&) const = default;
+};
+
 /// Parameters that only this kind of machine has. The nodes are machine.array: `width` columns, `height` rows.
 struct Figures {
+  ProcessorFigures node_processor{};
+  ProcessorFigures display_processor{};
   std::uint32_t levels = 0;  ///< levels of binary subdivision of the picture into segments
   RenderingOrder order = RenderingOrder::segment;
   std::uint32_t word_bits = 16;    ///< word width of a node

@@ -11,6 +11,8 @@ class Kind final : public machines::KindOf<Figures> {
  public:
   using KindOf::KindOf;
 
+  /// Computes the clocks that the description leaves to the processors.
+  void complete(Machine& machine) const override;
   /// Subsegments, segment by segment; each segment has one per node.
   std::vector<isa::Region> regions(const Machine& machine) const override;
   /// A segment's subsegments are divided from the survivors of the segment.

@@ -1,10 +1,12 @@
 // Kinds and counts of processor operations.
-// Used by hw/host and sim/software.
+// Used by hw/host, hw/multi_processor and sim/software.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
+#include <utility>
 
 namespace csgsim::processors {
 
@@ -22,6 +24,7 @@ enum class Operation : std::uint8_t {
   compare_long,
   logic,
   logic_long,
+  shift,
   shift_long,
   shifted_bit,
   multiply,
@@ -52,6 +55,7 @@ inline constexpr std::array operation_rows{
     OperationRow{"compare_long", "a register is compared with a long or tested"},
     OperationRow{"logic", "AND, OR, XOR, NOT or the test of a bit, of a word"},
     OperationRow{"logic_long", "AND, OR, XOR, NOT or the test of a bit, of a long"},
+    OperationRow{"shift", "a word is shifted, without the clocks per place"},
     OperationRow{"shift_long", "a long is shifted, without the clocks per place"},
     OperationRow{"shifted_bit", "one place of such a shift"},
     OperationRow{"multiply", "two words are multiplied to a long"},
@@ -87,6 +91,13 @@ struct Operations {
 /// The operations repeated `times` times.
 constexpr Operations operator*(std::uint64_t times, Operations operations) {
   for (std::uint64_t& count : operations.counts) count *= times;
+  return operations;
+}
+
+/// The operations of a task.
+constexpr Operations made(std::initializer_list<std::pair<Operation, std::uint64_t>> counts) {
+  Operations operations;
+  for (const auto& [kind, count] : counts) operations.counts[static_cast<std::size_t>(kind)] += count;
   return operations;
 }
 

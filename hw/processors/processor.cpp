@@ -111,6 +111,12 @@ std::string_view meaning_of_figure(std::string_view key) {
   return found->meaning;
 }
 
+std::uint64_t hand_written_clocks(const Operations& operations, const Processor& processor) {
+  std::uint64_t sum = 0;
+  for (std::size_t kind = 0; kind < operation_kinds; ++kind) sum += operations.counts[kind] * processor.prices[kind];
+  return sum;
+}
+
 double clocks(const Operations& operations, const Processor& processor, Compiled program) {
   double sum = 0;
   for (std::size_t kind = 0; kind < operation_kinds; ++kind)

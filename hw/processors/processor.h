@@ -1,5 +1,5 @@
 // Processors with clocks per operation.
-// Used by hw/host, sim/software and other rooms of sim.
+// Used by hw/host, hw/multi_processor, sim/software and other rooms of sim.
 #pragma once
 
 #include <array>
@@ -56,6 +56,12 @@ std::vector<std::string_view> processor_names();
 /// edited file of a built-in processor gets a name that lists the edits, as for machines (hw/kinds/load.h). Throws
 /// InputError or machines::ChangeError.
 Processor load_processor(const std::string& spec);
+
+/// The built-in processor with that name, which is read once. Throws std::out_of_range for an unknown name.
+const Processor& built_in_processor(std::string_view name);
+
+/// Clocks of a hand-written program's operations.
+std::uint64_t hand_written_clocks(const Operations& operations, const Processor& processor);
 
 /// Clocks of a program's operations, including the compiler factor.
 double clocks(const Operations& operations, const Processor& processor, Compiled program = Compiled::general);

@@ -144,7 +144,7 @@ py::dict machine_description(const machines::Machine& machine) {
   for (const machines::Figure& figure : machine.figures) {
     py::dict row;
     row["key"] = figure.key;
-    row["value"] = figure.value;
+    row["value"] = machines::used_value(figure, machine);
     row["unit"] = figure.unit;
     row["provenance"] = figure.provenance;
     row["source"] = figure.source;

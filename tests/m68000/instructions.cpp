@@ -1,5 +1,6 @@
 // The effect and the clocks of each instruction.
 
+#include <bit>
 #include <utility>
 
 #include "tests/m68000/manual_clocks.h"
@@ -37,9 +38,11 @@ void Processor::step() {
     case 0x5: return operation.bits(6, 2) == 3 ? count_down(operation) : quick(operation);
     case 0x6: return branch(operation);
     case 0x7: return move_quick(operation);
+    case 0xc:
+      if (operation.bits(6, 2) == 3) return multiply(operation);
+      return arithmetic(operation);
     case 0x8:
     case 0x9:
-    case 0xc:
     case 0xd: return operation.bits(6, 2) == 3 ? arithmetic_address(operation) : arithmetic(operation);
     case line_of_compare:
       return operation.bits(6, 2) == 3 ? arithmetic_address(operation) : compare_or_exclusive(operation);
@@ -161,7 +164,7 @@ void Processor::arithmetic(Operation operation) {
 /// SUBA, ADDA, CMPA.
 void Processor::arithmetic_address(Operation operation) {
   const unsigned line = operation.bits(12, 4);
-  if (line == 0x8 || line == 0xc) unknown(operation);  // divisions and multiplications are not supported
+  if (line == 0x8) unknown(operation);  // divisions are not supported
   const Size size = operation.bits(8, 1) != 0 ? Size::longword : Size::word;
   const std::uint32_t value = extended(get(place(operation.mode(), operation.reg(), size), size), size);
   std::uint32_t& reg = a[operation.upper()];
@@ -173,6 +176,20 @@ void Processor::arithmetic_address(Operation operation) {
   }
   reg = line == 0x9 ? reg - value : reg + value;
   take(clocks_by(size, 8, is_at_hand(operation.mode(), operation.reg()) ? 8 : 6) + address);
+}
+
+/// MULU, MULS. The clocks depend on the source: on its ones, or on the changes between its bits with a 0 behind them.
+void Processor::multiply(Operation operation) {
+  if (operation.mode() == 1) unknown(operation);
+  const bool is_signed = operation.bits(8, 1) != 0;
+  const std::uint32_t source = get(place(operation.mode(), operation.reg(), Size::word), Size::word);
+  std::uint32_t& target = d[operation.upper()];
+  const std::uint32_t other = target & mask_of(Size::word);
+  target = is_signed ? extended(source, Size::word) * extended(other, Size::word) : source * other;
+  set_logic(target, Size::longword);
+  const std::uint32_t counted = is_signed ? (source ^ source << 1U) & mask_of(Size::word) : source;
+  take(38 + 2 * static_cast<unsigned>(std::popcount(counted)) +
+       address_clocks(operation.mode(), operation.reg(), Size::word));
 }
 
 /// CMP, EOR.

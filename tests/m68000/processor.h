@@ -96,6 +96,7 @@ class Processor {
   void move_quick(Operation operation);
   void arithmetic(Operation operation);
   void arithmetic_address(Operation operation);
+  void multiply(Operation operation);
   std::uint32_t combine(unsigned line, std::uint32_t to, std::uint32_t value, Size size);
   void compare_or_exclusive(Operation operation);
   void shift(Operation operation);

@@ -1,4 +1,5 @@
-| Methods of Jansen 1987, section 4.3, in assembly for the MC68000, as one would have written them by hand. A node of a tree:
+| Methods of Jansen 1987, section 4.3, and tasks of the host (docs/host.md), in assembly for the MC68000, as one would have
+| written them by hand. A node of a tree:
         .equ    kind, 0                 | a word: 0 a primitive, 1 a union, 2 a difference, 3 an intersection
         .equ    number, 2               | a word of a leaf: 2 times the number of its primitive
         .equ    status, 4               | a word, of a status tree: 0 out, -1 in
@@ -212,4 +213,204 @@ divide_long:
         sub.l   d2,d0
         addq.w  #1,d1
 2:      dbra    d3,1b
+        rts
+
+| The five most expensive recipes of the host (hw/host/recipes.cpp). Numbers are signed longs. A product means its upper long,
+| rounded down.
+
+| Adds the product of d0 and d1 to d7. Takes d0 to d4.
+        .macro  product
+        tst.l   d0
+        bpl.s   1f
+        sub.l   d1,d7                   | the upper long of an unsigned product is too large by d1
+1:      tst.l   d1
+        bpl.s   2f
+        sub.l   d0,d7
+2:      move.l  d0,d2
+        swap    d2
+        move.l  d1,d3
+        swap    d3
+        move.w  d0,d4
+        mulu    d1,d4
+        clr.w   d4
+        swap    d4
+        mulu    d2,d1
+        add.l   d4,d1                   | cannot overflow
+        mulu    d3,d0
+        mulu    d3,d2
+        moveq   #0,d4
+        move.w  d1,d4
+        add.l   d4,d0                   | cannot overflow
+        clr.w   d0
+        swap    d0
+        clr.w   d1
+        swap    d1
+        add.l   d0,d2
+        add.l   d1,d2
+        add.l   d2,d7
+        .endm
+
+| d1 becomes the quotient of the long d1 with 12 more places and the long d2, which is not negative and large enough. Takes d0,
+| d3, d5, d6.
+place:
+        moveq   #12,d5
+        move.l  d1,d6
+        bpl.s   1f
+        neg.l   d1
+1:      rol.l   d5,d1
+        move.l  d1,d0
+        andi.l  #0xfff,d0
+        eor.l   d0,d1
+        bsr.s   divide_long
+        tst.l   d6
+        bpl.s   2f
+        neg.l   d1
+2:      rts
+
+| A plane of four longs at a0 times the matrix of four rows of four longs at a1: three longs at a2, the first three results
+| divided by the fourth. Takes all data registers, a1, a2.
+plane:
+        moveq   #3,d5
+3:      moveq   #0,d7
+        .irp    from,0,4,8,12
+        move.l  \from(a0),d0
+        move.l  (a1)+,d1
+        product
+        .endr
+        move.l  d7,-(sp)
+        dbra    d5,3b
+        move.l  (sp)+,d2
+        move.l  d2,d7                   | its sign is applied to the quotients
+        bpl.s   4f
+        neg.l   d2
+4:      .rept   3
+        move.l  (sp)+,d1
+        bsr     place
+        tst.l   d7
+        bpl.s   5f
+        neg.l   d1
+5:      move.l  d1,(a2)+
+        .endr
+        rts
+
+| A point of three longs at a0 times the matrix of three rows of four longs at a1, of which the fourth is added: two longs at
+| a2, the first two results divided by the third, which is positive. The box at a3, the least and greatest of both and of the
+| third, is enlarged. Takes all data registers, a1 to a3.
+point:
+        moveq   #2,d5
+3:      moveq   #0,d7
+        .irp    from,0,4,8
+        move.l  \from(a0),d0
+        move.l  (a1)+,d1
+        product
+        .endr
+        add.l   (a1)+,d7
+        move.l  d7,-(sp)
+        dbra    d5,3b
+        move.l  (sp),d1
+        move.l  (sp)+,d2
+        bsr.s   enlarge
+        .rept   2
+        move.l  (sp)+,d1
+        bsr     place
+        move.l  d1,(a2)+
+        bsr.s   enlarge
+        .endr
+        rts
+enlarge:
+        cmp.l   (a3)+,d1
+        bge.s   1f
+        move.l  d1,-4(a3)
+1:      cmp.l   (a3)+,d1
+        ble.s   2f
+        move.l  d1,-4(a3)
+2:      rts
+
+| The colour d6 of a facet with the normal, three longs at a0, in the light a4, a5, a6, of a surface with three longs at a1: a
+| byte for each channel. Takes all data registers.
+colour:
+        moveq   #0,d7
+        .irp    light,a4,a5,a6
+        move.l  (a0)+,d0
+        move.l  \light,d1
+        product
+        .endr
+        tst.l   d7
+        bpl.s   3f
+        moveq   #0,d7
+3:      move.l  d7,d5                   | the light that arrives
+        moveq   #0,d6
+        .rept   3
+        moveq   #0,d7
+        move.l  d5,d0
+        move.l  (a1)+,d1
+        product
+        cmpi.l  #255,d7
+        bls.s   4f
+        move.l  #255,d7
+4:      lsl.l   #8,d6
+        or.l    d7,d6
+        .endr
+        rts
+
+| The point of three longs at a0 in the direction a4, a5, a6: d7. d6 becomes the larger of both. Takes d0 to d4.
+support:
+        moveq   #0,d7
+        .irp    direction,a4,a5,a6
+        move.l  (a0)+,d0
+        move.l  \direction,d1
+        product
+        .endr
+        cmp.l   d6,d7
+        ble.s   3f
+        move.l  d7,d6
+3:      rts
+
+| The half-space of three longs A, B, C at a0 at the corners of the rectangle of four words x, y, width and height at a1: d5
+| becomes the least, d6 the greatest of the values. Takes d0 to d7.
+        .macro  long_by_word            | d0 becomes the long d0 times the word d1; takes d2
+        move.l  d0,d2
+        mulu    d1,d0
+        swap    d2
+        mulu    d1,d2
+        swap    d2
+        clr.w   d2
+        add.l   d2,d0
+        .endm
+        .macro  corner
+        cmp.l   d5,d7
+        bge.s   1f
+        move.l  d7,d5
+1:      cmp.l   d6,d7
+        ble.s   2f
+        move.l  d7,d6
+2:
+        .endm
+halfspace:
+        move.l  (a0),d3
+        move.l  4(a0),d4
+        move.l  8(a0),d7
+        move.l  d3,d0
+        move.w  (a1),d1
+        long_by_word
+        add.l   d0,d7
+        move.l  d4,d0
+        move.w  2(a1),d1
+        long_by_word
+        add.l   d0,d7                   | at x, y
+        move.l  d3,d0
+        move.w  4(a1),d1
+        long_by_word
+        move.l  d0,d3                   | the change along the width
+        move.l  d4,d0
+        move.w  6(a1),d1
+        long_by_word                    | along the height
+        move.l  d7,d5
+        move.l  d7,d6
+        add.l   d3,d7                   | at the other end of the width
+        corner
+        add.l   d0,d7                   | and of the height
+        corner
+        sub.l   d3,d7
+        corner
         rts

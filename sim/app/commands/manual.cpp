@@ -44,7 +44,8 @@ void print_parameters_of(const Described& described) {
   }
 }
 
-void print_parameters(const machines::Machine& machine) {
+void print_parameters(machines::Machine machine) {
+  for (machines::Figure& figure : machine.figures) figure.value = machines::used_value(figure, machine);
   print_parameters_of(machine);
   const std::vector<std::string> ideal = machines::idealisations(machine);
   if (!ideal.empty()) fmt::print("\n  idealised, unlike any hardware: {}\n", fmt::join(ideal, ", "));

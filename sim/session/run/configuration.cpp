@@ -53,13 +53,6 @@ Json command_json(const std::vector<std::string>& arguments) {
   return words;
 }
 
-/// A parameter as used: options may have changed picture size and memory after the description was read.
-std::string value_of(const machines::Figure& figure, const machines::Machine& machine) {
-  const auto row = std::ranges::find(machine.kind->schema, std::string_view(figure.key), &machines::FigureSchema::key);
-  const bool is_number = figure.value != machines::ideal_value && row->names.empty() && row->least != row->most;
-  return is_number ? fmt::format("{}", row->load(machine)) : figure.value;
-}
-
 Json vector_json(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 Json camera_json(const RunSubject& subject) {
@@ -132,7 +125,7 @@ Json inputs_json(const RunSubject& subject) {
 Json machine_json(const machines::Machine& machine) {
   Json figures = Json::object();
   for (const machines::Figure& figure : machine.figures) {
-    const std::string value = value_of(figure, machine);
+    const std::string value = machines::used_value(figure, machine);
     Json entry{{"value", number_json<std::int64_t>(value)}};
     if (!figure.unit.empty()) entry["unit"] = figure.unit;
     entry["provenance"] = value == figure.value ? figure.provenance : "assumed";

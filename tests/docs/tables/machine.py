@@ -42,8 +42,18 @@ def shortened(source):
     return text.rstrip(";:,")
 
 
-def figures(_, name):
+def priced(pages, name):
+    """The parameters that the file leaves to a processor, as csgsim computes them."""
+    lines = pages.runs.run(f"csgsim manual machines {name}").printed.splitlines()
+    return {words[0]: int(words[1]) for words in map(str.split, lines) if len(words) > 2 and words[1].isdigit()}
+
+
+def used(pages, name, key, figure):
+    return {**figure, "value": priced(pages, name)[key]} if figure["value"] == "processor" and pages else figure
+
+
+def figures(pages, name):
     machine = tomllib.loads((ROOT / f"hw/machines/{name}.toml").read_text(encoding="utf-8"))
-    rows = [(f"`{table}.{key}`", value_of(figure), figure["provenance"], shortened(figure["source"]))
+    rows = [(f"`{table}.{key}`", value_of(used(pages, name, f"{table}.{key}", figure)), figure["provenance"], shortened(figure["source"]))
             for table, keys in machine.items() if isinstance(keys, dict) for key, figure in keys.items()]
     return ruled(("parameter", "value", "", "source or reason"), rows, numbers_from=9)

@@ -17,11 +17,13 @@ def prices(figures):
     described = [tomllib.loads((ROOT / f"hw/processors/{name}.toml").read_text(encoding="utf-8")) for name in names]
     meanings = dict(re.findall(r'OperationRow\{"(\w+)", "([^"]+)"\}',
                                (ROOT / "hw/processors/operations.h").read_text(encoding="utf-8")))
-    rows = [(f"`price.{kind}`", meanings[kind],
-             *(cell for one in described for cell in (one["price"][kind]["value"], instruction(one["price"][kind]))))
-            for kind in described[0]["price"]]
-    head = [row("parameter", "operation", *(cell for name in names for cell in (f"`{name}`", "of"))), "|---|---|" + "--:|---|" * len(names)]
-    return "\n".join(head + [row(*cells) for cells in rows])
+    first, others = described[0], described[1:]
+    rows = [row(f"`price.{kind}`", meanings[kind], first["price"][kind]["value"], instruction(first["price"][kind]),
+                *(one["price"][kind]["value"] for one in others))
+            for kind in first["price"]]
+    head = [row("parameter", "operation", f"`{names[0]}`", "of", *(f"`{name}`" for name in names[1:])),
+            "|---|---|--:|---|" + "--:|" * len(others)]
+    return "\n".join(head + rows)
 
 
 def factors(figures):

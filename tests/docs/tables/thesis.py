@@ -80,15 +80,42 @@ def table_7_3(figures):
     return text.replace("| 0.0278 | |", f"| 0.0278 | {ratios(halfspaces)} |", 1)
 
 
+def shared_equally(figures, activity):
+    """Seconds of that activity if the work of the 16 nodes were always equal, as table 7.3 assumes."""
+    def get(point):
+        frame = figures.render("carburettor", f"{SIZE} {NODES} --tolerance {point.tolerance}")
+        parts = [part for name, part in frame.account.parts.items() if name.startswith("node")]
+        return sum(part[activity] for part in parts) / len(parts) * frame.simulated_seconds / frame.clocks
+    return get
+
+
+def node_items(figures):
+    """Seconds of a stage of rendering for each thing that it handles at a pixel, with about 2,040 half-spaces. The
+    thesis's seconds are a sixteenth, and its means those of a subsegment and of a segment."""
+    point = figures.subdivide("carburettor", f"{SIZE} {NODES} {TOLERANCES}")[1]
+    parts = point.subsegments
+    rows = []
+    for name, stage, mean, theirs, seconds, doubt in (
+            ("scan conversion: half-spaces", "scan_conversion", parts.kept_halfspaces_mean, 39.0, 34.5, ""),
+            ("classification: comparisons", "classification", parts.comparisons_mean, 8.1, 27.6, "?"),
+            ("depth sort: primitives", "depth_sort", parts.kept_primitives_mean, 6.3, 5.6, "?")):
+        ours = mean * parts.touched / parts["count"]
+        each = lambda all_seconds, items: all_seconds * 16 / 256**2 / items * 1e3  # noqa: E731
+        rows.append((name, f"{ours:.2f}", f"*{theirs}{doubt}*", f"{each(point.stages.seconds[stage], ours):.2f}", f"*{each(seconds, theirs):.2f}{doubt}*"))
+    return ruled(("2,036 half-spaces", "items at a pixel", "*thesis*", "ms an item", "*thesis*"), rows)
+
+
 def node_table_7_3(figures):
     seconds = lambda key: lambda p: p.stages.seconds[key]  # noqa: E731
     return tolerances(figures, NODES, (
         ("transformation of half-spaces", seconds("transformation"), ".2f", True, ("6.4", "10.2", "19.0", "1.59, 2.97")),
         ("first pruning", seconds("first_pruning"), ".2f", True, ("12.8", "20.3", "38.0", "1.59, 2.97")),
-        ("second pruning", seconds("second_pruning"), ".2f", True, ("2.4", "3.4", "5.4", "1.42, 2.25")),
+        ("second pruning, perfect balance", shared_equally(figures, "pruning"), ".2f", True, ("2.4", "3.4", "5.4", "1.42, 2.25")),
+        ("second pruning, slowest node", seconds("second_pruning"), ".2f", True, None),
         ("communication", seconds("communication"), ".2f", True, ("0.2", "0.3", "0.5", "1.50, 2.50")),
         ("tree pruning", lambda p: "", "", False, ("0.6", "0.6", "0.6", "1.00, 1.00")),
-        ("rendering", seconds("rendering"), ".2f", True, ("67.3", "67.7", "76.2", "1.01, 1.13")),
+        ("rendering, perfect balance", shared_equally(figures, "rendering"), ".2f", True, ("67.3", "67.7", "76.2", "1.01, 1.13")),
+        ("rendering, slowest node", seconds("rendering"), ".2f", True, None),
         ("rendering: scan conversion", seconds("scan_conversion"), ".2f", True, ("32.6", "34.5", "42.3", "1.06, 1.30")),
         ("rendering: CSG classification", seconds("classification"), ".2f", True, ("29.1", "27.6", "28.3", "0.95, 0.97")),
         ("rendering: depth sort", seconds("depth_sort"), ".2f", True, ("5.6", "5.6", "5.6", "1.00, 1.00")),

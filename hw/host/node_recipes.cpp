@@ -1,0 +1,71 @@
+#include "hw/host/node_recipes.h"
+
+#include "hw/host/recipes.h"
+
+namespace csgsim::host {
+
+namespace {
+
+using processors::made;
+using processors::Operation;
+using processors::Operations;
+
+/// Another leader of a cell read, compared and branched on.
+constexpr Operations leader_compared =
+    made({{Operation::load_long, 1}, {Operation::compare_long, 1}, {Operation::branch, 1}});
+
+constexpr Operations number_listed =
+    made({{Operation::compare_long, 4}, {Operation::branch, 4}, {Operation::store, 3}});
+constexpr Operations field_found = made({{Operation::add, 1}, {Operation::compare, 1}, {Operation::branch_taken, 1}});
+constexpr Operations call_linked = made({{Operation::store, 3}, {Operation::add_long, 1}});
+constexpr Operations call_made = made({{Operation::call, 1}, {Operation::come_back, 1}});
+constexpr Operations pixel_repeated = made({{Operation::branch_taken, 1}});
+constexpr Operations row_repeated =
+    made({{Operation::branch_taken, 1}, {Operation::add_long, 2}, {Operation::move, 1}});
+constexpr Operations instruction_repeated =
+    made({{Operation::load, 1}, {Operation::load_long, 1}, {Operation::branch_taken, 1}, {Operation::come_back, 1}});
+
+}  // namespace
+
+/// Without tables of products: three numbers of the matrix for each component of the normal, and its offset.
+Operations transformed_plane() {
+  Operations all = 12 * recipe("products");
+  all += recipe("quotients");
+  all += recipe("planes");
+  return all;
+}
+
+Operations tested_box() { return recipe("boxes"); }
+Operations tested_halfspace() { return recipe("tests"); }
+
+/// Values at four corners, each compared with its corner's leader; one test in four compares the other twelve leaders.
+Operations tested_cell() {
+  Operations all = 4 * recipe("values");
+  all += 3 * leader_compared;
+  return all;
+}
+
+Operations visited_node() {
+  Operations all = recipe("nodes");
+  all += recipe("boxes");
+  return all;
+}
+
+/// Its words are stored as three longs.
+Operations listed_instruction() {
+  Operations all = fitted_expression();
+  all += 3 * stored_long();
+  return all;
+}
+
+/// The width is that of the four values at the corners, which are known; three words are stored.
+Operations listed_number() { return number_listed; }
+
+Operations found_field() { return field_found; }
+Operations linked_call() { return call_linked; }
+Operations called() { return call_made; }
+Operations repeated_pixel() { return pixel_repeated; }
+Operations repeated_row() { return row_repeated; }
+Operations repeated_instruction() { return instruction_repeated; }
+
+}  // namespace csgsim::host

@@ -1,0 +1,81 @@
+#include "hw/multi_processor/processor_clocks.h"
+
+#include <array>
+#include <cstdint>
+
+#include "hw/base/quotient.h"
+#include "hw/host/node_recipes.h"
+#include "hw/machines/host.h"
+#include "hw/machines/schema.h"
+#include "hw/processors/processor.h"
+
+namespace csgsim::multi_processor {
+
+namespace {
+
+using processors::made;
+using processors::Operation;
+using processors::Operations;
+
+/// A member and its task.
+struct Task {
+  std::uint32_t& clocks;
+  Operations each;
+};
+
+Operations single(Operation kind) { return made({{kind, 1}}); }
+
+void price(const Task& task, const processors::Processor& processor, std::uint32_t compiler_factor) {
+  if (task.clocks != machines::not_priced) return;
+  constexpr std::uint64_t hand_written = 1000;
+  task.clocks = static_cast<std::uint32_t>(
+      quotient_up(processors::hand_written_clocks(task.each, processor) * compiler_factor, hand_written));
+}
+
+const processors::Processor& complete(ProcessorFigures& figures) {
+  const processors::Processor& processor = processors::built_in_processor(machines::processor_names.at(figures.type));
+  if (figures.compiler_factor == machines::not_priced)
+    figures.compiler_factor = processor.compiler_factors[static_cast<std::size_t>(processors::Compiled::general)];
+  return processor;
+}
+
+}  // namespace
+
+void price(Figures& figures) {
+  const processors::Processor& display = complete(figures.display_processor);
+  TestClocks& first = figures.display_tests;
+  for (const Task& task : std::to_array<Task>({{figures.transform_clocks, host::transformed_plane()},
+                                               {first.primitive, host::tested_box()},
+                                               {first.halfspace, host::tested_halfspace()},
+                                               {first.cell, host::tested_cell()}}))
+    price(task, display, figures.display_processor.compiler_factor);
+
+  const processors::Processor& node = complete(figures.node_processor);
+  OperationClocks& words = figures.operations;
+  TestClocks& second = figures.node_tests;
+  for (const Task& task : std::to_array<Task>({{words.read, single(Operation::load)},
+                                               {words.write, single(Operation::store)},
+                                               {words.add, single(Operation::add)},
+                                               {words.compare, single(Operation::compare)},
+                                               {words.logic, single(Operation::logic)},
+                                               {words.multiply, single(Operation::multiply)},
+                                               {words.shift, single(Operation::shift)},
+                                               {words.shift_bit, single(Operation::shifted_bit)},
+                                               {figures.branches.taken, single(Operation::branch_taken)},
+                                               {figures.branches.passed, single(Operation::branch)},
+                                               {figures.field_clocks, host::found_field()},
+                                               {figures.chain.link, host::linked_call()},
+                                               {figures.chain.call, host::called()},
+                                               {figures.loop.pixel, host::repeated_pixel()},
+                                               {figures.loop.row, host::repeated_row()},
+                                               {figures.loop.instruction, host::repeated_instruction()},
+                                               {second.primitive, host::tested_box()},
+                                               {second.halfspace, host::tested_halfspace()},
+                                               {second.cell, host::tested_cell()},
+                                               {second.tree_node, host::visited_node()},
+                                               {second.instruction, host::listed_instruction()},
+                                               {figures.number_clocks, host::listed_number()}}))
+    price(task, node, figures.node_processor.compiler_factor);
+}
+
+}  // namespace csgsim::multi_processor
