@@ -70,9 +70,10 @@ struct RunResult {
   std::uint64_t clocks = 0;  ///< total, including latency
   /// Part of `clocks` until the last instruction reaches the pixels, if the array covers the whole picture.
   std::uint64_t latency_clocks = 0;
-  std::uint64_t shown_clocks = 0;     ///< see machines::FrameTiming
-  std::uint64_t interval_clocks = 0;  ///< see machines::FrameTiming
-  std::uint64_t host_clocks = 0;      ///< see machines::FrameTiming
+  std::uint64_t shown_clocks = 0;       ///< see machines::FrameTiming
+  std::uint64_t interval_clocks = 0;    ///< see machines::FrameTiming
+  std::uint64_t host_clocks = 0;        ///< see machines::FrameTiming
+  std::uint64_t host_model_clocks = 0;  ///< see machines::FrameTiming
   /// Enabled pixels at which A*x + B*y + C exceeded the width although it must fit (isa::cuts_sum); 0 if not checked.
   std::uint64_t overflows = 0;
   std::uint64_t skipped = 0;            ///< instructions skipped by skip_if_none
@@ -97,8 +98,25 @@ inline void put(machines::FrameTiming timing, RunResult& result) {
   result.shown_clocks = timing.shown_clocks;
   result.interval_clocks = timing.interval_clocks;
   result.host_clocks = timing.host_clocks;
+  result.host_model_clocks = timing.host_model_clocks;
   result.latency_clocks = timing.latency_clocks;
   result.account = std::move(timing.account);
+}
+
+/// The timing of a frame that put() stored in the result of its run.
+inline machines::FrameTiming timing_of(const RunResult& result) {
+  return {.clocks = result.clocks,
+          .shown_clocks = result.shown_clocks,
+          .interval_clocks = result.interval_clocks,
+          .latency_clocks = result.latency_clocks,
+          .account = result.account,
+          .host_clocks = result.host_clocks,
+          .host_model_clocks = result.host_model_clocks};
+}
+
+/// The rates at which the machine draws the frame repeatedly.
+inline machines::FrameRates frame_rates(const RunResult& result, const machines::Machine& machine) {
+  return machines::frame_rates(machine.clock_hz, result.interval_clocks, result.host_clocks);
 }
 
 /// Runs Programs at one level of fidelity. All levels produce the same memory and enable bits at every instruction

@@ -20,6 +20,9 @@ bool needs_run(const isa::Program& program, const machines::Machine& machine);
 /// The record of a run of the whole Program, which is only run if its clocks depend on it.
 machines::RunRecord make_run_record(const isa::Program& program, const machines::Machine& machine);
 
+/// The timing of the Program on the machine, with the host. It is only run if the clocks depend on it.
+machines::FrameTiming measure_timing(const isa::Program& program, const machines::Machine& machine);
+
 /// The number of clocks that the Program takes on the machine. It is only run if the clocks depend on it.
 std::uint64_t measure_clocks(const isa::Program& program, const machines::Machine& machine);
 
