@@ -24,6 +24,8 @@ std::string with_article(const std::string& part) {
 
 }  // namespace
 
+std::string rate_text(double frames_per_second) { return rounded(frames_per_second, 4); }
+
 std::optional<Bound> bound_of(const engine::RunResult& result, const machines::Machine& machine) {
   const std::uint64_t next = result.interval_clocks;
   if (next == 0) return std::nullopt;
@@ -37,7 +39,7 @@ std::optional<Bound> bound_of(const engine::RunResult& result, const machines::M
     bound.limit += fmt::format("; {} takes {:.0f} %", with_article(loads[1].part), 100.0 * share_of(loads[1], next));
   bound.limit += ")";
   bound.sentence = fmt::format("The hardware could show {} frames/s, {}.",
-                               rounded(engine::frame_rates(result, machine).hardware, rate_digits), bound.limit);
+                               rate_text(engine::frame_rates(result, machine).hardware), bound.limit);
   if (bound.by_host) {
     const double seconds = static_cast<double>(result.host_clocks) / static_cast<double>(machine.clock_hz);
     bound.sentence += fmt::format(" The host needs {} per frame.", quantity(seconds, "s"));

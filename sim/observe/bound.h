@@ -20,8 +20,8 @@ struct Bound {
   std::string sentence;  ///< frames per second, the limit, and the host if it takes longer
 };
 
-/// Significant digits of a frame rate for people.
-inline constexpr int rate_digits = 4;
+/// A frame rate for people, with four significant digits: `24.32`.
+std::string rate_text(double frames_per_second);
 
 /// Computed from the account of a run; nothing if the machine's kind reports no units, or if a frame takes no time.
 std::optional<Bound> bound_of(const engine::RunResult& result, const machines::Machine& machine);

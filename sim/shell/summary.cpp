@@ -28,10 +28,6 @@ std::string time_text(std::uint64_t clocks, const machines::Machine& machine) {
   return quantity(static_cast<double>(clocks) / static_cast<double>(machine.clock_hz), "s");
 }
 
-std::string rate_text(double frames_per_second) {
-  return rounded(frames_per_second, observe::rate_digits) + " frames/s";
-}
-
 std::string picture_text(const std::string& file) {
   if (file.empty()) return "not written; add -o picture.png";
   return "written to " + (is_standard_output(file) ? std::string("standard output") : printable(file));
@@ -47,7 +43,8 @@ void print_machine(const observe::Report& report) {
 }
 
 std::string shown_text(const observe::Report& report, const std::optional<observe::Bound>& bound) {
-  const std::string rate = "at " + rate_text(engine::frame_rates(report.result, report.machine).hardware);
+  const std::string rate =
+      "at " + observe::rate_text(engine::frame_rates(report.result, report.machine).hardware) + " frames/s";
   return bound ? rate + ", " + bound->limit : rate;
 }
 
@@ -71,7 +68,8 @@ std::string host_text(const observe::Report& report, const std::optional<observe
     text += fmt::format(" {} for the model and", time_text(clocks, machine));
   text += fmt::format(" {} per frame", time_text(report.result.host_clocks, machine));
   if (bound && bound->by_host)
-    text += ", which limits the rate to " + rate_text(engine::frame_rates(report.result, machine).hosted);
+    text += ", which limits the rate to " + observe::rate_text(engine::frame_rates(report.result, machine).hosted) +
+            " frames/s";
   return text;
 }
 

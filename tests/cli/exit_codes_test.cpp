@@ -87,11 +87,11 @@ TEST_CASE("help names the operand of -o FOLDER where a command writes several fi
 TEST_CASE("prints shares as percentages and groups digits; JSON does neither") {
   const Folder folder;
   const std::string of = " " + model("sphere") + " --size 64x64";
-  const Outcome drawn = succeeded(run("render" + of + " --check --stats " + (folder / "s.json")));
+  const Outcome drawn = succeeded(run("render" + of + " --check --verbose --stats " + (folder / "s.json")));
   const double busy = json(folder / "s.json")["account"]["controller_utilisation"];
   CHECK(busy < 1);
   CHECK(drawn.out.find(fmt::format("controller busy{:>25.2f} %", 100 * busy)) != std::string::npos);
-  CHECK(drawn.out.find(csgsim::grouped(json(folder / "s.json")["clocks"]) + " = ") != std::string::npos);
+  CHECK(drawn.out.find(csgsim::grouped(json(folder / "s.json")["clocks"]) + " clocks)") != std::string::npos);
   const std::string levels = run("levels" + of + " --levels functional").out;
   CHECK(levels.find(csgsim::grouped(json(folder / "s.json")["clocks"])) != std::string::npos);
 }
