@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/locale/utf.hpp>
+#include <cmath>
 #include <iterator>
 
 namespace csgsim {
@@ -34,6 +36,13 @@ void append_escape(std::string& text, char byte) {
     case '\t': text += "\\t"; return;
     default: text += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
   }
+}
+
+/// The number with that many significant digits.
+double to_digits(double value, int digits) {
+  if (value == 0 || !std::isfinite(value)) return value;
+  const double scale = std::pow(10.0, digits - 1 - std::floor(std::log10(std::abs(value))));
+  return std::round(value * scale) / scale;
 }
 
 }  // namespace
@@ -92,6 +101,28 @@ std::string grouped(std::uint64_t value) {
   std::string digits = std::to_string(value);
   for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
   return digits;
+}
+
+std::string rounded(double value, int digits) {
+  constexpr double max_grouped = 1e18;  // above, the number has its exponent
+  const double shown = to_digits(value, digits);
+  const bool is_grouped = std::abs(shown) >= std::pow(10.0, digits) && std::abs(shown) <= max_grouped;
+  if (!is_grouped) return fmt::format("{:.{}g}", shown, digits);
+  return (value < 0 ? "-" : "") + grouped(static_cast<std::uint64_t>(std::llround(std::abs(value))));
+}
+
+std::string quantity(double value, std::string_view unit) {
+  constexpr std::array<std::string_view, 9> prefixes{"p", "n", "u", "m", "", "k", "M", "G", "T"};
+  constexpr int no_prefix = 4;
+  constexpr int digits = 3;
+  const double shown = std::abs(to_digits(value, digits));
+  int prefix = no_prefix;
+  if (shown > 0 && std::isfinite(shown)) {
+    const int last = unit == "s" ? no_prefix : static_cast<int>(prefixes.size()) - 1;
+    prefix = std::clamp(no_prefix + static_cast<int>(std::floor(std::log10(shown) / 3.0)), 0, last);
+  }
+  const std::string suffix = fmt::format("{}{}", prefixes.at(static_cast<std::size_t>(prefix)), unit);
+  return rounded(value / std::pow(1000.0, prefix - no_prefix), digits) + (suffix.empty() ? "" : " ") + suffix;
 }
 
 std::string binary_size(std::uint64_t bytes) {

@@ -22,6 +22,14 @@ std::string shell_word(std::string_view bytes);
 /// 1234567 as `1,234,567`.
 std::string grouped(std::uint64_t value);
 
+/// A number for people, rounded to that many significant digits or, if it is longer, to a whole number: `24.32`,
+/// `0.00576`, `1,736`.
+std::string rounded(double value, int digits = 3);
+
+/// A quantity of a unit for people, with an SI prefix and three significant digits: `26.6 mJ`, `10 MHz`, `18.9 Mbit`.
+/// Seconds have no prefix above one: `1,736 s`. Without a unit only the prefix follows the number: `6.61 G`.
+std::string quantity(double value, std::string_view unit);
+
 /// A size limit in whole KiB, MiB or GiB (`64 KiB`, `16 MiB`, `1 GiB`), rounded down.
 std::string binary_size(std::uint64_t bytes);
 

@@ -116,6 +116,13 @@ std::uint64_t clocks(const isa::Program& program, const Machine& machine) {
   return time_frame(program, machine).clocks;
 }
 
+FrameRates frame_rates(std::uint64_t clock_hz, std::uint64_t interval_clocks, std::uint64_t host_clocks) {
+  const auto frames = [&](std::uint64_t clocks) {
+    return clocks == 0 ? 0.0 : static_cast<double>(clock_hz) / static_cast<double>(clocks);
+  };
+  return {frames(interval_clocks), frames(paced_clocks(interval_clocks, host_clocks))};
+}
+
 FrameTiming with_pace(FrameTiming timing) {
   timing.shown_clocks = std::max(timing.shown_clocks, timing.clocks);
   if (timing.interval_clocks == 0) timing.interval_clocks = timing.shown_clocks;

@@ -30,6 +30,17 @@ constexpr std::uint64_t paced_clocks(std::uint64_t interval_clocks, std::uint64_
   return interval_clocks < host_clocks ? host_clocks : interval_clocks;
 }
 
+/// Frames per second if the same frame is drawn repeatedly: the steady state, without the host's work for the model,
+/// which is done once. 0 if a frame takes no time.
+struct FrameRates {
+  double hardware = 0;  ///< of the machine without its host: `frames_per_second` in stats and tables
+  double hosted = 0;    ///< limited by the host too: `hosted_frames_per_second`
+
+  bool operator==(const FrameRates&) const = default;
+};
+
+FrameRates frame_rates(std::uint64_t clock_hz, std::uint64_t interval_clocks, std::uint64_t host_clocks);
+
 /// Fills in missing values: a frame without shown_clocks is shown when it is drawn, and one without interval_clocks is
 /// followed by the next when it has been shown.
 FrameTiming with_pace(FrameTiming timing);

@@ -103,6 +103,22 @@ inline void put(machines::FrameTiming timing, RunResult& result) {
   result.account = std::move(timing.account);
 }
 
+/// The timing of a frame that put() stored in the result of its run.
+inline machines::FrameTiming timing_of(const RunResult& result) {
+  return {.clocks = result.clocks,
+          .shown_clocks = result.shown_clocks,
+          .interval_clocks = result.interval_clocks,
+          .latency_clocks = result.latency_clocks,
+          .account = result.account,
+          .host_clocks = result.host_clocks,
+          .host_model_clocks = result.host_model_clocks};
+}
+
+/// The rates at which the machine draws the frame repeatedly.
+inline machines::FrameRates frame_rates(const RunResult& result, const machines::Machine& machine) {
+  return machines::frame_rates(machine.clock_hz, result.interval_clocks, result.host_clocks);
+}
+
 /// Runs Programs at one level of fidelity. All levels produce the same memory and enable bits at every instruction
 /// boundary and the same clock counts. Memory and enable bits are 0 when a segment begins.
 class Engine {

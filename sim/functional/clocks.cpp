@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "hw/host/host.h"
 #include "hw/isa/opcodes.h"
 #include "hw/machines/clocks.h"
 #include "hw/machines/kind.h"
@@ -25,6 +26,11 @@ machines::RunRecord make_run_record(const isa::Program& program, const machines:
   if (!needs_run(program, machine)) return {};
   engine::RunResult result = engine::make_functional_engine(machine)->run(program, {});
   return {std::move(result.skips), std::move(result.met)};
+}
+
+machines::FrameTiming measure_timing(const isa::Program& program, const machines::Machine& machine) {
+  if (!needs_run(program, machine)) return host::time_frame(program, machine);
+  return engine::timing_of(engine::make_functional_engine(machine)->run(program, {}));
 }
 
 std::uint64_t measure_clocks(const isa::Program& program, const machines::Machine& machine) {

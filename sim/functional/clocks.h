@@ -21,6 +21,9 @@ bool needs_run(const isa::Program& program, const machines::Machine& machine);
 /// record is empty.
 machines::RunRecord make_run_record(const isa::Program& program, const machines::Machine& machine);
 
+/// The timing of the Program on the machine, with the host. The Program is run only if its clocks depend on a run.
+machines::FrameTiming measure_timing(const isa::Program& program, const machines::Machine& machine);
+
 /// Number of clocks of the Program on the machine. The Program is run only if its clocks depend on a run.
 std::uint64_t measure_clocks(const isa::Program& program, const machines::Machine& machine);
 

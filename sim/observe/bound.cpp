@@ -12,11 +12,6 @@ namespace csgsim::observe {
 
 namespace {
 
-machines::FrameTiming timing_of(const engine::RunResult& result) {
-  return {result.clocks,         result.shown_clocks, result.interval_clocks,
-          result.latency_clocks, result.account,      result.host_clocks};
-}
-
 double share_of(const machines::Load& load, std::uint64_t clocks) {
   return static_cast<double>(load.clocks) / static_cast<double>(clocks);
 }
@@ -29,25 +24,27 @@ std::string with_article(const std::string& part) {
 
 }  // namespace
 
+std::string rate_text(double frames_per_second) { return rounded(frames_per_second, 4); }
+
 std::optional<Bound> bound_of(const engine::RunResult& result, const machines::Machine& machine) {
   const std::uint64_t next = result.interval_clocks;
   if (next == 0) return std::nullopt;
-  std::vector<machines::Load> loads = machine.kind->loads(timing_of(result));
+  std::vector<machines::Load> loads = machine.kind->loads(engine::timing_of(result));
   if (loads.empty()) return std::nullopt;
   std::ranges::stable_sort(loads, std::ranges::greater{}, &machines::Load::clocks);
   const machines::Load& busiest = loads.front();
-  const auto clock_hz = static_cast<double>(machine.clock_hz);
-  std::string sentence =
-      fmt::format("The hardware could show {:.4g} frames/s, limited by {} ({:.0f} % of each frame",
-                  clock_hz / static_cast<double>(next), with_article(busiest.part), 100.0 * share_of(busiest, next));
+  Bound bound{busiest.part, share_of(busiest, next), result.host_clocks > next, "", ""};
+  bound.limit = fmt::format("limited by {} ({:.0f} % of each frame", with_article(busiest.part), 100.0 * bound.share);
   if (loads.size() > 1 && loads[1].clocks > 0)
-    sentence += fmt::format("; {} takes {:.0f} %", with_article(loads[1].part), 100.0 * share_of(loads[1], next));
-  sentence += ").";
-  const bool by_host = result.host_clocks > next;
-  if (by_host) {
-    sentence += fmt::format(" The host needs {:.3g} s per frame.", static_cast<double>(result.host_clocks) / clock_hz);
+    bound.limit += fmt::format("; {} takes {:.0f} %", with_article(loads[1].part), 100.0 * share_of(loads[1], next));
+  bound.limit += ")";
+  bound.sentence = fmt::format("The hardware could show {} frames/s, {}.",
+                               rate_text(engine::frame_rates(result, machine).hardware), bound.limit);
+  if (bound.by_host) {
+    const double seconds = static_cast<double>(result.host_clocks) / static_cast<double>(machine.clock_hz);
+    bound.sentence += fmt::format(" The host needs {} per frame.", quantity(seconds, "s"));
   }
-  return Bound{busiest.part, share_of(busiest, next), by_host, sentence};
+  return bound;
 }
 
 }  // namespace csgsim::observe

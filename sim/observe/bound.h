@@ -16,8 +16,12 @@ struct Bound {
   std::string part;
   double share = 0;      ///< fraction of these clocks
   bool by_host = false;  ///< the host takes longer than these clocks to compile the next frame
-  std::string sentence;  ///< frames per second, the unit and its share, the next unit, and the host if it is the limit
+  std::string limit;     ///< the unit and its share, and the next unit: `limited by the scan-out (84 % of ...)`
+  std::string sentence;  ///< frames per second, the limit, and the host if it takes longer
 };
+
+/// A frame rate for people, with four significant digits: `24.32`.
+std::string rate_text(double frames_per_second);
 
 /// Computed from the account of a run; nothing if the machine's kind reports no units, or if a frame takes no time.
 std::optional<Bound> bound_of(const engine::RunResult& result, const machines::Machine& machine);

@@ -8,31 +8,49 @@
 
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
+#include "hw/machines/timing.h"
 #include "sim/engine/engine.h"
 
 namespace csgsim::observe {
 
-/// A setting or a machine parameter that was changed to measure its worth.
-struct Knob {
-  std::string sentence;             ///< description of the change and its worth
-  std::string option;               ///< option of csgsim render, as `--machine scan-line+link.width=64`
-  std::uint64_t clocks_before = 0;  ///< from one frame to the next
-  std::uint64_t clocks_after = 0;   ///< from one frame to the next, with the option
+/// Clocks from one frame to the next if the same frame is drawn repeatedly.
+struct FrameClocks {
+  std::uint64_t interval = 0;  ///< of the machine, if its host keeps up
+  std::uint64_t hosted = 0;    ///< limited by the host too
+
+  bool operator==(const FrameClocks&) const = default;
 };
 
-/// The clocks before and after, as `262,144 clocks from one frame to the next instead of 362,847, 27.8 % fewer`.
-std::string worth(const Knob& knob);
+FrameClocks frame_clocks(const machines::FrameTiming& timing);
 
-/// Changes each machine parameter that can be improved without another Program by one step, such as twice the width or
-/// half the time. The worth is computed from the same instructions with the clock account of the run itself; nothing is
-/// drawn or compiled. `word` is the value of --machine. Returns only changes that help, best first.
+/// A setting or a machine parameter that was changed to measure its worth.
+struct Knob {
+  std::string option;    ///< option of csgsim render, as `--machine scan-line+link.width=64`
+  std::string sentence;  ///< description of the change, its worth and its side effect
+  std::string worth;     ///< worth() of the clocks
+  FrameClocks before;
+  FrameClocks after;  ///< with the option
+};
+
+/// The gain of a change per frame, as `1.82 s per frame with the host instead of 24.7 s (92.6 % less)`. A change that
+/// gains nothing with the host states its gain without it.
+std::string worth(const FrameClocks& before, const FrameClocks& after, std::uint64_t clock_hz);
+
+/// Changes each machine parameter that can be improved without another Program by one step, such as twice the width,
+/// half the time or another processor as host. The worth is computed from the same instructions with the clock account
+/// of the run itself; nothing is drawn or compiled. `word` is the value of --machine. Returns only changes that help,
+/// best first.
 std::vector<Knob> parameter_knobs(const isa::Program& program, const machines::Machine& machine,
                                   const engine::RunResult& result, const std::string& word);
 
 /// Number of machine parameters that parameter_knobs would try.
 std::size_t parameters_to_try(const machines::Machine& machine);
 
-/// Removes changes that do not help, and sorts the rest by clocks.
+/// Removes changes that make neither the frames with the host faster nor, at their rate, those without; sorts the rest
+/// by the clocks with the host, then without.
 std::vector<Knob> helpful_knobs(std::vector<Knob> knobs);
+
+/// The first of the changes that help, for alternatives of one setting; empty if none helps.
+std::vector<Knob> best_knob(std::vector<Knob> knobs);
 
 }  // namespace csgsim::observe

@@ -182,15 +182,13 @@ Json knobs_json(std::span<const Knob> knobs) {
   for (const Knob& knob : knobs) {
     json.push_back({{"sentence", printable(knob.sentence)},
                     {"option", printable(knob.option)},
-                    {"clocks_before", knob.clocks_before},
-                    {"clocks_after", knob.clocks_after}});
+                    {"worth", knob.worth},
+                    {"clocks_before", knob.before.interval},
+                    {"clocks_after", knob.after.interval},
+                    {"hosted_clocks_before", knob.before.hosted},
+                    {"hosted_clocks_after", knob.after.hosted}});
   }
   return json;
-}
-
-/// 0 if a frame takes no time.
-double frames_per_second(const Report& report, std::uint64_t interval) {
-  return interval == 0 ? 0 : static_cast<double>(report.machine.clock_hz) / static_cast<double>(interval);
 }
 
 }  // namespace
@@ -215,9 +213,9 @@ nlohmann::ordered_json to_json(const Report& report) {
   json["host_model_clocks"] = report.result.host_model_clocks;
   json["frame_seconds"] =
       static_cast<double>(report.result.shown_clocks) / static_cast<double>(report.machine.clock_hz);
-  json["frames_per_second"] = frames_per_second(report, report.result.interval_clocks);
-  json["hosted_frames_per_second"] =
-      frames_per_second(report, machines::paced_clocks(report.result.interval_clocks, report.result.host_clocks));
+  const machines::FrameRates rates = engine::frame_rates(report.result, report.machine);
+  json["frames_per_second"] = rates.hardware;
+  json["hosted_frames_per_second"] = rates.hosted;
   json["simulated_seconds"] = static_cast<double>(report.result.clocks) / static_cast<double>(report.machine.clock_hz);
   const std::optional<double> joules = frame_joules(report.result.account);
   json["frame_joules"] = joules ? Json(*joules) : Json();

@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "hw/base/standard_streams.h"
 #include "hw/base/text.h"
 #include "hw/isa/facts.h"
 #include "hw/machines/kind.h"
@@ -19,49 +22,76 @@ namespace csgsim::shell {
 
 namespace {
 
-/// Three significant digits, or more for large ratios.
-std::string ratio_text(double ratio) {
-  return ratio < 100.0 ? fmt::format("{:.3g}", ratio) : fmt::format("{:.0f}", ratio);
+void print_line(std::string_view name, std::string_view text) { fmt::print("{:<18}{}\n", name, text); }
+
+std::string time_text(std::uint64_t clocks, const machines::Machine& machine) {
+  return quantity(static_cast<double>(clocks) / static_cast<double>(machine.clock_hz), "s");
 }
 
-std::string time_text(double seconds) {
-  if (seconds < 1e-3) return fmt::format("{:.1f} us", seconds * 1e6);
-  return seconds < 1.0 ? fmt::format("{:.2f} ms", seconds * 1e3) : fmt::format("{:.2f} s", seconds);
-}
-
-void print_model(const isa::ModelFacts& model) {
-  fmt::print("{:<18}{}, {}; {}, {}, {}\n", "model", counted(model.primitives, "primitive"),
-             counted(model.halfspaces, "half-space"), counted(model.unions, "union"),
-             counted(model.differences, "difference"), counted(model.intersections, "intersection"));
+std::string picture_text(const std::string& file) {
+  if (file.empty()) return "not written; add -o picture.png";
+  return "written to " + (is_standard_output(file) ? std::string("standard output") : printable(file));
 }
 
 void print_machine(const observe::Report& report) {
   const machines::Machine& machine = report.machine;
-  fmt::print("{:<18}{}, {} x {} pixel processors of {} bits at {:g} MHz, {} level\n", "machine", machine.name,
-             machine.array.width, machine.array.height, machine.array.memory_bits,
-             static_cast<double>(machine.clock_hz) / 1e6, report.level);
+  print_line("machine", fmt::format("{}, {} x {} pixel processors of {} bits at {}, {} level", machine.name,
+                                    machine.array.width, machine.array.height, machine.array.memory_bits,
+                                    quantity(static_cast<double>(machine.clock_hz), "Hz"), report.level));
   const std::vector<std::string> ideal = machines::idealisations(machine);
-  if (!ideal.empty()) fmt::print("{:<18}{}\n", "ideal", fmt::join(ideal, ", "));
+  if (!ideal.empty()) print_line("ideal", fmt::format("{}", fmt::join(ideal, ", ")));
 }
 
-void print_frame(const observe::Report& report) {
-  const auto hz = static_cast<double>(report.machine.clock_hz);
-  const engine::RunResult& result = report.result;
-  const std::uint64_t next = machines::paced_clocks(result.interval_clocks, result.host_clocks);
-  fmt::print("{:<18}shown after {} clocks = {}; the next after {} clocks = {:.4g} frames a second\n", "frame",
-             grouped(result.shown_clocks), time_text(static_cast<double>(result.shown_clocks) / hz), grouped(next),
-             next == 0 ? 0.0 : hz / static_cast<double>(next));
+std::string shown_text(const observe::Report& report, const std::optional<observe::Bound>& bound) {
+  const std::string rate =
+      "at " + observe::rate_text(engine::frame_rates(report.result, report.machine).hardware) + " frames/s";
+  return bound ? rate + ", " + bound->limit : rate;
 }
 
-void print_host(const observe::Report& report) {
-  const std::uint64_t clocks = report.result.host_clocks;
-  if (clocks == 0) return;
-  const machines::Host& host = report.machine.host;
-  const std::uint32_t count = report.machine.kind->hosts(report.machine);
-  const std::string_view name = machines::host_processor_names.at(host.processor);
-  fmt::print("{:<18}{}: compiled in {} clocks = {}\n", "host",
-             count == 1 ? std::string(name) : fmt::format("{} {} together", count, name), grouped(clocks),
-             time_text(static_cast<double>(clocks) / static_cast<double>(report.machine.clock_hz)));
+/// `an mc68000`, `a vax`: the article before a name whose first letters may be read one by one.
+std::string with_indefinite_article(std::string_view name) {
+  constexpr std::string_view vowels = "aeiou";
+  constexpr std::string_view begin_with_vowels = "aefhilmnorsx";  // when read alone, as in MC
+  const bool is_spelled = name.size() > 1 && vowels.find(name[1]) == vowels.npos;
+  const bool takes_an = (is_spelled ? begin_with_vowels : vowels).find(name.front()) != vowels.npos;
+  return fmt::format("{} {}", takes_an ? "an" : "a", name);
+}
+
+/// What the host needs, and the rate to which it limits the frames if it does.
+std::string host_text(const observe::Report& report, const std::optional<observe::Bound>& bound) {
+  const machines::Machine& machine = report.machine;
+  if (machine.host.processor == machines::ideal_processor) return "ideal: needs no time";
+  const std::uint32_t count = machine.kind->hosts(machine);
+  const std::string_view name = machines::host_processor_names.at(machine.host.processor);
+  std::string text = count == 1 ? with_indefinite_article(name) + " needs" : fmt::format("{} {} need", count, name);
+  if (const std::uint64_t clocks = report.result.host_model_clocks; clocks > 0)
+    text += fmt::format(" {} for the model and", time_text(clocks, machine));
+  text += fmt::format(" {} per frame", time_text(report.result.host_clocks, machine));
+  if (bound && bound->by_host)
+    text += ", which limits the rate to " + observe::rate_text(engine::frame_rates(report.result, machine).hosted) +
+            " frames/s";
+  return text;
+}
+
+/// A change, what to add to the command line for it, and its worth.
+std::string knob_text(const observe::Knob& knob) {
+  return printable(knob.sentence.starts_with(knob.option) ? knob.sentence : knob.option + ": " + knob.worth);
+}
+
+/// Prints the best change and, if another is the best, the best selection of prunings.
+void print_best_knobs(std::span<const observe::Knob> knobs, bool is_verbose) {
+  if (knobs.empty()) return print_line("advice", "no tried change helps");
+  const std::string more = is_verbose || knobs.size() == 1 ? "" : "; --verbose lists all that help";
+  print_line("advice", knob_text(knobs.front()) + more);
+  const auto pruning = std::ranges::find_if(
+      knobs.subspan(1), [](const observe::Knob& one) { return one.option.starts_with("--pruning "); });
+  if (pruning != knobs.end()) print_line("", knob_text(*pruning));
+}
+
+void print_advice(const observe::Report& report, const Advice& advice, bool is_verbose) {
+  if (advice.machine.empty()) return;
+  if (advice.is_asked) return print_best_knobs(report.knobs, is_verbose);
+  print_line("advice", advice.ask + (is_verbose ? "" : "; --verbose prints all counts"));
 }
 
 void print_purposes(const observe::Report& report) {
@@ -120,12 +150,23 @@ void print_part(const machines::PartAccount& part, std::uint64_t frame) {
   fmt::print("\n");
 }
 
+/// Prints a count of the account; an energy with its unit.
+void print_count(const machines::Count& count) {
+  constexpr std::string_view energy = "_picojoules";
+  const std::string_view name = count.name;
+  if (!name.ends_with(energy)) {
+    fmt::print("{:<26}{:>18}\n", heading(name), grouped(count.value));
+  } else {
+    fmt::print("{:<26}{:>18}\n", heading(name.substr(0, name.size() - energy.size())) + " energy",
+               quantity(static_cast<double>(count.value) * 1e-12, "J"));
+  }
+}
+
 /// Prints the machine's own account of the frame: counts, shares, and the clocks of each unit by activity.
 void print_account(const observe::Report& report) {
   const machines::Account& account = report.result.account;
   if (!account.counts.empty() || !account.shares.empty()) fmt::print("\n");
-  for (const machines::Count& count : account.counts)
-    fmt::print("{:<26}{:>18}\n", heading(count.name), grouped(count.value));
+  for (const machines::Count& count : account.counts) print_count(count);
   for (const machines::Share& share : account.shares) {
     const bool is_mean = share.name == "mean_packets" || share.name == "link_bits_per_instruction";
     fmt::print("{:<26}{:>18}\n", heading(share.name),
@@ -136,8 +177,6 @@ void print_account(const observe::Report& report) {
     print_part(account.parts[i], report.result.clocks);
   }
 }
-
-constexpr std::size_t max_printed_knobs = 3;
 
 void print_rest(const std::string& name, std::uint64_t clocks, std::uint64_t whole) {
   if (clocks == 0) return;
@@ -164,52 +203,64 @@ void print_most_expensive(const observe::Report& report, const observe::Frame& p
 }
 
 void print_knobs(const observe::Report& report, const Advice& advice) {
-  if (advice.machine.empty()) return;
-  for (std::size_t i = 0; i < std::min(report.knobs.size(), max_printed_knobs); ++i) {
-    const observe::Knob& knob = report.knobs[i];
-    fmt::print("{:<18}{}\n", i == 0 ? "knobs" : "", printable(knob.sentence));
-    if (!knob.sentence.starts_with(knob.option)) fmt::print("{:<18}  {}\n", "", printable(knob.option));
-  }
-  if (advice.is_asked && report.knobs.empty()) fmt::print("{:<18}no tried change helps\n", "knobs");
-  if (!advice.is_asked) fmt::print("{:<18}{}\n", report.knobs.empty() ? "knobs" : "", advice.ask);
-  for (const std::string& command : advice.commands) fmt::print("{:<18}{}\n", "", command);
+  if (report.knobs.empty() && advice.commands.empty()) return;
+  fmt::print("\n");
+  for (const observe::Knob& knob : report.knobs)
+    print_line(&knob == &report.knobs.front() ? "knobs" : "", knob_text(knob));
+  for (const std::string& command : advice.commands) print_line("", command);
 }
 
 }  // namespace
 
-void print_summary(const observe::Report& report) {
-  const isa::CompileFacts& compile = report.program.facts->compile;
-  const observe::Cost& total = report.stats.total;
-  const double simulated = static_cast<double>(report.result.clocks) / static_cast<double>(report.machine.clock_hz);
-  print_model(report.program.facts->model);
+void print_first_lines(const observe::Report& report, const std::string& picture, const Advice& advice,
+                       std::string_view verdict, bool is_verbose) {
+  const isa::ModelFacts& model = report.program.facts->model;
+  const machines::Machine& machine = report.machine;
+  const std::optional<observe::Bound> bound = observe::bound_of(report.result, machine);
+  print_line("picture", picture_text(picture));
+  print_line("model", counted(model.primitives, "primitive") + ", " + counted(model.halfspaces, "half-space"));
   print_machine(report);
-  fmt::print("{:<18}{} = {} at the machine's clock rate\n", "clocks", grouped(report.result.clocks),
-             time_text(simulated));
-  print_frame(report);
-  print_host(report);
-  fmt::print("{:<18}{} executed, {} skipped\n", "instructions", grouped(total.instructions),
-             grouped(report.result.skipped));
-  fmt::print("{:<18}{} rendered into Z1, {} classified against Z1, {}\n", "scan-conversions", grouped(compile.rendered),
-             grouped(compile.classified), counted(compile.depth_tests, "depth test"));
-  fmt::print("{:<18}{} pixel clocks, {} at enabled pixels: utilisation {:.2f} %\n", "pixel operations",
-             grouped(total.pixel_operations), grouped(total.enabled), percent(total.enabled, total.pixel_operations));
-  fmt::print("{:<18}{} of {} bits a pixel, {} of them for the classification\n", "memory",
-             observe::used_memory_bits(report.program), report.machine.array.memory_bits, compile.stack_bits);
+  print_line("drawn",
+             fmt::format("in {} ({} clocks)", time_text(report.result.clocks, machine), grouped(report.result.clocks)));
+  print_line("shown", shown_text(report, bound));
+  print_line("host", host_text(report, bound));
+  print_line("memory", fmt::format("{} of {} bits per pixel, {} of them for the classification",
+                                   observe::used_memory_bits(report.program), machine.array.memory_bits,
+                                   report.program.facts->compile.stack_bits));
+  fmt::print("{}", verdict);
+  print_advice(report, advice, is_verbose);
+}
+
+void print_details(const observe::Report& report, const observe::Frame& picture, const Advice& advice) {
+  const isa::CompileFacts& compile = report.program.facts->compile;
+  const isa::ModelFacts& model = report.program.facts->model;
+  const observe::Cost& total = report.stats.total;
+  const machines::Machine& machine = report.machine;
+  fmt::print("\n");
+  print_line("operators",
+             fmt::format("{}, {}, {}", counted(model.unions, "union"), counted(model.differences, "difference"),
+                         counted(model.intersections, "intersection")));
+  print_line("frame", fmt::format("shown {} after its first clock ({} clocks)",
+                                  time_text(report.result.shown_clocks, machine), grouped(report.result.shown_clocks)));
+  print_line("instructions",
+             fmt::format("{} executed, {} skipped", grouped(total.instructions), grouped(report.result.skipped)));
+  print_line("scan-conversions",
+             fmt::format("{} rendered into Z1, {} classified against Z1, {}", grouped(compile.rendered),
+                         grouped(compile.classified), counted(compile.depth_tests, "depth test")));
+  print_line("pixel operations", fmt::format("{} pixel clocks, {} at enabled pixels: utilisation {:.2f} %",
+                                             quantity(static_cast<double>(total.pixel_operations), ""),
+                                             quantity(static_cast<double>(total.enabled), ""),
+                                             percent(total.enabled, total.pixel_operations)));
   print_account(report);
   print_prunings(report);
   print_purposes(report);
   const double seconds = std::max(report.wall_seconds, 1e-9);
   const double rate = static_cast<double>(report.result.shown_clocks) / seconds;
-  fmt::print("\n{:<18}{} ({} clocks/s, {} x the machine's speed)\n", "simulated in", time_text(report.wall_seconds),
-             grouped(static_cast<std::uint64_t>(rate)),
-             ratio_text(rate / static_cast<double>(report.machine.clock_hz)));
-}
-
-void print_words(const observe::Report& report, const observe::Frame& picture, const Advice& advice) {
-  print_most_expensive(report, picture);
   fmt::print("\n");
-  if (const std::optional<observe::Bound> bound = observe::bound_of(report.result, report.machine))
-    fmt::print("{:<18}{}\n", "bound", bound->sentence);
+  print_line("simulated in",
+             fmt::format("{} ({}, {} x the machine's speed)", quantity(report.wall_seconds, "s"),
+                         quantity(rate, "clocks/s"), rounded(rate / static_cast<double>(machine.clock_hz))));
+  print_most_expensive(report, picture);
   print_knobs(report, advice);
 }
 

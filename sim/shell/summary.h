@@ -2,6 +2,9 @@
 // Used by run_program.cpp.
 #pragma once
 
+#include <string>
+#include <string_view>
+
 #include "sim/observe/frame.h"
 #include "sim/observe/stats_json.h"
 #include "sim/session/run/advice.h"
@@ -10,10 +13,12 @@ namespace csgsim::shell {
 
 using namespace session;
 
-/// Prints the summary of a run to standard output.
-void print_summary(const observe::Report& report);
+/// Prints the answer to a run: the picture's file, the model, the machine, the times, the host, the memory, the judge's
+/// verdict and advice; at most 12 lines. `is_verbose`: print_details follows.
+void print_first_lines(const observe::Report& report, const std::string& picture, const Advice& advice,
+                       std::string_view verdict, bool is_verbose);
 
-/// Prints the unit that bounds the frame, the most expensive primitives, and the knobs.
-void print_words(const observe::Report& report, const observe::Frame& picture, const Advice& advice);
+/// Prints the counts of a run, its most expensive primitives, and all changes that help.
+void print_details(const observe::Report& report, const observe::Frame& picture, const Advice& advice);
 
 }  // namespace csgsim::shell

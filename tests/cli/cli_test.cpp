@@ -38,6 +38,7 @@ TEST_CASE("the stats have the documented keys and their accounts add up") {
                                          "frame_seconds",
                                          "frames_per_second",
                                          "host_clocks",
+                                         "host_model_clocks",
                                          "hosted_frames_per_second",
                                          "instructions",
                                          "interval_clocks",

@@ -84,7 +84,7 @@ TEST_CASE("writes an output to standard output without the summary") {
   const Outcome outcome = succeeded(run("render " + model("old_example011") + " --size 16x16 --stats /dev/stdout"));
   CHECK(outcome.out.find("\"by_purpose\"") != std::string::npos);
   CHECK(nlohmann::json::accept(outcome.out));
-  CHECK(outcome.err.find("simulated in") != std::string::npos);
+  CHECK(outcome.err.find("\ndrawn ") != std::string::npos);
 }
 
 TEST_CASE("rejects a folder as output") {

@@ -24,7 +24,8 @@ const std::vector<session::SettableOption> options{
     {"machine", session::Takes::text},        {"set", session::Takes::texts},     {"view-all", session::Takes::flag},
     {"z-bits", session::Takes::whole_number}, {"near", session::Takes::number},   {"output", session::Takes::text},
     {"stats", session::Takes::text},          {"report", session::Takes::text},   {"checkpoint", session::Takes::text},
-    {"resume", session::Takes::text},         {"progress", session::Takes::text}, {"quiet", session::Takes::flag}};
+    {"resume", session::Takes::text},         {"progress", session::Takes::text}, {"quiet", session::Takes::flag},
+    {"verbose", session::Takes::flag}};
 
 /// Stats of another run, without files to read.
 constexpr const char* other_run = R"({"clocks": 7, "parts": [1, 2], "configuration": {"command": ["csgsim", "render"],

@@ -50,6 +50,7 @@ void add_render(CommandLine& line) {
       .between(1U, max_frames);
   command.option("--turn", options->turntable.degrees,
                  "Degrees the camera turns between frames, about the vertical axis through its centre");
+  add_verbose(command, options->run);
   command.prints_summary();
   command.runs([options, &command] { run(*options, command); });
 }

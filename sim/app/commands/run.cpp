@@ -18,6 +18,7 @@ void add_run(CommandLine& line) {
                "  csgsim run traces/carburettor.csgt -o carburettor.png --checkpoint run.csgs --checkpoint-every 500\n"
                "  csgsim run traces/carburettor.csgt -o carburettor.png --resume run.csgs");
   options->add_to(command);
+  add_verbose(command, options->run);
   command.prints_summary();
   command.runs([options, &command] {
     refuse_model(options->program);

@@ -140,6 +140,7 @@ constexpr auto options = std::to_array<KnownOption>({
     {messages, "progress"},
     {messages, "timing"},
     {messages, "no-stories"},
+    {messages, "verbose"},
     {messages, "quiet"},
     {messages, "help"},
     {messages, "version"},

@@ -6,13 +6,13 @@
 #include <array>
 #include <iterator>
 #include <optional>
+#include <utility>
 
 #include "host/emit/compile.h"
 #include "hw/base/error.h"
-#include "hw/host/host.h"
-#include "hw/machines/timing.h"
 #include "sim/engine/engine.h"
 #include "sim/functional/clocks.h"
+#include "sim/session/options/prunings.h"
 
 namespace csgsim::session {
 
@@ -54,38 +54,72 @@ constexpr auto tried_settings = std::to_array<TriedSetting>({
      "coarser colours"},
 });
 
-std::uint64_t interval_of(const isa::Program& program, const machines::Machine& machine) {
-  if (!functional::needs_run(program, machine)) return host::time_frame(program, machine).interval_clocks;
-  return engine::make_functional_engine(machine)->run(program, {}).interval_clocks;
+/// The selections of prunings worth a try: all, none, and each one left out.
+std::vector<std::string> tried_prunings() {
+  const std::vector<std::string> words = pruning_words();
+  std::vector<std::string> tried;
+  for (const std::string& word : words) {
+    const bool applies_one = std::ranges::find(words, "no-" + word) != words.end();
+    if (!applies_one) tried.push_back(word);
+  }
+  return tried;
 }
 
-/// The frame interval with other settings; nothing if the model then does not fit the machine.
-std::optional<std::uint64_t> interval_with(const ModelRequest& request, const CompiledModel& model,
-                                           const machines::Machine& machine) {
+/// The clocks with other settings; nothing if the model then does not fit the machine.
+std::optional<observe::FrameClocks> clocks_with(const ModelRequest& request, const CompiledModel& model,
+                                                const machines::Machine& machine) {
   try {
     const isa::Program program =
         emit::compile(model.tree, model.scene, view_of(model, request, machine), machine, emit_options_of(request),
                       [&](const isa::Program& one) { return functional::measure_clocks(one, machine); });
-    return interval_of(program, machine);
+    return observe::frame_clocks(functional::measure_timing(program, machine));
   } catch (const InputError&) {
     return std::nullopt;
   }
+}
+
+/// Measures changed settings of one run.
+class SettingTrials {
+ public:
+  SettingTrials(const CompiledModel& model, const machines::Machine& machine, const engine::RunResult& result)
+      : model_(model), machine_(machine), before_(observe::frame_clocks(engine::timing_of(result))) {}
+
+  /// Adds the knob to the list, unless the model does not fit with the option.
+  void measure(const ModelRequest& turned, const std::string& option, const char* but,
+               std::vector<observe::Knob>& knobs) const {
+    const std::optional<observe::FrameClocks> after = clocks_with(turned, model_, machine_);
+    if (!after) return;
+    const std::string worth = observe::worth(before_, *after, machine_.clock_hz);
+    knobs.push_back({option, fmt::format("{}: {}; {}", option, worth, but), worth, before_, *after});
+  }
+
+ private:
+  const CompiledModel& model_;
+  const machines::Machine& machine_;
+  observe::FrameClocks before_;
+};
+
+/// The selection of prunings that helps most; empty if none does.
+std::vector<observe::Knob> pruning_knob(const ModelRequest& request, const SettingTrials& trials) {
+  std::vector<observe::Knob> knobs;
+  for (const std::string& pruning : tried_prunings()) {
+    ModelRequest turned = request;
+    const std::optional<std::string> option = turn("--pruning", turned.pruning, pruning);
+    if (option) trials.measure(turned, *option, same_picture, knobs);
+  }
+  return observe::best_knob(std::move(knobs));
 }
 
 }  // namespace
 
 std::vector<observe::Knob> setting_knobs(const CompiledModel& model, const ModelRequest& request,
                                          const machines::Machine& machine, const engine::RunResult& result) {
-  std::vector<observe::Knob> knobs;
+  const SettingTrials trials(model, machine, result);
+  std::vector<observe::Knob> knobs = pruning_knob(request, trials);
   for (const TriedSetting& setting : tried_settings) {
     ModelRequest turned = request;
     const std::optional<std::string> option = setting.turn(turned);
-    if (!option) continue;
-    const std::optional<std::uint64_t> after = interval_with(turned, model, machine);
-    if (!after) continue;
-    observe::Knob knob{"", *option, result.interval_clocks, *after};
-    knob.sentence = fmt::format("{}: {}; {}", *option, observe::worth(knob), setting.but);
-    knobs.push_back(std::move(knob));
+    if (option) trials.measure(turned, *option, setting.but, knobs);
   }
   return knobs;
 }

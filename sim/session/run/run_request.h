@@ -34,7 +34,8 @@ struct RunRequest {
   std::string evaluator = "worked-out";  ///< one of evaluator_names; used at the cycle level
   std::string progress = "auto";
   unsigned threads = 1;
-  bool advice = false;  ///< try changed parameters and settings to measure their worth
+  bool advice = false;   ///< try changed parameters and settings to measure their worth
+  bool verbose = false;  ///< print more than the first lines; added only by commands that print
 
   void add_to(OptionList& options);
 

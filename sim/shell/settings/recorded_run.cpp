@@ -29,7 +29,7 @@ constexpr auto recorded_commands = std::to_array<std::string_view>({"render", "r
 
 /// Options that do not affect picture and counts, in addition to names of outputs.
 constexpr auto without_effect =
-    std::to_array<std::string_view>({"checkpoint-every", "openscad-time", "progress", "quiet"});
+    std::to_array<std::string_view>({"checkpoint-every", "openscad-time", "progress", "quiet", "verbose"});
 
 constexpr std::size_t max_differences = 10;  ///< reported at most
 

@@ -175,7 +175,7 @@ Measurement Meter::measure_anew(const Settings& settings) {
     const judges::Explainer explainer(tree_, subject.scene, *subject.sight, drawn.program);
     const judges::Errors errors = judges::judge(subject.exact, drawn.frame, drawn.program, explainer);
     const judges::Errors facets = judges::compare(subject.analytic, drawn.frame, drawn.program);
-    sum.clocks += drawn.clocks;
+    sum.clocks += drawn.timing.clocks;
     sum.halfspaces = std::max(sum.halfspaces, drawn.program.facts->model.halfspaces);
     sum.used_bits = std::max(sum.used_bits, observe::used_memory_bits(drawn.program));
     sum.covered += errors.covered;

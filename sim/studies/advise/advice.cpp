@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "sim/observe/bound.h"
 #include "sim/session/options/numbers.h"
 #include "sim/studies/design/front.h"
 
@@ -45,7 +46,7 @@ constexpr RequirementKind kinds[] = {
      [](const Requirements& requirements) {
        return requirements.min_fps > 0 ? fmt::format("at least {:g} frames/s", requirements.min_fps) : "any speed";
      },
-     [](const DesignRow& row) { return fmt::format("{:.2f} frames/s", row.frames_per_second); },
+     [](const DesignRow& row) { return observe::rate_text(row.frames_per_second) + " frames/s"; },
      [](double by) { return fmt::format("{:.2f} frames/s too few", std::ceil(by * 100.0) / 100.0); }},
     {"most colours", "min_colour_bits", "colour bits, minimum", true,
      [](const Requirements& requirements) { return static_cast<double>(requirements.min_colour_bits); },

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hw/base/text.h"
+#include "sim/observe/bound.h"
 #include "sim/session/options/numbers.h"
 #include "sim/studies/design/axes.h"
 #include "sim/studies/rows_json.h"
@@ -50,8 +51,8 @@ void print_row(const AdviceRow& row, bool has_alu, bool meets) {
   fmt::print("{:>5}{:>5}{:>6}{:>8}{:>7}  {:<10}{:<13}", row.used_bits, point.z_bits, point.fraction_bits,
              point.colour_bits, row.colour_error, strategy_name(point), point.colouring);
   if (has_alu) fmt::print("{:>4}", point.alu_bits);
-  fmt::print("{:>12}{:>10.2f}{:>9}{}\n", grouped(row.clocks), row.frames_per_second, grouped(row.wrong),
-             meets ? "  *" : "");
+  fmt::print("{:>12}{:>10}{:>9}{}\n", grouped(row.clocks), observe::rate_text(row.frames_per_second),
+             grouped(row.wrong), meets ? "  *" : "");
 }
 
 /// Prints the first recommendation together with those that recommend the same choice.

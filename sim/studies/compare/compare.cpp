@@ -7,6 +7,7 @@
 #include "hw/base/error.h"
 #include "hw/base/text.h"
 #include "hw/machines/hash.h"
+#include "sim/observe/bound.h"
 #include "sim/report/points.h"
 #include "sim/session/model/compiled_model.h"
 #include "sim/session/model/see_through.h"
@@ -122,17 +123,19 @@ void print_row(const ComparisonRow& row, std::size_t width) {
     fmt::print("  {}\n", row.reason);
     return;
   }
-  fmt::print("{:>8}{:>15}{:>11.2f}{:>9.4g}{:>17}{:>10}{:>18}{:>13}{:>14}{:>8.3f}\n", row.halfspaces,
-             row.clocks > 0 ? grouped(row.clocks) : "-", row.simulated_seconds * 1e3, row.frames_per_second,
-             grouped(row.pixel_operations), grouped(row.processors), grouped(row.processor_clocks),
-             grouped(row.machine_memory_bits), row.machine_transistors ? grouped(*row.machine_transistors) : "-",
-             100.0 * row.utilisation);
+  const auto of_count = [](std::uint64_t count) { return quantity(static_cast<double>(count), ""); };
+  fmt::print("{:>8}{:>13}{:>9}{:>10}{:>12}{:>12}{:>10}{:>11}{:>13}{:>9.3f}\n", row.halfspaces,
+             row.clocks > 0 ? grouped(row.clocks) : "-", quantity(row.simulated_seconds, "s"),
+             observe::rate_text(row.frames_per_second), of_count(row.pixel_operations), grouped(row.processors),
+             of_count(row.processor_clocks), quantity(static_cast<double>(row.machine_memory_bits), "bit"),
+             row.machine_transistors ? of_count(*row.machine_transistors) : "-", 100.0 * row.utilisation);
 }
 
 /// Prints the gain of each idealisation of a machine relative to the machine as described, whose row precedes them.
 void print_ideal_rows(Rows rows) {
   const std::size_t width = name_width(rows);
-  fmt::print("{:<{}}{:<28}{:>13}{:>11}{:>9}{:>9}\n", "machine", width, "ideal", "clocks", "ms", "with host", "gain %");
+  fmt::print("{:<{}}{:<28}{:>13}{:>9}{:>10}{:>11}{:>9}\n", "machine", width, "ideal", "clocks", "time", "frames/s",
+             "with host", "gain %");
   const ComparisonRow* as_described = nullptr;
   for (const ComparisonRow& row : rows) {
     if (row.point.ideal.empty()) as_described = &row;
@@ -141,8 +144,8 @@ void print_ideal_rows(Rows rows) {
       fmt::print("  {}\n", row.reason);
       continue;
     }
-    fmt::print("{:>13}{:>11.2f}{:>9.4g}", grouped(row.clocks), row.simulated_seconds * 1e3,
-               row.hosted_frames_per_second);
+    fmt::print("{:>13}{:>9}{:>10}{:>11}", grouped(row.clocks), quantity(row.simulated_seconds, "s"),
+               observe::rate_text(row.frames_per_second), observe::rate_text(row.hosted_frames_per_second));
     if (as_described != nullptr && as_described->drawn())
       fmt::print("{:>9.2f}", 100.0 * (1.0 - row.simulated_seconds / as_described->simulated_seconds));
     fmt::print("\n");
@@ -151,11 +154,12 @@ void print_ideal_rows(Rows rows) {
 
 void print_rows(Rows rows) {
   const std::size_t width = name_width(rows);
-  fmt::print("{:<{}}{:>11}{:>7}{:>8}{:>15}{:>11}{:>9}{:>17}{:>10}{:>18}{:>13}{:>14}{:>8}\n", "machine", width,
-             "picture", "$fn", "halfsp.", "clocks", "ms", "frames/s", "pixel operations", "process.",
-             "processor clocks", "memory bits", "transistors", "util. %");
+  fmt::print("{:<{}}{:>11}{:>7}{:>8}{:>13}{:>9}{:>10}{:>12}{:>12}{:>10}{:>11}{:>13}{:>9}\n", "machine", width,
+             "picture", "$fn", "halfsp.", "clocks", "time", "frames/s", "operations", "processors", "capacity",
+             "memory", "transistors", "util. %");
   for (const ComparisonRow& row : rows) print_row(row, width);
   fmt::print(
+      "operations: at all pixels; capacity: processors times clocks.\n"
       "Transistor counts are estimates (docs/area.md) of the processors with their memory; -: not synthesised.\n");
 }
 

@@ -60,11 +60,9 @@ void draw(const isa::Program& program, const machines::Machine& machine, Compari
   row.interval_clocks = result.interval_clocks;
   row.host_clocks = result.host_clocks;
   row.host_model_clocks = result.host_model_clocks;
-  const auto frames = [&](std::uint64_t interval) {
-    return static_cast<double>(machine.clock_hz) / static_cast<double>(interval);
-  };
-  row.frames_per_second = frames(result.interval_clocks);
-  row.hosted_frames_per_second = frames(machines::paced_clocks(result.interval_clocks, result.host_clocks));
+  const machines::FrameRates rates = engine::frame_rates(result, machine);
+  row.frames_per_second = rates.hardware;
+  row.hosted_frames_per_second = rates.hosted;
   row.pixel_operations = stats.stats().total.pixel_operations;
   row.enabled = stats.stats().total.enabled;
   row.frame_joules = frame_joules(program, machine, result, row);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/observe/bound.h"
 #include "sim/session/options/numbers.h"
 
 namespace csgsim::studies {
@@ -35,8 +36,9 @@ void print_bounds(const OwnRows& own) {
   fmt::print("\n{:<{}}{:<34}{:>9}{:>11}{:>18}\n", "limited by", width + 2, "", "share", "frames/s", "with its host");
   for (const ComparisonRow* row : own) {
     if (row->bound_by.empty()) continue;
-    fmt::print("  {:<{}}{:<34}{:>7.1f} %{:>11.4g}{:>18.4g}\n", row->point.machine, width, row->bound_by,
-               100.0 * row->bound_share, row->frames_per_second, row->hosted_frames_per_second);
+    fmt::print("  {:<{}}{:<34}{:>7.1f} %{:>11}{:>18}\n", row->point.machine, width, row->bound_by,
+               100.0 * row->bound_share, observe::rate_text(row->frames_per_second),
+               observe::rate_text(row->hosted_frames_per_second));
   }
 }
 
@@ -82,9 +84,9 @@ void print_facets(std::span<const ComparisonRow> rows, const ComparisonRow& own)
     if (best == nullptr || row.halfspaces > best->halfspaces) best = &row;
   }
   if (best == nullptr || best->frames_per_second <= own.frames_per_second) return;
-  fmt::print("{:<18}{}: $fn = {} gives {} half-spaces instead of {}, and {:.4g} frames/s instead of {:.4g}\n", "",
+  fmt::print("{:<18}{}: $fn = {} gives {} half-spaces instead of {}, and {} frames/s instead of {}\n", "",
              own.point.machine, best->point.fragments, grouped(best->halfspaces), grouped(own.halfspaces),
-             best->frames_per_second, own.frames_per_second);
+             observe::rate_text(best->frames_per_second), observe::rate_text(own.frames_per_second));
 }
 
 /// Prints the machine's parameter that gains most when made ideal.
@@ -96,8 +98,8 @@ void print_ideal(std::span<const ComparisonRow> rows, const ComparisonRow& own) 
     if (best == nullptr || row.frames_per_second > best->frames_per_second) best = &row;
   }
   if (best == nullptr || best->frames_per_second <= own.frames_per_second) return;
-  fmt::print("{:<18}{}: ideal {} gives {:.4g} frames/s instead of {:.4g}\n", "", own.point.machine, best->point.ideal,
-             best->frames_per_second, own.frames_per_second);
+  fmt::print("{:<18}{}: ideal {} gives {} frames/s instead of {}\n", "", own.point.machine, best->point.ideal,
+             observe::rate_text(best->frames_per_second), observe::rate_text(own.frames_per_second));
 }
 
 }  // namespace
@@ -108,8 +110,8 @@ void print_compare_words(std::span<const ComparisonRow> rows) {
   print_bounds(own);
   if (!own.front()->dearest.empty()) print_dearest(own);
   const ComparisonRow& fastest = **std::ranges::max_element(own, {}, &ComparisonRow::frames_per_second);
-  fmt::print("\n{:<18}fastest of the machines as described: {}, {:.4g} frames/s\n", "knobs", fastest.point.machine,
-             fastest.frames_per_second);
+  fmt::print("\n{:<18}fastest of the machines as described: {}, {} frames/s\n", "knobs", fastest.point.machine,
+             observe::rate_text(fastest.frames_per_second));
   for (const ComparisonRow* row : own) {
     print_facets(rows, *row);
     print_ideal(rows, *row);

@@ -8,6 +8,7 @@
 
 #include "hw/base/error.h"
 #include "hw/base/text.h"
+#include "sim/observe/bound.h"
 #include "sim/plots/number_text.h"
 #include "sim/report/points.h"
 #include "sim/session/options/lists.h"
@@ -41,7 +42,7 @@ std::vector<std::string> row_line(const CorpusRow& row) {
           grouped(row.shade),
           grouped(row.pixel_operations),
           std::to_string(row.used_bits),
-          fmt::format("{:.4g}", row.frames_per_second),
+          observe::rate_text(row.frames_per_second),
           row.bound_by};
 }
 

@@ -65,8 +65,7 @@ void draw(const isa::Program& program, const machines::Machine& machine, CorpusR
   row.clocks = result.clocks;
   row.interval_clocks = result.interval_clocks;
   row.latency = result.latency_clocks;
-  if (result.interval_clocks > 0)
-    row.frames_per_second = static_cast<double>(machine.clock_hz) / static_cast<double>(result.interval_clocks);
+  row.frames_per_second = engine::frame_rates(result, machine).hardware;
   if (const std::optional<observe::Bound> bound = observe::bound_of(result, machine)) row.bound_by = bound->part;
   row.picture = hash_of(frame.frame());
 }

@@ -59,12 +59,15 @@ void give_clock(const process::Process& process, Fitted& fitted, DesignRow& row)
   row.clock_path = clock->path.name;
 }
 
-void time(const Fitted& fitted, RunTimer& timer, DesignRow& row) {
-  const machines::FrameTiming timing = timer.time(fitted.program, fitted.machine);
-  row.clock_hz = fitted.machine.clock_hz;
+void put(const machines::FrameTiming& timing, const machines::Machine& machine, DesignRow& row) {
+  const machines::FrameRates rates =
+      machines::frame_rates(machine.clock_hz, timing.interval_clocks, timing.host_clocks);
   row.clocks = timing.clocks;
   row.interval_clocks = timing.interval_clocks;
-  row.frames_per_second = static_cast<double>(row.clock_hz) / static_cast<double>(timing.interval_clocks);
+  row.host_clocks = timing.host_clocks;
+  row.simulated_seconds = static_cast<double>(timing.clocks) / static_cast<double>(machine.clock_hz);
+  row.frames_per_second = rates.hardware;
+  row.hosted_frames_per_second = rates.hosted;
 }
 
 void price(const process::Process& process, const Fitted& fitted, RunTimer& timer, DesignRow& row) {
@@ -121,7 +124,7 @@ DrawnProgram draw(isa::Program program, const machines::Machine& machine) {
   observe::FrameObserver frame(program);
   const std::array<engine::Observer*, 1> observers{&frame};
   const engine::RunResult result = engine::make_functional_engine(machine)->run(program, observers);
-  return {std::move(program), std::move(frame).frame(), result.clocks, result.overflows > 0};
+  return {std::move(program), std::move(frame).frame(), engine::timing_of(result), result.overflows > 0};
 }
 
 DesignRow measure_picture(const DesignPoint& point, const Job& job, bool is_drawn) {
@@ -135,12 +138,11 @@ DesignRow measure_picture(const DesignPoint& point, const Job& job, bool is_draw
   row.pixel_transistors = machines::pixel_transistors(job.machine, row.used_bits);
   if (is_drawn) {
     const DrawnProgram drawn = draw(std::move(*program), job.machine);
-    row.clocks = drawn.clocks;
+    put(drawn.timing, job.machine, row);
     row.picture = drawn.has_overflow ? overflow : observe::hash_of(drawn.frame);
   } else {
-    row.clocks = functional::measure_clocks(*program, job.machine);
+    put(functional::measure_timing(*program, job.machine), job.machine, row);
   }
-  row.simulated_seconds = static_cast<double>(row.clocks) / static_cast<double>(job.machine.clock_hz);
   return row;
 }
 
@@ -217,7 +219,8 @@ DesignRow DesignMeter::measure(const DesignPoint& point, const Job& job) {
     count_program(fitted.program, row);
     count_machine(fitted, row);
     if (question_.process) give_clock(*question_.process, fitted, row);
-    time(fitted, timer_, row);
+    row.clock_hz = fitted.machine.clock_hz;
+    put(timer_.time(fitted.program, fitted.machine), fitted.machine, row);
     if (question_.process) price(*question_.process, fitted, timer_, row);
     judge(point, job, fitted, row);
   });

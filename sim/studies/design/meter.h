@@ -12,6 +12,7 @@
 
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
+#include "hw/machines/timing.h"
 #include "hw/process/process.h"
 #include "sim/judges/truth.h"
 #include "sim/observe/frame.h"
@@ -32,7 +33,7 @@ inline constexpr std::string_view overflow = "overflow";
 struct DrawnProgram {
   isa::Program program;
   observe::Frame frame;
-  std::uint64_t clocks = 0;
+  machines::FrameTiming timing;
   bool has_overflow = false;
 };
 

@@ -67,11 +67,13 @@ struct DesignRow {
   std::optional<double> machine_mm2{};                 ///< area of the machine in the process: hw/process/price.h
   std::optional<double> frame_joules{};                ///< energy per frame in the process
   std::uint64_t clock_hz = 0;                          ///< allowed by the process, or given by the description
-  std::string clock_path{};           ///< critical path in the process; empty without a process or price
-  std::uint64_t clocks = 0;           ///< until the picture is drawn, including latency
-  std::uint64_t interval_clocks = 0;  ///< between frames
-  double simulated_seconds = 0;       ///< drawing time, from `clocks`
-  double frames_per_second = 0;
+  std::string clock_path{};             ///< critical path in the process; empty without a process or price
+  std::uint64_t clocks = 0;             ///< until the picture is drawn, including latency
+  std::uint64_t interval_clocks = 0;    ///< between frames if the host keeps up
+  std::uint64_t host_clocks = 0;        ///< for the host to compile a frame
+  double simulated_seconds = 0;         ///< drawing time, from `clocks`
+  double frames_per_second = 0;         ///< if the host keeps up
+  double hosted_frames_per_second = 0;  ///< limited by the host too
   std::string picture{};      ///< hash of depth, owner and colour of every pixel, or `overflow`; empty if not drawn
   std::uint64_t covered = 0;  ///< pixels
   std::uint64_t wrong = 0;    ///< pixels that differ from the exact picture of the same half-spaces
@@ -134,8 +136,10 @@ struct DesignRow {
     visit("clock_path", row.clock_path);
     visit("clocks", row.clocks);
     visit("interval_clocks", row.interval_clocks);
+    visit("host_clocks", row.host_clocks);
     visit("simulated_seconds", row.simulated_seconds);
     visit("frames_per_second", row.frames_per_second);
+    visit("hosted_frames_per_second", row.hosted_frames_per_second);
     visit("picture", row.picture);
     visit("covered", row.covered);
     visit("wrong", row.wrong);
@@ -176,8 +180,9 @@ struct RowWith : DesignRow {
 
 inline constexpr std::string_view sweep_columns =
     "model,machine,memory_bits,z_bits,pruning,colouring,strategy,stack_bits,curves,model_hash,machine_hash,csgsim,"
-    "strategy_used,colouring_used,primitives,halfspaces,width,height,clocks,simulated_seconds,instructions,rendered,"
-    "classified,depth_tests,tree_depth,classification_bits,used_bits,pixel_transistors,memory_map,picture,reason";
+    "strategy_used,colouring_used,primitives,halfspaces,width,height,clocks,interval_clocks,host_clocks,"
+    "simulated_seconds,frames_per_second,hosted_frames_per_second,instructions,rendered,classified,depth_tests,tree_"
+    "depth,classification_bits,used_bits,pixel_transistors,memory_map,picture,reason";
 
 inline constexpr std::string_view accuracy_columns =
     "knob,value,model_hash,machine_hash,csgsim,clocks,simulated_seconds,halfspaces,used_bits,covered,wrong,"

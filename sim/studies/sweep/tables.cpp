@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "hw/base/text.h"
+#include "sim/observe/bound.h"
 #include "sim/session/options/numbers.h"
 #include "sim/studies/design/meter.h"
 #include "sim/studies/folder.h"
@@ -37,16 +39,19 @@ void print_points(std::span<const SweepRow> rows) {
   const PointNames names(rows);
   std::size_t width = 12;
   for (const SweepRow& row : rows) width = std::max(width, names.name(row.point).size() + 2);
-  fmt::print("\n{:<{}}{:>14}{:>10}{:>12}{:>13}{:>13}{:>13}{:>13}  {}\n", "", width, "clocks", "rendered", "classified",
-             "depth tests", "class. bits", "total bits", "transistors", "picture");
+  fmt::print("\n{:<{}}{:>14}{:>10}{:>11}{:>10}{:>12}{:>13}{:>13}{:>13}{:>13}  {}\n", "", width, "clocks", "frames/s",
+             "with host", "rendered", "classified", "depth tests", "class. bits", "total bits", "transistors",
+             "picture");
   for (const SweepRow& row : rows) {
     if (!row.is_compiled()) {
       fmt::print("{:<{}}  {}\n", names.name(row.point), width, row.reason);
       continue;
     }
-    fmt::print("{:<{}}{:>14}{:>10}{:>12}{:>13}{:>13}{:>13}{:>13}  {}{}\n", names.name(row.point), width,
-               grouped(row.clocks), grouped(row.rendered), grouped(row.classified), grouped(row.depth_tests),
-               row.classification_bits, row.used_bits, row.pixel_transistors ? grouped(*row.pixel_transistors) : "-",
+    fmt::print("{:<{}}{:>14}{:>10}{:>11}{:>10}{:>12}{:>13}{:>13}{:>13}{:>13}  {}{}\n", names.name(row.point), width,
+               grouped(row.clocks), observe::rate_text(row.frames_per_second),
+               observe::rate_text(row.hosted_frames_per_second), grouped(row.rendered), grouped(row.classified),
+               grouped(row.depth_tests), row.classification_bits, row.used_bits,
+               row.pixel_transistors ? grouped(*row.pixel_transistors) : "-",
                row.picture.empty() ? "not drawn" : row.picture, used(row));
   }
   if (std::any_of(rows.begin(), rows.end(), [](const SweepRow& row) { return row.pixel_transistors.has_value(); }))

@@ -12,13 +12,15 @@ import {forgetLanes} from './wires.js';
 
 const row = (name, ...values) => make('tr', {}, make('th', {scope: 'row'}, name), ...values.map(value => make('td', {class: 'n'}, value)));
 
+const rounded = rate => Number(rate).toPrecision(4);
+
 const countsOf = stats => {
-  const rate = stats.frames_per_second;
   return [
     ['clocks until drawn', grouped(stats.clocks)],
     ['clocks until shown', grouped(stats.shown_clocks)],
     ['clocks from one frame to the next', grouped(stats.interval_clocks)],
-    ['frames per second', rate === undefined || rate === null ? '' : Number(rate).toPrecision(4)],
+    ['frames per second', rounded(stats.frames_per_second)],
+    ['frames per second with the host', rounded(stats.hosted_frames_per_second)],
     ['instructions', grouped(stats.instructions.total)],
     ['pixel operations', grouped(stats.pixel_operations.total)],
     ['memory bits per pixel', stats.memory.used_bits + ' of ' + stats.memory.memory_bits],

@@ -1,18 +1,13 @@
 // Results that need more time than a picture, computed on request.
-import {byId, grouped, make} from './dom.js';
+import {byId, make} from './dom.js';
 import {ask, lastOf, now, shownWish} from './asking.js';
-
-const knobText = knob => {
-  const change = 100 * (1 - knob.clocks_after / knob.clocks_before);
-  return grouped(knob.clocks_after) + ' clocks from one frame to the next instead of ' + grouped(knob.clocks_before) + ', ' + change.toFixed(1) + ' % fewer';
-};
 
 const advise = lastOf(async () => {
   byId('advice').replaceChildren(make('li', {}, 'trying changes …'));
   const {as} = now.drawn;
   const {isGood, answer} = await ask('advice', shownWish());
   if (as !== now.drawn.as) return;
-  const rows = isGood ? answer.knobs.map(knob => make('li', {}, make('strong', {}, knob.option), ': ' + knobText(knob))) : [make('li', {}, answer.error)];
+  const rows = isGood ? answer.knobs.map(knob => make('li', {}, make('strong', {}, knob.option), ': ' + knob.worth)) : [make('li', {}, answer.error)];
   byId('advice').replaceChildren(...(rows.length ? rows : [make('li', {}, 'none of the tried changes helps')]));
 });
 

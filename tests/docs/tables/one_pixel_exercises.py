@@ -41,10 +41,10 @@ def solved(told_by, coarse):
         (f"A's top: {before.z2}, `#{before.colour:06x}`", debug(f"until i{at['N in B test'].first}", f"print {X},{Y}"),
          [f"Z2           {before.z2} ", f"#{before.colour:06x}"]),
         (f"{shallow}", f"csgsim explain $MODEL {SAME_VIEW} --z-bits 6 --strategy bits --pixel {X},{Y} | sed -n 2p", [f"depth     {shallow} steps"]),
-        (f"{bits + 24} bits; {{clocks:,}} clocks instead of {rebroadcast:,}", render("-E '^(clocks|memory)'", "--strategy bits --colouring field"),
+        (f"{bits + 24} bits; {{clocks:,}} clocks instead of {rebroadcast:,}", render("-E '^(drawn|memory)'", "--strategy bits --colouring field"),
          [f"memory            {bits + 24} of 72 bits"]),
         (f"{{clocks:,}} clocks instead of {rebroadcast:,}, for {bits + 1} bits; N is tested, merged and shaded once, for A ∪ B",
-         render("-E '^(clocks|scan|memory)'", "--strategy stack"), ["3 depth tests", f"memory            {bits + 1} of 72 bits"]),
+         render("-E '^(drawn|scan|memory)'", "--strategy stack --verbose"), ["3 depth tests", f"memory            {bits + 1} of 72 bits"]),
     ]
 
 
@@ -65,6 +65,6 @@ def answers(figures):
                 raise Differs(f"exercise {n}: '{each}' is not in what '{command}' prints:\n{printed}")
         if "issued in" in printed and not words.startswith(f"{issued(printed)}:"):
             raise Differs(f"exercise {n}: {words}, but it takes {issued(printed)} clocks")
-        counted = re.search(r"^clocks +([\d,]+)", printed)
+        counted = re.search(r"^drawn .*\(([\d,]+) clocks\)", printed)
         rows.append(f"{n}. {words.format(clocks=int(counted[1].replace(',', '')) if counted else 0)}: `{command}`")
     return "\n".join(rows)

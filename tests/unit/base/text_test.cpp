@@ -2,6 +2,9 @@
 
 #include <rapidcheck.h>
 
+#include <cmath>
+#include <limits>
+
 #include "tests/support/test.h"
 
 using namespace csgsim;
@@ -95,4 +98,48 @@ TEST_CASE("a shell parses shell_word() back to the original bytes") {
     CAPTURE(bytes);
     CHECK(read_by_shell(shell_word(bytes)) == bytes);
   }
+}
+
+TEST_CASE("rounded() keeps significant digits and every digit of a whole number") {
+  CHECK(rounded(0) == "0");
+  CHECK(rounded(24.3175, 4) == "24.32");
+  CHECK(rounded(0.0057597) == "0.00576");
+  CHECK(rounded(999.4) == "999");
+  CHECK(rounded(999.6) == "1,000");
+  CHECK(rounded(1736.17) == "1,736");
+  CHECK(rounded(-1736.17) == "-1,736");
+  CHECK(rounded(2.5) == "2.5");
+  CHECK(rounded(std::numeric_limits<double>::infinity()) == "inf");
+}
+
+TEST_CASE("quantity() selects the SI prefix and leaves seconds above one without") {
+  CHECK(quantity(26'599'667'194e-12, "J") == "26.6 mJ");
+  CHECK(quantity(1e7, "Hz") == "10 MHz");
+  CHECK(quantity(18'874'368, "bit") == "18.9 Mbit");
+  CHECK(quantity(72, "bit") == "72 bit");
+  CHECK(quantity(6'609'960'960.0, "") == "6.61 G");
+  CHECK(quantity(7, "") == "7");
+  CHECK(quantity(0, "s") == "0 s");
+  CHECK(quantity(4.2e-7, "s") == "420 ns");
+  CHECK(quantity(0.0009996, "s") == "1 ms");
+  CHECK(quantity(0.00099949, "s") == "999 us");
+  CHECK(quantity(173.6, "s") == "174 s");
+  CHECK(quantity(1736.17, "s") == "1,736 s");
+  CHECK(quantity(3e-15, "J") == "0.003 pJ");
+  CHECK(quantity(4e15, "") == "4,000 T");
+}
+
+TEST_CASE("quantity() has the value within half a digit of the third") {
+  CHECK(rc::check([] {
+    const double value = std::pow(10.0, *rc::gen::inRange(-1100, 1400) / 100.0);
+    const std::string text = quantity(value, "J");
+    const std::size_t blank = text.find(' ');
+    const std::string prefixes = "pnum kMGT";
+    const std::string prefix = text.substr(blank + 1, text.size() - blank - 2);
+    const auto place = prefix.empty() ? 4 : static_cast<int>(prefixes.find(prefix));
+    const double shown = std::stod(text.substr(0, blank)) * std::pow(1000.0, place - 4);
+    RC_ASSERT(std::abs(shown / value - 1) <= 0.00501);
+    RC_ASSERT(std::stod(text.substr(0, blank)) >= 1);
+    RC_ASSERT(std::stod(text.substr(0, blank)) < 1000);
+  }));
 }

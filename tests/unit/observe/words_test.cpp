@@ -75,6 +75,11 @@ Drawn draw(const std::string& machine_name, const std::string& model, const emit
   return drawn;
 }
 
+/// Order of changes, the best first.
+std::pair<std::uint64_t, std::uint64_t> order_of(const observe::FrameClocks& clocks) {
+  return {clocks.hosted, clocks.interval};
+}
+
 std::uint64_t activity(const engine::RunResult& result, const char* name) {
   return machines::clocks_of(result.account, "controller", name);
 }
@@ -173,19 +178,70 @@ TEST_CASE("the gain that advice states for a figure equals that of the changed m
     const std::vector<observe::Knob> knobs = observe::parameter_knobs(drawn.program, drawn.machine, drawn.result, name);
     CHECK(!knobs.empty());
     CHECK(knobs.size() <= observe::parameters_to_try(drawn.machine));
-    std::uint64_t before = 0;
+    const observe::FrameClocks before = observe::frame_clocks(engine::timing_of(drawn.result));
+    observe::FrameClocks previous;
     for (const observe::Knob& knob : knobs) {
       CAPTURE(knob.option);
-      CHECK(knob.clocks_before == drawn.result.interval_clocks);
-      CHECK(knob.clocks_after < knob.clocks_before);
-      CHECK(knob.clocks_after >= before);
-      before = knob.clocks_after;
+      CHECK(knob.before == before);
+      CHECK(order_of(knob.after) < order_of(before));
+      CHECK(order_of(knob.after) >= order_of(previous));
+      previous = knob.after;
       REQUIRE(knob.option.starts_with("--machine "));
       machines::Machine machine = kinds::load(knob.option.substr(10));
       machines::set_picture_size(machine, {60, 44});
-      CHECK(engine::make_functional_engine(machine)->run(drawn.program, {}).interval_clocks == knob.clocks_after);
+      const engine::RunResult result = engine::make_functional_engine(machine)->run(drawn.program, {});
+      CHECK(observe::frame_clocks(engine::timing_of(result)) == knob.after);
     }
   }
+}
+
+TEST_CASE("advice tries every processor as host and states the gain with the host") {
+  const Drawn drawn = draw("pixel-planes-4+host.processor=mc68000+host.count=1", "carburettor");
+  const std::vector<observe::Knob> knobs =
+      observe::parameter_knobs(drawn.program, drawn.machine, drawn.result, "pixel-planes-4");
+  REQUIRE(!knobs.empty());
+  CHECK(knobs.front().option.starts_with("--machine pixel-planes-4+host.processor="));
+  CHECK(knobs.front().option.find("ideal") == std::string::npos);
+  for (const std::string_view processor : machines::host_processor_names) {
+    if (processor == "ideal" || processor == "mc68000") continue;
+    CAPTURE(processor);
+    machines::Machine machine = kinds::load(fmt::format("pixel-planes-4+host.processor={}", processor));
+    machines::set_picture_size(machine, {60, 44});
+    const engine::RunResult result = engine::make_functional_engine(machine)->run(drawn.program, {});
+    CHECK(observe::frame_clocks(engine::timing_of(result)).hosted >= knobs.front().after.hosted);
+  }
+  CHECK(std::ranges::count_if(knobs, [](const observe::Knob& knob) {
+          return knob.option.find("host.processor=") != std::string::npos;
+        }) == 1);
+}
+
+TEST_CASE("a change is worth its gain with the host or else without it") {
+  CHECK(observe::worth({400'000, 400'000}, {300'000, 300'000}, 10'000'000) ==
+        "30 ms per frame instead of 40 ms (25.0 % less)");
+  CHECK(observe::worth({400'000, 8'000'000}, {410'000, 2'000'000}, 10'000'000) ==
+        "200 ms per frame with the host instead of 800 ms (75.0 % less)");
+  CHECK(observe::worth({400'000, 8'000'000}, {300'000, 8'000'000}, 10'000'000) ==
+        "30 ms per frame without the host instead of 40 ms (25.0 % less)");
+  std::vector<observe::Knob> knobs(4);
+  for (observe::Knob& knob : knobs) knob.before = {10, 100};
+  knobs[0].after = {9, 100};
+  knobs[1].after = {20, 30};
+  knobs[2].after = {10, 100};
+  knobs[3].after = {5, 101};
+  const std::vector<observe::Knob> helpful = observe::helpful_knobs(knobs);
+  REQUIRE(helpful.size() == 2);
+  CHECK(helpful[0].after == observe::FrameClocks{20, 30});
+  CHECK(helpful[1].after == observe::FrameClocks{9, 100});
+  CHECK(observe::best_knob(knobs).size() == 1);
+  CHECK(observe::best_knob({knobs[2]}).empty());
+}
+
+TEST_CASE("frame rates without and with the host") {
+  CHECK(machines::frame_rates(10'000'000, 400'000, 0) == machines::FrameRates{25, 25});
+  CHECK(machines::frame_rates(10'000'000, 400'000, 400'000) == machines::FrameRates{25, 25});
+  CHECK(machines::frame_rates(10'000'000, 400'000, 2'000'000) == machines::FrameRates{25, 5});
+  CHECK(machines::frame_rates(10'000'000, 0, 0) == machines::FrameRates{0, 0});
+  CHECK(machines::frame_rates(10'000'000, 0, 2'000'000) == machines::FrameRates{0, 5});
 }
 
 TEST_CASE("advice replaces a figure that the machine's name already changes") {
