@@ -8,7 +8,8 @@
 // the host does too have its recipes.
 namespace csgsim::host {
 
-processors::Operations transformed_plane();     ///< a plane of the model transformed: the host's `planes`, `quotients` and `products`
+processors::Operations
+transformed_plane();  ///< a plane of the model transformed: the host's `planes`, `quotients` and `products`
 processors::Operations tested_box();            ///< a primitive's box against a part of the picture: the host's `boxes`
 processors::Operations tested_halfspace();      ///< a half-space at the corners of a part: the host's `tests`
 processors::Operations tested_cell();           ///< a half-space against the leaders of a cell
