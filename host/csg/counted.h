@@ -29,9 +29,14 @@ class Counted {
 
   /// Counts the test of a plane over a rectangle unless its extremes there are at hand. Returns whether it was new.
   bool test_if_new(const view::FixedLinear& plane, const view::PixelRect& pixels) const {
-    const bool is_new = into_ != nullptr && (tested_ == nullptr || tested_->add(plane, pixels));
-    if (is_new) add(&isa::Preparation::halfspaces);
-    return is_new;
+    constexpr std::uint64_t values_of_row = 2;
+    if (into_ == nullptr) return false;
+    switch (tested_ == nullptr ? Finding::by_test : tested_->add(plane, pixels)) {
+      case Finding::by_test: add(&isa::Preparation::halfspaces); return true;
+      case Finding::from_row: add(&isa::Preparation::values, values_of_row); return true;
+      case Finding::known: break;
+    }
+    return false;
   }
 
  private:

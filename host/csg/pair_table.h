@@ -16,9 +16,8 @@
 
 namespace csgsim::csg {
 
-/// Searches planes between primitives in model space: first between their spheres, then between their corners. Each
-/// pair is searched once, when it is first needed, and the result holds for every camera. Keeps a reference to the
-/// geometry and is not thread-safe.
+/// Searches planes between the corners of primitives in model space. Each pair is searched once, when it is first
+/// needed, and the result holds for every camera. Keeps a reference to the geometry and is not thread-safe.
 class PairTable {
  public:
   explicit PairTable(const facet::Geometry& geometry) : geometry_(geometry) {}
@@ -34,16 +33,10 @@ class PairTable {
   [[nodiscard]] const isa::Preparation& work() const { return work_; }
 
  private:
-  struct Solid {
-    Hull hull;
-    double radius = 0;  ///< of the sphere around the centre of its box
-  };
-  Solid& solid(std::uint32_t primitive);
-  [[nodiscard]] std::optional<Gap> between_spheres(const Solid& one, const Solid& other) const;
-  [[nodiscard]] std::optional<Gap> search(std::uint32_t one, std::uint32_t other);
+  Hull& hull(std::uint32_t primitive);
 
   const facet::Geometry& geometry_;
-  std::unordered_map<std::uint32_t, Solid> solids_;
+  std::unordered_map<std::uint32_t, Hull> hulls_;
   std::unordered_map<std::uint64_t, std::optional<Gap>> gaps_;  ///< by pair, the lower number first
   isa::Preparation work_;
 };

@@ -2,49 +2,73 @@
 // Used by counted.h.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <unordered_set>
+#include <utility>
+#include <vector>
 
 #include "host/view/fixed_point.h"
 
 namespace csgsim::csg {
 
+/// How the extremes of a plane over a rectangle are found.
+enum class Finding : std::uint8_t {
+  by_test,   ///< at the corners
+  from_row,  ///< from those of the row above, by additions
+  known,     ///< they have been found before
+};
+
 /// The planes and rectangles whose extremes the host keeps while it compiles a segment, so that it tests none twice.
+/// They are stored as hashes of 64 bits, so that a wrong one is less likely than one in 10^5 programs.
 class Tested {
  public:
-  /// Returns whether the plane has not been tested over the rectangle before.
-  bool add(const view::FixedLinear& plane, const view::PixelRect& pixels) {
-    return places_.insert({plane.a, plane.b, plane.c, pixels}).second;
+  /// Lets rows follow those of the segment above, which must outlive this object.
+  void follow(const Tested& above) { above_ = &above; }
+
+  /// Adds a plane and a rectangle.
+  Finding add(const view::FixedLinear& plane, const view::PixelRect& pixels) {
+    const std::uint64_t place = hash(plane, pixels);
+    if (is_sealed(place) || !open_.insert(place).second) return Finding::known;
+    const bool is_row = pixels.y0 == pixels.y1;
+    const bool follows = is_row && above_ != nullptr &&
+                         above_->is_sealed(hash(plane, {pixels.x0, pixels.y0 - 1, pixels.x1, pixels.y1 - 1}));
+    return follows ? Finding::from_row : Finding::by_test;
   }
 
-  /// Adds everything that `others` has.
-  void add(const Tested& others) { places_.insert(others.places_.begin(), others.places_.end()); }
+  /// Adds everything that the sealed `others` have.
+  void add(const Tested& others) {
+    std::vector<std::uint64_t> all;
+    std::ranges::set_union(sealed_, others.sealed_, std::back_inserter(all));
+    sealed_ = std::move(all);
+  }
+
+  /// Stores everything compactly; rows can follow only what is sealed.
+  void seal() {
+    sealed_.insert(sealed_.end(), open_.begin(), open_.end());
+    std::ranges::sort(sealed_);
+    open_ = {};
+  }
 
  private:
-  struct Place {
-    std::int64_t a;
-    std::int64_t b;
-    std::int64_t c;
-    view::PixelRect pixels;
+  static std::uint64_t hash(const view::FixedLinear& plane, const view::PixelRect& pixels) {
+    constexpr std::uint64_t odd = 0x9e3779b97f4a7c15;
+    std::uint64_t hash = 0;
+    const auto mix = [&](std::int64_t number) {
+      hash = (hash ^ static_cast<std::uint64_t>(number)) * odd;
+      hash ^= hash >> 29U;
+    };
+    for (const std::int64_t number : {plane.a, plane.b, plane.c}) mix(number);
+    for (const std::int32_t number : {pixels.x0, pixels.y0, pixels.x1, pixels.y1}) mix(number);
+    return hash;
+  }
 
-    bool operator==(const Place&) const = default;
-  };
-  struct Hash {
-    std::size_t operator()(const Place& place) const {
-      constexpr std::uint64_t odd = 0x9e3779b97f4a7c15;
-      std::uint64_t hash = 0;
-      const auto mix = [&](std::int64_t number) {
-        hash = (hash ^ static_cast<std::uint64_t>(number)) * odd;
-        hash ^= hash >> 29U;
-      };
-      for (const std::int64_t number : {place.a, place.b, place.c}) mix(number);
-      for (const std::int32_t number : {place.pixels.x0, place.pixels.y0, place.pixels.x1, place.pixels.y1})
-        mix(number);
-      return hash;
-    }
-  };
+  [[nodiscard]] bool is_sealed(std::uint64_t place) const { return std::ranges::binary_search(sealed_, place); }
 
-  std::unordered_set<Place, Hash> places_;
+  std::vector<std::uint64_t> sealed_;  ///< sorted
+  std::unordered_set<std::uint64_t> open_;
+  const Tested* above_ = nullptr;
 };
 
 }  // namespace csgsim::csg

@@ -153,7 +153,7 @@ class Edges final : public emit::EffectOf<EdgeSettings, Numbers> {
       state.drawings.push_back(
           emit::make_drawing(drawing.tree, drawing.geometry,
                              view::make_view(*drawing.geometry, *drawing.tree, drawing.view.camera, sampling),
-                             drawing.nesting + 1, {workshop.machine, workshop.options, {}}));
+                             drawing.nesting + 1, {workshop.machine, workshop.options, {}}, {}, drawing.plan.pairs));
     }
   }
 };

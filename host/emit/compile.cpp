@@ -129,6 +129,7 @@ isa::Segment compile_segment(Context context, std::span<const Drawing* const> dr
   if (is_empty && !is_whole) return segment;
   csg::Tested tested;
   for (const Drawing* const one : drawings) tested.add(one->plan.segments[context.segment].tested);
+  if (context.segment > 0) tested.follow(drawings.front()->plan.segments[context.segment - 1].tested);
   context.counted = csg::Counted(*segment.preparation, &tested);
   const std::size_t halfspaces = halfspaces_drawn(context);
   if (halfspaces >= many_halfspaces) segment.instructions.reserve(instructions_per_halfspace * halfspaces);

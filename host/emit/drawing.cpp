@@ -71,7 +71,7 @@ bool is_drawn(const Context& context, const PlannedSurface& planned) {
 namespace {
 
 /// Plans a drawing whose other members are set, and lets each called effect prepare it.
-void plan_and_prepare(Drawing& drawing, const Workshop& workshop) {
+void plan_and_prepare(Drawing& drawing, const Workshop& workshop, std::shared_ptr<csg::PairTable> pairs) {
   const Options& options = workshop.options;
   csg::Pruning pruning = pruning_of(options);
   drawing.look = make_look(options.scene, *drawing.tree, csg::make_positive(*drawing.tree), drawing.view.camera);
@@ -80,11 +80,9 @@ void plan_and_prepare(Drawing& drawing, const Workshop& workshop) {
     // A primitive that hides others may itself be in front of the mirror and not be drawn.
     pruning.hidden = false;
   }
-  // A reflected drawing shows another model, whose pairs of primitives are others.
-  const auto pairs = drawing.sampled_from != nullptr ? drawing.sampled_from->plan.pairs
-                                                     : std::make_shared<csg::PairTable>(*drawing.geometry);
-  drawing.plan = make_plan(*drawing.tree, *drawing.geometry, drawing.view, machines::regions(workshop.machine),
-                           {pruning, options.prices, pairs}, opacities(drawing.look, workshop.called), options.work);
+  drawing.plan =
+      make_plan(*drawing.tree, *drawing.geometry, drawing.view, machines::regions(workshop.machine),
+                {pruning, options.prices, std::move(pairs)}, opacities(drawing.look, workshop.called), options.work);
   if (drawing.reflection) drop_unseen(drawing);
   for (const EffectRequest& one : workshop.called)
     drawing.states.push_back(one.effect->prepared_for(drawing, workshop));
@@ -95,14 +93,15 @@ void plan_and_prepare(Drawing& drawing, const Workshop& workshop) {
 std::shared_ptr<const Drawing> make_drawing(std::shared_ptr<const model::Tree> tree,
                                             std::shared_ptr<const facet::Geometry> geometry, view::View view,
                                             unsigned nesting, const Workshop& workshop,
-                                            std::optional<Reflection> reflection) {
+                                            std::optional<Reflection> reflection,
+                                            std::shared_ptr<csg::PairTable> pairs) {
   auto drawing = std::make_shared<Drawing>();
   drawing->tree = std::move(tree);
   drawing->geometry = std::move(geometry);
   drawing->view = std::move(view);
   drawing->nesting = nesting;
   drawing->reflection = std::move(reflection);
-  plan_and_prepare(*drawing, workshop);
+  plan_and_prepare(*drawing, workshop, std::move(pairs));
   return drawing;
 }
 
@@ -115,7 +114,7 @@ std::shared_ptr<const Drawing> make_sample(const Drawing& drawing, const glm::dv
   sample->view = view::make_view(*drawing.geometry, *drawing.tree, drawing.view.camera, sampling);
   sample->nesting = drawing.nesting;
   sample->sampled_from = &drawing;
-  plan_and_prepare(*sample, workshop);
+  plan_and_prepare(*sample, workshop, drawing.plan.pairs);
   return sample;
 }
 

@@ -44,11 +44,13 @@ struct Workshop {
   std::span<const EffectRequest> called;
 };
 
-/// Plans a drawing and lets each called effect prepare it. Throws InputError if an effect cannot.
+/// Plans a drawing and lets each called effect prepare it. `pairs` are those of another drawing of the same geometry,
+/// if there is one. Throws InputError if an effect cannot.
 std::shared_ptr<const Drawing> make_drawing(std::shared_ptr<const model::Tree> tree,
                                             std::shared_ptr<const facet::Geometry> geometry, view::View view,
                                             unsigned nesting, const Workshop& workshop,
-                                            std::optional<Reflection> reflection = {});
+                                            std::optional<Reflection> reflection = {},
+                                            std::shared_ptr<csg::PairTable> pairs = nullptr);
 
 /// The same drawing, sampled at `offset` (columns, rows) from the pixel centres.
 std::shared_ptr<const Drawing> make_sample(const Drawing& drawing, const glm::dvec2& offset, const Workshop& workshop);

@@ -30,7 +30,9 @@ std::uint32_t facet_colour(const Context& context, const Facet& facet, const glm
   const glm::dvec3 place = is_local ? middle(context, facet) : glm::dvec3(0, 0, 1);
   const glm::dvec3 normal =
       facet.at == At::cap ? glm::dvec3(0, 0, -1) : in_camera_axes(context.view.camera, outward(context, facet));
-  const bool can_be_known = !is_local && context.lights == nullptr && context.known_colours != nullptr;
+  // Drawings inside another one have reflected lights.
+  const bool can_be_known =
+      !is_local && context.lights == nullptr && context.nesting == 0 && context.known_colours != nullptr;
   if (!can_be_known || context.known_colours->add(normal, finish.material, colour))
     context.counted.add(&isa::Preparation::colours);
   const glm::dvec3 seen = lighting::lit(light, finish.material, colour, {place, normal});

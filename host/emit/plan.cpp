@@ -202,6 +202,7 @@ Plan make_plan(const model::Tree& tree, const facet::Geometry& geometry, const v
     counted = {};
     counted.boxes = active_sets[i].size();
     tested = {};
+    if (i > 0) tested.follow(plan.segments[i - 1].tested);
     for (const std::uint32_t number : active_sets[i]) {
       const csg::ConvexSet& set = sets[number];
       const csg::Block block = pruner.surface_block(set, segment.pixels());
@@ -216,6 +217,7 @@ Plan make_plan(const model::Tree& tree, const facet::Geometry& geometry, const v
     segment.pairs = plan.pairs;
     if (pruning.hidden)
       drop_hidden(segment, plan.positive, geometry, view, opacity, settings.prices, plan.tallies.hidden);
+    segment.tested.seal();
     std::uint32_t number = 0;
     for (PlannedSurface& one : segment.surfaces) one.number = ++number;
   }

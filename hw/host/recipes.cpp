@@ -188,6 +188,12 @@ class Mixed {
   std::uint64_t hash_ = 0;
 };
 
+/// The hash of an expression in the row above, where its constant is smaller by B.
+std::uint64_t in_row_above(isa::Linear linear) {
+  linear.c -= linear.b;
+  return Mixed().add(linear).hash();
+}
+
 /// The words of an instruction; with an expression, without the opcode, which is exchanged in kept words.
 std::uint64_t words_of(const isa::Instruction& instruction, bool has_expression) {
   Mixed words;
@@ -210,6 +216,10 @@ Operations count_operations(const isa::Preparation& preparation) {
 
 void Writer::begin(const isa::Region& region) {
   is_moved_ = region.x != 0 || region.y != 0;
+  const bool follows = region.x == region_.x && region.y == region_.y + 1 && region_.height == 1;
+  above_.clear();
+  if (follows) above_.swap(expressions_);
+  region_ = region;
   expressions_.clear();
   words_.clear();
 }
@@ -235,7 +245,7 @@ void Writer::add(const isa::Instruction& instruction) {
     ++written_.squares;
   } else {
     ++written_.linear;
-    if (is_moved_) ++written_.moved;
+    if (is_moved_ && !above_.contains(in_row_above(instruction.linear))) ++written_.moved;
   }
 }
 

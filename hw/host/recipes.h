@@ -38,8 +38,9 @@ struct Written {
   std::uint64_t numbers = 0;     ///< numbers after the opcodes of the other instructions
   std::uint64_t longs = 0;       ///< longs stored for their words
   std::uint64_t linear = 0;      ///< linear expressions, each once per segment
-  std::uint64_t moved = 0;       ///< those of segments that do not begin at the picture's corner
-  std::uint64_t squares = 0;     ///< squares, each once per segment
+  std::uint64_t moved = 0;    ///< those of segments that do not begin at the picture's corner, unless the segment above
+                              ///< has them, so that one addition moves them
+  std::uint64_t squares = 0;  ///< squares, each once per segment
 
   bool operator==(const Written&) const = default;
 };
@@ -59,7 +60,9 @@ class Writer {
  private:
   unsigned link_width_;
   bool is_moved_ = false;
+  isa::Region region_{};
   std::unordered_set<std::uint64_t> expressions_;  ///< hashes of the segment's expressions
+  std::unordered_set<std::uint64_t> above_;        ///< those of the segment above, if they are rows of the same place
   std::unordered_set<std::uint64_t> words_;        ///< hashes of its instructions with an expression
   std::unordered_set<std::uint64_t> frame_words_;  ///< hashes of the frame's other instructions
   Written written_;

@@ -48,6 +48,7 @@ TEST_CASE("the stats have the documented keys and their accounts add up") {
                                          "memory",
                                          "model",
                                          "pixel_operations",
+                                         "prunings",
                                          "scan_conversions",
                                          "segments",
                                          "shown_clocks",

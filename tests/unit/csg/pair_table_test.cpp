@@ -34,7 +34,7 @@ std::uint64_t supports(const csg::PairTable& pairs) { return pairs.work().suppor
 }  // namespace
 
 TEST_CASE("PairTable searches a pair once for both orders and for every camera") {
-  // The boxes of the balls meet and their spheres do not.
+  // The boxes of the balls meet.
   const std::string two = ball(0, 0, 0) + ball(8, 8, 8);
   const Seen first = seen_from({60, -40, 30}, view::Projection::orthographic, two);
   const Seen second = seen_from({-30, -70, 10}, view::Projection::perspective, two);
@@ -43,8 +43,9 @@ TEST_CASE("PairTable searches a pair once for both orders and for every camera")
   CHECK(pairs.are_apart(0, 1, first.view, csg::Counted(counted)));
   const std::uint64_t searched = supports(pairs);
   const std::uint64_t points = first.scene.solids[0].vertices.size() + first.scene.solids[1].vertices.size();
-  // A sphere around the points of each solid, and the comparison of the spheres.
-  CHECK(searched == points + 1);
+  // All points in each step, and the boxes of both once for each plane that separates them.
+  CHECK(searched >= points + 2);
+  CHECK(searched <= 64 * (points + 2));
   CHECK(counted.supports == 1);
   CHECK(pairs.are_apart(1, 0, first.view, csg::Counted(counted)));
   CHECK(pairs.are_apart(1, 0, second.view, csg::Counted(counted)));

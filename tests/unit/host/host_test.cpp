@@ -108,7 +108,7 @@ TEST_CASE("a host slower than the machine limits the frame and a faster one does
 TEST_CASE("the host's clocks for the model are apart from those of the frame") {
   const machines::Machine machine = machine_named("pixel-planes-4");
   isa::Program program = drawn_on(machine);
-  program.model_preparation->supports = 0;
+  *program.model_preparation = {};
   const machines::FrameTiming without = host::time_frame(program, machine);
   CHECK(without.host_model_clocks == 0);
   program.model_preparation->supports = 1000;

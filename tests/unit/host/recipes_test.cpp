@@ -226,6 +226,20 @@ TEST_CASE("words of an earlier instruction are copied, with another opcode if ne
       host::Written{.instructions = 4, .kept = 1, .kept_longs = 1, .numbers = 16, .longs = 7, .linear = 2, .moved = 1});
 }
 
+TEST_CASE("an expression that the row above has is moved by an addition") {
+  const auto moved_in = [](std::uint32_t second_row, std::int64_t second_constant) {
+    host::Writer writer(32);
+    writer.begin({0, 4, 8, 1});
+    writer.add({.opcode = isa::Opcode::edge_negative, .linear = {.a = 1, .b = 2, .c = 3, .width = 20}});
+    writer.begin({0, second_row, 8, 1});
+    writer.add({.opcode = isa::Opcode::edge_negative, .linear = {.a = 1, .b = 2, .c = second_constant, .width = 20}});
+    return writer.written().moved;
+  };
+  CHECK(moved_in(5, 5) == 1);
+  CHECK(moved_in(5, 3) == 2);
+  CHECK(moved_in(6, 5) == 2);
+}
+
 TEST_CASE("every counted item has a recipe that takes time") {
   isa::Preparation all;
   for (const host::Recipe& recipe : host::recipes()) {

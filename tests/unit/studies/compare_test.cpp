@@ -64,6 +64,7 @@ TEST_CASE("a point of compare has the counts of the Program's reference-level ru
   const auto hz = static_cast<double>(machine.clock_hz);
   CHECK(row.interval_clocks == result.interval_clocks);
   CHECK(row.host_clocks == result.host_clocks);
+  CHECK(row.host_model_clocks == result.host_model_clocks);
   REQUIRE(result.host_clocks > result.interval_clocks);
   CHECK(row.hosted_frames_per_second * static_cast<double>(result.host_clocks) == doctest::Approx(hz));
   CHECK(row.frames_per_second * static_cast<double>(result.interval_clocks) == doctest::Approx(hz));
