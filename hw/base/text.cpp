@@ -106,7 +106,8 @@ std::string grouped(std::uint64_t value) {
 std::string rounded(double value, int digits) {
   constexpr double max_grouped = 1e18;  // above, the number has its exponent
   const double shown = to_digits(value, digits);
-  const bool is_grouped = std::abs(shown) >= std::pow(10.0, digits) && std::abs(shown) <= max_grouped;
+  const double min_grouped = std::max(1000.0, std::pow(10.0, digits - 1));  // a whole number with that many digits
+  const bool is_grouped = std::abs(shown) >= min_grouped && std::abs(shown) <= max_grouped;
   if (!is_grouped) return fmt::format("{:.{}g}", shown, digits);
   return (value < 0 ? "-" : "") + grouped(static_cast<std::uint64_t>(std::llround(std::abs(value))));
 }

@@ -45,7 +45,7 @@ Judge judge_of(const RenderRequest& request, const Compiled& compiled) {
 Advice advice_of(const RenderRequest& request, const Compiled& compiled) {
   return {request.model.machine,
           request.run.advice,
-          "csgsim render --advice tries machine parameters and settings and reports what each is worth",
+          "--advice tries machine parameters, settings and prunings",
           [&](const engine::RunResult& result) {
             return setting_knobs(compiled.model, request.model, compiled.machine, result);
           },

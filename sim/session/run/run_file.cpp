@@ -72,7 +72,7 @@ Loaded load(const ProgramRequest& request, const InPlace& in_place) {
 
 Advice advice_of(const ProgramRequest& request, const machines::Machine& machine) {
   return {request.machine.empty() ? machine.name : request.machine, request.run.advice,
-          "csgsim run --advice tries machine parameters, csgsim render --advice also settings"};
+          "--advice tries machine parameters; that of csgsim render also settings and prunings"};
 }
 
 }  // namespace csgsim::session

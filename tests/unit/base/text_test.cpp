@@ -103,6 +103,8 @@ TEST_CASE("a shell parses shell_word() back to the original bytes") {
 TEST_CASE("rounded() keeps significant digits and every digit of a whole number") {
   CHECK(rounded(0) == "0");
   CHECK(rounded(24.3175, 4) == "24.32");
+  CHECK(rounded(1057.6, 4) == "1,058");
+  CHECK(rounded(1057.6, 5) == "1057.6");
   CHECK(rounded(0.0057597) == "0.00576");
   CHECK(rounded(999.4) == "999");
   CHECK(rounded(999.6) == "1,000");
