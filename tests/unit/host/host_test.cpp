@@ -105,7 +105,7 @@ TEST_CASE("a host slower than the machine limits the frame and a faster one does
 }
 
 TEST_CASE("rejects a Program with an excessive amount of preparation") {
-  const machines::Machine machine = machine_named("pixel-planes-4");
+  const machines::Machine machine = machine_named("pixel-planes-4+host.processor=mc68000");
   isa::Program program = drawn_on(machine);
   program.preparation->planes = 1'000'000'000'000;
   CHECK_THROWS_WITH_AS(host::compile_clocks(program, machine), doctest::Contains("more than the limit of 9e15"),
