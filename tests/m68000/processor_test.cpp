@@ -217,9 +217,9 @@ TEST_CASE("returns from a subroutine and stops at an unsupported instruction") {
   CHECK(processor.a[7] == data_at);
   CHECK(processor.clocks() == 4 + 16);
   CHECK_THROWS_AS(before({0x60fe}).call(program_at, 100), Stopped);  // bra to itself
-  // Unsupported: chk, divu, mulu, abcd, movep, bset, addx, cmpm, link a7, trap, and a constant destination.
-  for (const std::uint16_t word : std::vector<std::uint16_t>{0x4180, 0x80c0, 0xc0c0, 0xc100, 0x0188, 0x01c0, 0xd100,
-                                                             0xb108, 0x4e57, 0x4e40, 0x39fc, 0xa000, 0xf000}) {
+  // Unsupported: chk, divu, abcd, movep, bset, addx, cmpm, link a7, trap, and a constant destination.
+  for (const std::uint16_t word : std::vector<std::uint16_t>{0x4180, 0x80c0, 0xc100, 0x0188, 0x01c0, 0xd100, 0xb108,
+                                                             0x4e57, 0x4e40, 0x39fc, 0xa000, 0xf000}) {
     CAPTURE(word);
     CHECK_THROWS_AS(before({word, 0, 0}).step(), Stopped);
   }

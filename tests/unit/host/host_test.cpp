@@ -106,7 +106,7 @@ TEST_CASE("a host slower than the machine limits the frame and a faster one does
 }
 
 TEST_CASE("the host's clocks for the model are apart from those of the frame") {
-  const machines::Machine machine = machine_named("pixel-planes-4");
+  const machines::Machine machine = machine_named("pixel-planes-4+host.processor=mc68000");
   isa::Program program = drawn_on(machine);
   *program.model_preparation = {};
   const machines::FrameTiming without = host::time_frame(program, machine);
@@ -122,7 +122,7 @@ TEST_CASE("the host's clocks for the model are apart from those of the frame") {
 }
 
 TEST_CASE("a Program with an excessive amount of host preparation is rejected") {
-  const machines::Machine machine = machine_named("pixel-planes-4");
+  const machines::Machine machine = machine_named("pixel-planes-4+host.processor=mc68000");
   isa::Program program = drawn_on(machine);
   program.preparation->planes = 10'000'000'000'000;
   CHECK_THROWS_WITH_AS(host::compile_clocks(program, machine), doctest::Contains("more than the limit of 9e15"),
@@ -130,7 +130,7 @@ TEST_CASE("a Program with an excessive amount of host preparation is rejected") 
 }
 
 TEST_CASE("a host's operations are the sum over its preparation and instructions") {
-  const machines::Machine machine = machine_named("pixel-planes-4");
+  const machines::Machine machine = machine_named("pixel-planes-4+host.processor=mc68000");
   isa::Program program;
   program.shape = machine.array;
   *program.preparation = {.planes = 2, .points = 3};
@@ -164,7 +164,7 @@ TEST_CASE("a host's operations are the sum over its preparation and instructions
 }
 
 TEST_CASE("host work up to the limit of exact clocks is accepted and more rejected") {
-  const machines::Machine machine = machine_named("pixel-planes-4");
+  const machines::Machine machine = machine_named("pixel-planes-4+host.processor=mc68000");
   isa::Program program;
   program.shape = machine.array;
   program.preparation->planes = 1'000'000;

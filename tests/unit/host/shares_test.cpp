@@ -82,7 +82,7 @@ TEST_CASE("processors of a host take drawings in turn and the first one merges")
 TEST_CASE("more processors than drawings do not make the largest share smaller") {
   isa::Program program;
   program.shape = machine_with(1).array;
-  program.preparation->planes = 31;
+  program.preparation->planes = 32;
   program.segments = {segment_of(4, 400)};
   const machines::Machine four = machine_with(4);
   const Operations largest = share(program, four);
