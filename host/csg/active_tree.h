@@ -51,14 +51,17 @@ struct ActiveTree {
   [[nodiscard]] std::uint32_t depth() const;
 };
 
-/// Prunes I-trees for regions of the picture. It keeps references to its arguments and is not thread-safe.
+class KeptResults;
+
+/// Prunes I-trees for regions of the picture. It keeps references to its arguments and is not thread-safe. With `kept`
+/// it uses the results of earlier blocks and frames of the same model, and adds its own.
 ///
 /// An index of boxes finds the primitives that may meet the block. Only the parts of an I-tree that contain some of
 /// these are visited; the values of the other parts are precomputed, as they do not depend on the place.
 class Pruner {
  public:
   Pruner(const facet::Geometry& geometry, const view::View& view, const PositiveTree& tree, const Pruning& pruning = {},
-         const Counted& counted = {});
+         const Counted& counted = {}, KeptResults* kept = nullptr);
 
   /// The part of the region and the depths in which the surface of a set can be; its pixels are empty if there is none.
   [[nodiscard]] Block surface_block(std::span<const std::uint32_t> set, const view::PixelRect& region) const;
@@ -73,29 +76,30 @@ class Pruner {
  private:
   struct Pruned;
   class Walk;
-  /// The place for which a set's surface is examined.
-  struct Place {
-    Block block;
-    std::span<const std::uint32_t> set;
-  };
+  struct Place;
   using Primitives = std::span<const std::uint32_t>;
   [[nodiscard]] bool disjoint(std::uint32_t primitive, const Place& place) const;
   [[nodiscard]] Hull& hull(std::uint32_t primitive) const;
   [[nodiscard]] bool separated(std::uint32_t one, std::uint32_t other) const;
   [[nodiscard]] Known leaf_known(const PositiveNode& leaf, const Place& place) const;
   [[nodiscard]] Known known(const PositiveNode& leaf, const Place& place) const;
+  [[nodiscard]] Known located(std::uint32_t primitive, const Place& place) const;
+  void visit() const;
   [[nodiscard]] Primitives below(std::uint32_t node, Primitives from) const;
   [[nodiscard]] bool is_decided_elsewhere(std::uint32_t node, Primitives meeting) const;
   [[nodiscard]] bool add_operands(std::uint32_t node, Primitives meeting, const Place& place, ActiveTree& into) const;
   void join_leaves(ActiveTree& into, PositiveOperator op, std::vector<std::uint32_t>& operands) const;
   void find(std::uint32_t first, std::uint32_t end, const Place& place, std::vector<std::uint32_t>& found) const;
+  [[nodiscard]] ActiveTree walked(const Place& place, std::vector<std::uint32_t> found) const;
 
   const facet::Geometry& geometry_;
   const view::View& view_;
   const PositiveTree& tree_;
   Pruning pruning_;
   Counted counted_;
+  KeptResults* kept_ = nullptr;
   TreePaths paths_;
+  mutable std::uint64_t visits_ = 0;  ///< visits of nodes in walks
   /// Cached results for pairs of primitives, which are the same for every region.
   mutable std::unordered_map<std::uint64_t, bool> separated_;
   mutable std::unordered_map<std::uint32_t, Hull> hulls_;  ///< cached hulls of primitives

@@ -303,14 +303,17 @@ std::vector<Options> candidates(const Options& options, const Plan& plan) {
 }
 
 isa::Program compile_within(const model::Tree& tree, const facet::Geometry& geometry, view::View view,
-                            const machines::Machine& machine, const Options& wanted, const ClockCounter& count) {
+                            const machines::Machine& machine, const Options& wanted, const ClockCounter& count,
+                            csg::KeptResults* kept) {
   const std::optional<machines::Division> division = machines::division(machine);
   Options options = division ? options_for(*division, wanted) : wanted;
   options.work = wanted.work.afresh();
   const std::vector<EffectRequest> called =
       called_effects(options, make_look(options.scene, tree, csg::make_positive(tree), view.camera));
   if (division) refuse_effects(called, machine);
-  const auto drawing = make_drawing(borrowed(tree), borrowed(geometry), std::move(view), 0, {machine, options, called});
+  if (kept != nullptr) kept->begin_frame();
+  const auto drawing =
+      make_drawing(borrowed(tree), borrowed(geometry), std::move(view), 0, {machine, options, called, kept});
   if (geometry.halfspaces() >= many_halfspaces) release_free_memory();  // frees the memory of temporary solids
   const Input input{tree, geometry, *drawing, machine, division, called};
   const std::vector<Options> all = candidates(options, drawing->plan);
@@ -338,9 +341,10 @@ isa::Program compile_within(const model::Tree& tree, const facet::Geometry& geom
 }  // namespace
 
 isa::Program compile(const model::Tree& tree, const facet::Geometry& geometry, view::View view,
-                     const machines::Machine& machine, const Options& options, const ClockCounter& count) {
+                     const machines::Machine& machine, const Options& options, const ClockCounter& count,
+                     csg::KeptResults* kept) {
   try {
-    return compile_within(tree, geometry, std::move(view), machine, options, count);
+    return compile_within(tree, geometry, std::move(view), machine, options, count, kept);
   } catch (const WorkError& error) {
     throw InputError(fmt::format("{}: {}", tree.file, error.what()));
   }

@@ -81,7 +81,7 @@ void plan_and_prepare(Drawing& drawing, const Workshop& workshop) {
     pruning.hidden = false;
   }
   drawing.plan = make_plan(*drawing.tree, *drawing.geometry, drawing.view, machines::regions(workshop.machine), pruning,
-                           opacities(drawing.look, workshop.called), options.work);
+                           opacities(drawing.look, workshop.called), options.work, workshop.kept);
   if (drawing.reflection) drop_unseen(drawing);
   for (const EffectRequest& one : workshop.called)
     drawing.states.push_back(one.effect->prepared_for(drawing, workshop));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "host/csg/kept_results.h"
 #include "host/emit/region_index.h"
 #include "hw/base/error.h"
 #include "hw/isa/host_counts.h"
@@ -153,13 +154,14 @@ std::uint32_t Plan::depth() const {
 
 Plan make_plan(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view,
                const std::vector<isa::Region>& regions, const csg::Pruning& pruning, const std::vector<double>& opacity,
-               const Work& work) {
+               const Work& work, csg::KeptResults* kept) {
   Plan plan;
   plan.positive = csg::make_positive(tree);
   const std::vector<csg::ConvexSet> sets = split_by_opacity(csg::convex_sets(plan.positive, pruning.sets), opacity);
   plan.preparation.nodes = plan.positive.nodes.size();
   isa::Preparation counted;
-  const csg::Pruner pruner(geometry, view, plan.positive, pruning, csg::Counted(counted));
+  const csg::Pruner pruner(geometry, view, plan.positive, pruning, csg::Counted(counted),
+                           kept != nullptr && kept->serves(tree, pruning) ? kept : nullptr);
   const std::vector<std::vector<std::uint32_t>> active_sets = sets_in(regions, sets, view);
   plan.segments.resize(regions.size());
   for (std::size_t i = 0; i < regions.size(); ++i) plan.segments[i].region = regions[i];

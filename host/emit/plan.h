@@ -47,9 +47,10 @@ struct Plan {
 };
 
 /// `opacity` is by primitive: those below 1 hide nothing, and no set mixes different values; empty if all are 1. Throws
-/// InputError, naming the primitive, if the work limit is exceeded.
+/// InputError, naming the primitive, if the work limit is exceeded. `kept` has results of earlier frames of the model
+/// and gets those of this one.
 Plan make_plan(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view,
                const std::vector<isa::Region>& regions, const csg::Pruning& pruning, const std::vector<double>& opacity,
-               const Work& work);
+               const Work& work, csg::KeptResults* kept = nullptr);
 
 }  // namespace csgsim::emit

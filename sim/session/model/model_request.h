@@ -50,6 +50,7 @@ struct ModelRequest {
   std::string size;
   std::optional<std::uint32_t> memory_bits;
   std::string camera;
+  std::optional<view::Camera> frame_camera;  ///< camera of one of several frames; replaces all other cameras
   std::string projection;  ///< empty: that of the scene
   bool view_all = false;
   std::optional<double> near;
@@ -132,5 +133,12 @@ Work work_of(const ModelRequest& request);
 /// (convex/extent.h).
 view::Camera camera_of(const ModelRequest& request, const machines::Machine& machine, const model::Tree& tree,
                        const facet::Geometry& scene);
+
+/// The same for a given camera instead of --camera; its projection is that of the request.
+view::Camera camera_of(const ModelRequest& request, const machines::Machine& machine, const model::Tree& tree,
+                       const facet::Geometry& scene, const std::optional<view::Camera>& given);
+
+/// Whether faceting_of depends on the camera.
+bool is_faceted_for_camera(const ModelRequest& request, const machines::Machine& machine);
 
 }  // namespace csgsim::session
