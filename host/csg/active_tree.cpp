@@ -107,13 +107,7 @@ BoxIndex make_index(const view::View& view) {
 
 Pruner::Pruner(const facet::Geometry& geometry, const view::View& view, const PositiveTree& tree,
                const Pruning& pruning, const Counted& counted, KeptResults* kept)
-    : geometry_(geometry),
-      view_(view),
-      tree_(tree),
-      pruning_(pruning),
-      counted_(counted),
-      kept_(kept),
-      paths_(tree) {
+    : geometry_(geometry), view_(view), tree_(tree), pruning_(pruning), counted_(counted), kept_(kept), paths_(tree) {
   if (pruning.picture && view.extents.size() > few_primitives) boxes_ = make_index(view);
 }
 

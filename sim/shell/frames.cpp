@@ -59,7 +59,8 @@ void print_frames(const DrawnFrames& drawn) {
 void run_frames(const OptionList& options, const RenderRequest& request, const FramesRequest& wanted) {
   const DrawnFrames drawn = [&] {
     FrameLine line(shows_progress(request.run.progress));
-    return draw_frames(options, request, wanted, [&](std::size_t frame, std::size_t frames) { line.at(frame, frames); });
+    return draw_frames(options, request, wanted,
+                       [&](std::size_t frame, std::size_t frames) { line.at(frame, frames); });
   }();
   print_frames(drawn);
 }

@@ -37,7 +37,7 @@ RENDERS = [
     {**SMALL, "level": "cycle"},
     {**SMALL, "tolerance": "0.5px", "advice": True},
 ]
-NOT_OF_CALLS = ("frames", "turn", "quiet", "output", "stats")  # options only of the command line or of this test
+NOT_OF_CALLS = ("frames", "orbit", "cameras", "quiet", "output", "stats")  # options only of the command line or of this test
 
 
 def same_run(stats):

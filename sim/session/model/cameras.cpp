@@ -51,8 +51,7 @@ view::Camera parse_camera(std::string_view text) {
   const glm::dvec3 first(n[0].value, n[1].value, n[2].value);
   const glm::dvec3 second(n[3].value, n[4].value, n[5].value);
   if (is_gimbal && !(n[6].value > 0)) throw CameraError(n[6].at, "the distance (last number) must be above 0");
-  const view::Camera camera =
-      is_gimbal ? view::gimbal_camera(first, second, n[6].value) : view::Camera{first, second};
+  const view::Camera camera = is_gimbal ? view::gimbal_camera(first, second, n[6].value) : view::Camera{first, second};
   try {
     view::basis(camera);
   } catch (const InputError& error) {

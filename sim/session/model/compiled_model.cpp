@@ -113,8 +113,9 @@ isa::Program compile_with_room(const CompiledModel& model, const view::Camera& c
                                const ModelRequest& request, const machines::Machine& machine, csg::KeptResults* kept) {
   emit::Options emit = emit_options_of(request);
   const auto compiled = [&](view::View seen) {
-    return emit::compile(model.tree, model.scene, std::move(seen), machine, emit,
-                         [&](const isa::Program& one) { return functional::measure_clocks(one, machine); }, kept);
+    return emit::compile(
+        model.tree, model.scene, std::move(seen), machine, emit,
+        [&](const isa::Program& one) { return functional::measure_clocks(one, machine); }, kept);
   };
   try {
     return compiled(std::move(view));

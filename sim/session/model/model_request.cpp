@@ -331,8 +331,7 @@ view::Sampling sampling_of(const ModelRequest& request, const machines::Machine&
 
 view::Camera camera_of(const ModelRequest& request, const machines::Machine& machine, const model::Tree& tree,
                        const facet::Geometry& scene) {
-  return request.frame_camera ? *request.frame_camera
-                              : camera_of(request, machine, tree, scene, given_camera(request));
+  return request.frame_camera ? *request.frame_camera : camera_of(request, machine, tree, scene, given_camera(request));
 }
 
 view::Camera camera_of(const ModelRequest& request, const machines::Machine& machine, const model::Tree& tree,

@@ -51,7 +51,7 @@ struct ModelRequest {
   std::optional<std::uint32_t> memory_bits;
   std::string camera;
   std::optional<view::Camera> frame_camera;  ///< camera of one of several frames; replaces all other cameras
-  std::string projection;  ///< empty: that of the scene
+  std::string projection;                    ///< empty: that of the scene
   bool view_all = false;
   std::optional<double> near;
   std::string scene_file;

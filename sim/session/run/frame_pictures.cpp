@@ -30,8 +30,7 @@ std::optional<NumberMark> number_mark(const std::string& name) {
   std::size_t digits = 0;
   std::from_chars(name.data() + at + 1, name.data() + std::min(end, name.size()), digits);
   if (end == name.npos || name[end] != 'd' || digits > most_digits || name.find('%', end) != name.npos) {
-    throw UsageError("--output",
-                     fmt::format("'{}' does not number frames; write one mark, as in out_%03d.png", name));
+    throw UsageError("--output", fmt::format("'{}' does not number frames; write one mark, as in out_%03d.png", name));
   }
   return NumberMark{at, end + 1 - at, digits};
 }

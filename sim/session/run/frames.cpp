@@ -48,7 +48,8 @@ void refuse_for_one_frame(const RenderRequest& request, const FramesRequest& wan
   refuse("--advice", request.run.advice);
   refuse("--max-wrong-pixels", request.max_wrong_pixels.has_value());
   if (!request.run.picture.empty() && is_stream(request.run.picture))
-    throw UsageError("--output", fmt::format("several pictures have several names; name a file, or leave out {}", remedy));
+    throw UsageError("--output",
+                     fmt::format("several pictures have several names; name a file, or leave out {}", remedy));
 }
 
 /// The camera of each frame.
@@ -198,7 +199,8 @@ Json point_json(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 Json counts_json(const FrameCounts& counts) {
   Json prepared = Json::object();
-  isa::describe(counts.prepared, [&](std::string_view key, std::uint64_t count) { prepared[std::string(key)] = count; });
+  isa::describe(counts.prepared,
+                [&](std::string_view key, std::uint64_t count) { prepared[std::string(key)] = count; });
   const csg::Reused& reused = counts.reused;
   return {{"clocks", counts.clocks},
           {"shown_clocks", counts.shown_clocks},
@@ -287,7 +289,9 @@ FrameCounts& FrameCounts::operator+=(const FrameCounts& more) {
 
 double DrawnFrames::frames_per_second() const { return rate(frames.size(), sums.interval_clocks, machine.clock_hz); }
 
-double DrawnFrames::hosted_frames_per_second() const { return rate(frames.size(), sums.paced_clocks, machine.clock_hz); }
+double DrawnFrames::hosted_frames_per_second() const {
+  return rate(frames.size(), sums.paced_clocks, machine.clock_hz);
+}
 
 DrawnFrames draw_frames(const OptionList& options, const RenderRequest& request, const FramesRequest& wanted,
                         const FrameProgress& progress) {
