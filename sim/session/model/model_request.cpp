@@ -268,8 +268,10 @@ facet::Faceting planar_faceting_of(const ModelRequest& request, const machines::
   const view::Camera camera = camera_of(request, machine, tree, scene);
   const double nearest = view::make_view(scene, tree, camera, sampling_of(request, machine)).depth.near;
   const double tolerance = request.tolerance->value * view::pixel_size(camera, machine.picture.height, nearest);
-  print_text(fmt::format("{:<18}--tolerance {:.6g}: {:g} pixels at the nearest point of the model\n", "chosen",
-                         tolerance, request.tolerance->value));
+  if (!request.frame_camera) {
+    print_text(fmt::format("{:<18}--tolerance {:.6g}: {:g} pixels at the nearest point of the model\n", "chosen",
+                           tolerance, request.tolerance->value));
+  }
   return {.tolerance = tolerance};
 }
 

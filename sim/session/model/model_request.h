@@ -112,7 +112,7 @@ std::vector<std::string> strategy_names();
 machines::Machine machine_of(const ModelRequest& request);
 
 /// The requested faceting. Converts a tolerance in pixels to model units at the point of the model nearest to the eye,
-/// and prints the result.
+/// and prints the result, except for a frame's camera.
 facet::Faceting faceting_of(const ModelRequest& request, const machines::Machine& machine, const model::Tree& tree);
 
 /// The same for users that support facets only: throws UsageError if --curves asks for curved surfaces.

@@ -109,15 +109,19 @@ struct FrameRun final : engine::Observer {
   observe::StatsObserver stats;
 };
 
+/// Returns the configuration for the stats; called with the Program of the first frame.
+using Configure = std::function<Json(const isa::Program& first)>;
+
 class FrameDrawing {
  public:
   FrameDrawing(const RenderRequest& request, const machines::Machine& machine, std::vector<view::Camera> cameras,
-               FramePictures& pictures, const FrameProgress& progress)
+               FramePictures& pictures, const FrameProgress& progress, Configure configure)
       : request_(request),
         machine_(machine),
         cameras_(std::move(cameras)),
         pictures_(pictures),
         progress_(progress),
+        configure_(std::move(configure)),
         form_(evaluator_form(request.run.evaluator, request.run.level)),
         work_(long_run(request.run.level)) {}
 
@@ -141,6 +145,9 @@ class FrameDrawing {
     }
     return finish();
   }
+
+  /// The configuration, if it is wanted; after the first frame.
+  [[nodiscard]] Json configuration() const { return configuration_; }
 
  private:
   void begin(std::size_t frame) {
@@ -173,6 +180,7 @@ class FrameDrawing {
     if (!result.scanned_out.empty()) picture.colour = result.scanned_out;
     pictures_.write(picture, program);
     const std::size_t number = drawn_.frames.size();
+    if (number == 0 && configure_) configuration_ = configure_(program);
     drawn_.frames.push_back(
         {cameras_[number], pictures_.file_of(number), counts_of(program, result, run.stats.stats(), reused)});
     drawn_.sums += drawn_.frames.back().counts;
@@ -189,6 +197,8 @@ class FrameDrawing {
   std::vector<view::Camera> cameras_;
   FramePictures& pictures_;
   const FrameProgress& progress_;
+  Configure configure_;
+  Json configuration_;
   systemc::EvaluatorForm form_;
   observe::LongWork work_;
   std::unique_ptr<engine::Engine> engine_;
@@ -304,6 +314,7 @@ DrawnFrames draw_frames(const OptionList& options, const RenderRequest& request,
   std::vector<fs::path> paths = frame_paths(request.run.picture, static_cast<std::uint32_t>(cameras.size()));
   std::vector<fs::path> inputs = request.model.inputs();
   if (!wanted.cameras.empty()) inputs.emplace_back(wanted.cameras);
+  inputs.insert(inputs.end(), model.tree.imports.begin(), model.tree.imports.end());
   std::vector<fs::path> outputs = paths;
   outputs.emplace_back(request.run.stats);
   refuse_clashes(inputs, outputs);
@@ -313,18 +324,19 @@ DrawnFrames draw_frames(const OptionList& options, const RenderRequest& request,
   if (!request.run.stats.empty()) stats.emplace(request.run.stats);
   announce_memory(machine, {machine.picture.width, machine.picture.height, machine.array.memory_bits},
                   request.run.level);
-  FrameDrawing drawing(request, machine, cameras, pictures, progress);
+  const auto configure = [&](const isa::Program& first) {
+    return configuration_of(options, {.machine = machine,
+                                      .program = first,
+                                      .inputs = inputs,
+                                      .hash = model.hash,
+                                      .camera = &cameras.front(),
+                                      .scene = &request.model.scene_values()});
+  };
+  FrameDrawing drawing(request, machine, cameras, pictures, progress, stats ? configure : Configure());
   const bool is_moving = wanted.orbit.value_or(0) != 0 || !wanted.cameras.empty();
   DrawnFrames drawn = is_moving ? drawing.of_moving_camera(compiler) : drawing.of_still_camera(compiler);
   if (!stats) return drawn;
-  inputs.insert(inputs.end(), model.tree.imports.begin(), model.tree.imports.end());
-  Json configuration = configuration_of(options, {.machine = machine,
-                                                  .program = model.program,
-                                                  .inputs = inputs,
-                                                  .hash = model.hash,
-                                                  .camera = &model.camera,
-                                                  .scene = &request.model.scene_values()});
-  stats->write(to_json(drawn, request.run.level, std::move(configuration)).dump(2) + "\n");
+  stats->write(to_json(drawn, request.run.level, drawing.configuration()).dump(2) + "\n");
   stats->commit();
   return drawn;
 }
