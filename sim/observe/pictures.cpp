@@ -14,6 +14,7 @@
 #include "hw/isa/depth_scale.h"
 #include "hw/isa/facts.h"
 #include "hw/isa/pieces.h"
+#include "sim/pictures/encode.h"
 
 namespace csgsim::observe {
 
@@ -50,9 +51,6 @@ void check_depth_format(const std::filesystem::path& path) {
   pictures::check_format(named(path, exr), pictures::Samples::floats);
 }
 
-namespace {
-
-/// The picture with 8 bits per channel.
 std::vector<std::uint8_t> channels_of(const Frame& frame, const isa::Program& program) {
   auto pixels = filled<std::uint8_t>(frame.colour.size() * 3, 0);
   const unsigned bits = program.colour.width;
@@ -66,24 +64,8 @@ std::vector<std::uint8_t> channels_of(const Frame& frame, const isa::Program& pr
   return pixels;
 }
 
-}  // namespace
-
 void write_picture(OutputFile& file, const Frame& frame, const isa::Program& program) {
   write(file, png, colours(frame, channels_of(frame, program)));
-}
-
-bool is_animated(const std::filesystem::path& path) { return pictures::is_animated(path); }
-
-Animation::Animation(const std::filesystem::path& path, unsigned frames_per_second)
-    : file_(path), encoder_(path, frames_per_second) {}
-
-void Animation::add(const Frame& frame, const isa::Program& program) {
-  file_.write(encoder_.add(colours(frame, channels_of(frame, program))));
-}
-
-void Animation::commit() {
-  file_.write(encoder_.finish());
-  file_.commit();
 }
 
 void write_depth(OutputFile& file, const Frame& frame, const isa::Program& program) {

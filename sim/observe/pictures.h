@@ -9,7 +9,6 @@
 
 #include "hw/base/output_file.h"
 #include "sim/observe/frame.h"
-#include "sim/pictures/encode.h"
 
 namespace csgsim::observe {
 
@@ -20,24 +19,11 @@ void check_format(const std::filesystem::path& path);
 /// The same for a picture of distances.
 void check_depth_format(const std::filesystem::path& path);
 
+/// The picture's red, green and blue, 8 bits each, in row order.
+std::vector<std::uint8_t> channels_of(const Frame& frame, const isa::Program& program);
+
 /// Writes the picture with 8 bits per channel, in the format of the file's extension. Throws InputError.
 void write_picture(OutputFile& file, const Frame& frame, const isa::Program& program);
-
-/// Whether several frames can be written into one file of that name: an animated GIF.
-bool is_animated(const std::filesystem::path& path);
-
-/// Writes frames into one animated picture. None is kept.
-class Animation {
- public:
-  /// Throws InputError if the file cannot be written.
-  Animation(const std::filesystem::path& path, unsigned frames_per_second);
-  void add(const Frame& frame, const isa::Program& program);
-  void commit();
-
- private:
-  OutputFile file_;
-  pictures::Animation encoder_;
-};
 
 /// Writes distances from the eye along the view axis in model units, as one float channel Z, infinite where nothing is
 /// visible (EXR).

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <utility>
 
+#include "sim/observe/pictures.h"
 #include "sim/session/options/usage.h"
 
 namespace csgsim::session {

@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "hw/base/output_file.h"
+#include "sim/observe/animation.h"
 #include "sim/observe/frame.h"
-#include "sim/observe/pictures.h"
 
 namespace csgsim::session {
 

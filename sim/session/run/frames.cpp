@@ -20,7 +20,6 @@
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
 #include "sim/observe/long_work.h"
-#include "sim/observe/pictures.h"
 #include "sim/session/model/cameras.h"
 #include "sim/session/model/frame_compiler.h"
 #include "sim/session/options/paths.h"
