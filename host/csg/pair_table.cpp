@@ -20,6 +20,11 @@ glm::dvec3 centre(const Hull& hull) { return hull.low() + (hull.high() - hull.lo
 
 }  // namespace
 
+void PairTable::begin_frame() {
+  work_ = {};
+  is_in_first_frame_ = false;
+}
+
 PairTable::Solid& PairTable::solid(std::uint32_t primitive) {
   const auto [found, is_new] = solids_.try_emplace(primitive, Solid{Hull(geometry_.solids[primitive].vertices)});
   Solid& solid = found->second;
@@ -47,9 +52,10 @@ std::optional<Gap> PairTable::search(std::uint32_t one, std::uint32_t other) {
 
 bool PairTable::are_apart(std::uint32_t one, std::uint32_t other, const view::View& view, const Counted& counted) {
   const auto [first, second] = std::minmax(one, other);
-  const auto [found, is_new] = gaps_.try_emplace(key_of(one, other));
-  if (is_new) found->second = search(first, second);
-  const std::optional<Gap>& gap = found->second;
+  const auto [found, is_new] = results_.try_emplace(key_of(one, other));
+  if (is_new) found->second.gap = search(first, second);
+  found->second.program = program_;
+  const std::optional<Gap>& gap = found->second.gap;
   if (!gap) return false;
   counted.add(&isa::Preparation::supports);
   return gap->half > view.extents[first].looseness * gap->far_first &&
@@ -57,8 +63,8 @@ bool PairTable::are_apart(std::uint32_t one, std::uint32_t other, const view::Vi
 }
 
 double PairTable::price(std::uint32_t one, std::uint32_t other, const Prices& prices) const {
-  const auto found = gaps_.find(key_of(one, other));
-  if (found != gaps_.end()) return found->second ? prices.support : 0;
+  const auto found = results_.find(key_of(one, other));
+  if (found != results_.end() && found->second.program == program_) return found->second.gap ? prices.support : 0;
   const auto points = [&](std::uint32_t primitive) {
     return static_cast<double>(geometry_.solids[primitive].vertices.size());
   };

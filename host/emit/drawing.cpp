@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "host/csg/kept_results.h"
 #include "host/emit/effect.h"
 #include "host/emit/evaluation.h"
 #include "host/emit/shading.h"
@@ -82,9 +83,11 @@ void plan_and_prepare(Drawing& drawing, const Workshop& workshop) {
   }
   // A reflected drawing shows another model, whose pairs of primitives are others.
   const auto pairs = drawing.sampled_from != nullptr ? drawing.sampled_from->plan.pairs
+                     : workshop.kept != nullptr      ? workshop.kept->pairs_for(*drawing.geometry)
                                                      : std::make_shared<csg::PairTable>(*drawing.geometry);
   drawing.plan = make_plan(*drawing.tree, *drawing.geometry, drawing.view, machines::regions(workshop.machine),
-                           {pruning, options.prices, pairs}, opacities(drawing.look, workshop.called), options.work);
+                           {pruning, options.prices, pairs, workshop.kept}, opacities(drawing.look, workshop.called),
+                           options.work);
   if (drawing.reflection) drop_unseen(drawing);
   for (const EffectRequest& one : workshop.called)
     drawing.states.push_back(one.effect->prepared_for(drawing, workshop));
