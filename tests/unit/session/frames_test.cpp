@@ -8,6 +8,7 @@
 
 #include "host/view/camera.h"
 #include "hw/host/host.h"
+#include "hw/isa/facts.h"
 #include "hw/kinds/load.h"
 #include "places.h"
 #include "sim/session/model/cameras.h"
