@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "host/csg/kept_results.h"
 #include "host/csg/separation.h"
 #include "hw/isa/host_counts.h"
 
@@ -72,6 +73,13 @@ std::uint32_t ActiveTree::depth() const {
   return operands.size() > 1 ? deepest + 1 : deepest;
 }
 
+/// The place for which a set's surface is examined.
+struct Pruner::Place {
+  Block block;
+  std::span<const std::uint32_t> set;
+  KeptResults::Search* search = nullptr;  ///< the search for the tree, where results are kept
+};
+
 struct Pruner::Pruned {
   Known known = Known::depends;
   std::uint32_t node = model::no_index;  ///< index in the active tree, if `known` is depends
@@ -107,7 +115,8 @@ Pruner::Pruner(const facet::Geometry& geometry, const view::View& view, const Po
       counted_(settings.counted),
       paths_(tree),
       own_pairs_(geometry),
-      pairs_(settings.pairs != nullptr ? *settings.pairs : own_pairs_) {
+      pairs_(settings.pairs != nullptr ? *settings.pairs : own_pairs_),
+      kept_(settings.kept) {
   if (pruning_.picture && view.extents.size() > few_primitives) boxes_ = make_index(view);
 }
 
@@ -222,7 +231,9 @@ Known Pruner::located(std::uint32_t primitive, const Place& place) const {
     ++tallies_.halfspaces.left;
     return Known::depends;
   }
-  const Known known = locate(view_, geometry_, primitive, place.block, counted_);
+  Excluder* const excluder = kept_ == nullptr ? nullptr : kept_->excluder(place.set.front(), primitive);
+  const Known known = locate(view_, geometry_, primitive, place.block, counted_, excluder);
+  if (excluder != nullptr && excluder->held) kept_->count_certificate();
   tallies_.halfspaces.add(known != Known::depends, saved, prices_.box);
   return known;
 }
@@ -249,11 +260,17 @@ Pruner::Primitives Pruner::below(std::uint32_t node, Primitives from) const {
       static_cast<std::size_t>(std::upper_bound(from.begin(), from.end(), paths_.last(node)) - from.begin()));
 }
 
+/// Counts a visit of a node in a walk.
+void Pruner::visit() const {
+  ++visits_;
+  counted_.add(&isa::Preparation::nodes);
+}
+
 /// Whether a child of the node without any of these primitives decides the node by its value elsewhere.
 bool Pruner::is_decided_elsewhere(std::uint32_t node, Primitives meeting) const {
   std::uint32_t deciding = paths_.deciding_children(node);
   while (deciding > 0 && !meeting.empty()) {
-    counted_.add(&isa::Preparation::nodes);
+    visit();
     const std::uint32_t child = paths_.child_towards(node, meeting.front());
     if (paths_.decides_elsewhere(child)) --deciding;
     meeting = meeting.subspan(below(child, meeting).size());
@@ -297,7 +314,7 @@ class Pruner::Walk {
 
   /// Returns false if the result is known; else the operands have to be visited.
   bool begin(std::uint32_t top, Primitives some) {
-    pruner_.counted_.add(&isa::Preparation::nodes);
+    pruner_.visit();
     const TreePaths& paths = pruner_.paths_;
     const std::vector<std::uint32_t>& leaf_of = pruner_.tree_.leaf_of;
     const std::uint32_t index = paths.above(leaf_of[some.front()], leaf_of[some.back()]);
@@ -310,7 +327,8 @@ class Pruner::Walk {
       open_.push_back({index, some, into_.nodes.size()});
       return true;
     }
-    result_ = {pruner_.known(node, place_), model::no_index};
+    const auto test = [&] { return pruner_.known(node, place_); };
+    result_ = {place_.search == nullptr ? test() : place_.search->in_walk(node.primitive, test), model::no_index};
     if (result_.known == Known::depends) add({true, node.complemented, node.op, node.primitive, 0, {}, {}});
     return false;
   }
@@ -389,17 +407,37 @@ bool Pruner::add_operands(std::uint32_t node, Primitives meeting, const Place& p
 }
 
 ActiveTree Pruner::active_tree(std::span<const std::uint32_t> set, const Block& block) const {
+  std::vector<std::uint32_t> found = meeting(set, block);
+  Place place{block, set};
+  if (kept_ == nullptr) return walked(place, std::move(found));
+  KeptResults::Search search = kept_->search(set, found);
+  while (const std::optional<std::uint32_t> primitive = search.question())
+    search.answer(known(tree_.nodes[tree_.leaf_of[*primitive]], place));
+  const std::uint64_t looked_up = search.visits();
+  counted_.add(&isa::Preparation::nodes, looked_up);
+  if (const ActiveTree* const tree = search.tree()) {
+    search.count_found(looked_up);
+    return *tree;
+  }
+  place.search = &search;
+  const std::uint64_t before = visits_;
+  ActiveTree active = walked(place, std::move(found));
+  search.keep(active, visits_ - before);
+  return active;
+}
+
+/// The active tree by a walk of the CSG tree; `found` are the primitives that meet the place.
+ActiveTree Pruner::walked(const Place& place, std::vector<std::uint32_t> found) const {
   ActiveTree active;
   ActiveTree nothing{true, {}, {}};
-  const Place place{block, set};
+  const std::span<const std::uint32_t> set = place.set;
   const std::uint32_t leaf = tree_.leaf_of[set.front()];
-  std::vector<std::uint32_t> found = meeting(set, block);
   auto begin = found.insert(std::lower_bound(found.begin(), found.end(), set.front()), set.front());
   auto end = begin + 1;
   std::uint32_t at = leaf;
   // Walks up through the nodes at which more of the found primitives join.
   while (begin != found.begin() || end != found.end()) {
-    counted_.add(&isa::Preparation::nodes);
+    visit();
     std::uint32_t node = model::no_index;
     if (begin != found.begin()) node = paths_.above(leaf, tree_.leaf_of[*(begin - 1)]);
     if (end != found.end()) node = std::min(node, paths_.above(leaf, tree_.leaf_of[*end]));

@@ -77,12 +77,16 @@ struct Tallies {
   Tally hidden;
 };
 
+class KeptResults;
+
 /// Inputs of pruning in addition to the model and the view.
 struct PrunerSettings {
   Pruning pruning{};
   Prices prices{};
-  Counted counted{};           ///< counts the work for a view
-  PairTable* pairs = nullptr;  ///< results for pairs of primitives; null: a separate table
+  Counted counted{};            ///< counts the work for a view
+  PairTable* pairs = nullptr;   ///< results for pairs of primitives; null: a separate table
+  KeptResults* kept = nullptr;  ///< results of earlier blocks and frames of the model, which get those of this one;
+                                ///< null if none are kept
 };
 
 /// Prunes I-trees for regions of the picture. It keeps references to its arguments and is not thread-safe.
@@ -110,11 +114,7 @@ class Pruner {
  private:
   struct Pruned;
   class Walk;
-  /// The place for which a set's surface is examined.
-  struct Place {
-    Block block;
-    std::span<const std::uint32_t> set;
-  };
+  struct Place;
   using Primitives = std::span<const std::uint32_t>;
   [[nodiscard]] bool disjoint(std::uint32_t primitive, const Place& place) const;
   [[nodiscard]] double comparison_instructions(std::uint32_t primitive) const;
@@ -123,11 +123,13 @@ class Pruner {
   [[nodiscard]] Known located(std::uint32_t primitive, const Place& place) const;
   [[nodiscard]] Known leaf_known(const PositiveNode& leaf, const Place& place) const;
   [[nodiscard]] Known known(const PositiveNode& leaf, const Place& place) const;
+  void visit() const;
   [[nodiscard]] Primitives below(std::uint32_t node, Primitives from) const;
   [[nodiscard]] bool is_decided_elsewhere(std::uint32_t node, Primitives meeting) const;
   [[nodiscard]] bool add_operands(std::uint32_t node, Primitives meeting, const Place& place, ActiveTree& into) const;
   void join_leaves(ActiveTree& into, PositiveOperator op, std::vector<std::uint32_t>& operands) const;
   void find(std::uint32_t first, std::uint32_t end, const Place& place, std::vector<std::uint32_t>& found) const;
+  [[nodiscard]] ActiveTree walked(const Place& place, std::vector<std::uint32_t> found) const;
 
   const facet::Geometry& geometry_;
   const view::View& view_;
@@ -138,9 +140,11 @@ class Pruner {
   TreePaths paths_;
   mutable PairTable own_pairs_;
   PairTable& pairs_;
+  KeptResults* kept_;
   mutable Tallies tallies_;
-  std::optional<BoxIndex> boxes_;  ///< index of the primitives by pixels, depths and number; empty without picture
-                                   ///< pruning
+  mutable std::uint64_t visits_ = 0;  ///< visits of nodes in walks
+  std::optional<BoxIndex> boxes_;     ///< index of the primitives by pixels, depths and number; empty without picture
+                                      ///< pruning
 };
 
 }  // namespace csgsim::csg

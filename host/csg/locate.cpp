@@ -95,7 +95,8 @@ Known locate(const view::View& view, facet::QuadricSide side, const Block& block
 }
 
 Known locate(const view::View& view, const facet::Geometry& geometry, std::uint32_t primitive, const Block& block,
-             const Counted& counted) {
+             const Counted& counted, Excluder* excluder) {
+  if (excluder != nullptr) excluder->held = false;
   counted.add(&isa::Preparation::boxes);
   const view::Extent& extent = view.extents[primitive];
   const view::PixelRect shared = common(extent.pixels, block.pixels);
@@ -109,7 +110,17 @@ Known locate(const view::View& view, const facet::Geometry& geometry, std::uint3
     return known == Known::out;
   };
   const facet::Convex& solid = geometry.solids[primitive];
-  if (std::ranges::any_of(solid.halfspaces, is_out) || std::ranges::any_of(solid.quadrics, is_out)) return Known::out;
+  const std::size_t first = excluder == nullptr ? model::no_index : excluder->halfspace;
+  if (first < solid.halfspaces.size() && is_out(solid.halfspaces[first])) {
+    excluder->held = true;
+    return Known::out;
+  }
+  for (std::size_t i = 0; i < solid.halfspaces.size(); ++i) {
+    if (i == first || !is_out(solid.halfspaces[i])) continue;
+    if (excluder != nullptr) excluder->halfspace = static_cast<std::uint32_t>(i);
+    return Known::out;
+  }
+  if (std::ranges::any_of(solid.quadrics, is_out)) return Known::out;
   return inside ? Known::in : Known::depends;
 }
 

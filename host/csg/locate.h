@@ -6,6 +6,7 @@
 
 #include "host/csg/counted.h"
 #include "host/facet/geometry.h"
+#include "host/model/tree.h"
 #include "host/view/projection.h"
 
 namespace csgsim::csg {
@@ -33,10 +34,16 @@ Known locate(const view::View& view, const view::ScreenPlane& plane, bool positi
 /// The same for the inside of that side of a quadric; `depends` if it is unfit.
 Known locate(const view::View& view, facet::QuadricSide side, const Block& block);
 
+/// A half-space of a primitive that excluded a block.
+struct Excluder {
+  std::uint32_t halfspace = model::no_index;  ///< index in its solid; no_index if none has been found
+  bool held = false;                          ///< whether it has excluded the last block as well
+};
+
 /// The same for a convex primitive: out if one half-space or quadric is out; in if all are in and the block is inside
-/// its extent.
+/// its extent. The half-space of `excluder` is tested first; the one that excludes the block replaces it.
 Known locate(const view::View& view, const facet::Geometry& geometry, std::uint32_t primitive, const Block& block,
-             const Counted& counted = {});
+             const Counted& counted = {}, Excluder* excluder = nullptr);
 
 /// Whether `locate` gives `in`; stops at the first half-space or quadric that does not.
 bool holds(const view::View& view, const facet::Geometry& geometry, std::uint32_t primitive, const Block& block,

@@ -17,15 +17,21 @@ std::uint64_t key_of(std::uint32_t one, std::uint32_t other) {
 
 }  // namespace
 
+void PairTable::begin_frame() {
+  work_ = {};
+  is_in_first_frame_ = false;
+}
+
 Hull& PairTable::hull(std::uint32_t primitive) {
   return hulls_.try_emplace(primitive, geometry_.solids[primitive].vertices).first->second;
 }
 
 bool PairTable::are_apart(std::uint32_t one, std::uint32_t other, const view::View& view, const Counted& counted) {
   const auto [first, second] = std::minmax(one, other);
-  const auto [found, is_new] = gaps_.try_emplace(key_of(one, other));
-  if (is_new) found->second = find_gap(hull(first), hull(second), Counted(work_));
-  const std::optional<Gap>& gap = found->second;
+  const auto [found, is_new] = results_.try_emplace(key_of(one, other));
+  if (is_new) found->second.gap = find_gap(hull(first), hull(second), Counted(work_));
+  found->second.program = program_;
+  const std::optional<Gap>& gap = found->second.gap;
   if (!gap) return false;
   counted.add(&isa::Preparation::supports);
   return gap->half > view.extents[first].looseness * gap->far_first &&
@@ -33,8 +39,8 @@ bool PairTable::are_apart(std::uint32_t one, std::uint32_t other, const view::Vi
 }
 
 double PairTable::price(std::uint32_t one, std::uint32_t other, const Prices& prices) const {
-  const auto found = gaps_.find(key_of(one, other));
-  if (found != gaps_.end()) return found->second ? prices.support : 0;
+  const auto found = results_.find(key_of(one, other));
+  if (found != results_.end() && found->second.program == program_) return found->second.gap ? prices.support : 0;
   const auto points = [&](std::uint32_t primitive) {
     return static_cast<double>(geometry_.solids[primitive].vertices.size());
   };

@@ -17,28 +17,43 @@
 namespace csgsim::csg {
 
 /// Searches planes between the corners of primitives in model space. Each pair is searched once, when it is first
-/// needed, and the result holds for every camera. Keeps a reference to the geometry and is not thread-safe.
+/// needed, and the result holds for every camera. A table may serve several frames, each of which may compile several
+/// Programs until one fits. Keeps a reference to the geometry and is not thread-safe.
 class PairTable {
  public:
   explicit PairTable(const facet::Geometry& geometry) : geometry_(geometry) {}
+
+  /// Begins another frame.
+  void begin_frame();
+  [[nodiscard]] bool is_in_first_frame() const { return is_in_first_frame_; }
+
+  /// Begins another Program: price() has to give what it would give for a new table, so that earlier frames change no
+  /// decision.
+  void begin_program() { ++program_; }
 
   /// Whether the pair's plane still separates the primitives in a view, where rounding moves their surfaces. `counted`
   /// counts the view's part of the work.
   [[nodiscard]] bool are_apart(std::uint32_t one, std::uint32_t other, const view::View& view, const Counted& counted);
 
-  /// Estimated nanoseconds of are_apart().
+  /// Estimated nanoseconds of are_apart(); searches for other Programs do not lower them.
   [[nodiscard]] double price(std::uint32_t one, std::uint32_t other, const Prices& prices) const;
 
-  /// The work of all searches until now.
+  /// The work of this frame's searches.
   [[nodiscard]] const isa::Preparation& work() const { return work_; }
 
  private:
+  struct Result {
+    std::optional<Gap> gap;
+    std::uint64_t program = 0;  ///< the last Program that needed it
+  };
   Hull& hull(std::uint32_t primitive);
 
   const facet::Geometry& geometry_;
   std::unordered_map<std::uint32_t, Hull> hulls_;
-  std::unordered_map<std::uint64_t, std::optional<Gap>> gaps_;  ///< by pair, the lower number first
+  std::unordered_map<std::uint64_t, Result> results_;  ///< by pair, the lower number first
   isa::Preparation work_;
+  std::uint64_t program_ = 0;
+  bool is_in_first_frame_ = true;
 };
 
 }  // namespace csgsim::csg

@@ -196,15 +196,17 @@ isa::Preparation count_preparation(const std::vector<const Drawing*>& drawings) 
 }
 
 /// Host work for the model, whatever the camera: its positive form and sets, what its half-spaces have in common, and
-/// searches of pairs. Drawings of one model share all of it.
+/// searches of pairs. Drawings of one model share all of it. In a sequence of frames, those after the first only search
+/// pairs that no frame before has searched.
 isa::Preparation count_model_preparation(const std::vector<const Drawing*>& drawings) {
   isa::Preparation all;
   std::set<const csg::PairTable*> counted;
   for (const Drawing* const one : drawings) {
     if (!counted.insert(one->plan.pairs.get()).second) continue;
+    all += one->plan.pairs->work();
+    if (!one->plan.pairs->is_in_first_frame()) continue;
     all.nodes += one->plan.positive.nodes.size();
     all += count_sharing(*one->geometry);
-    all += one->plan.pairs->work();
   }
   return all;
 }
@@ -301,8 +303,9 @@ isa::Program compile_for_machine(const Input& input, const Options& chosen) {
   Options options = chosen;
   options.work = chosen.work.afresh();
   isa::Program program = compile_as(input, options);
-  if (input.division)
-    add_division(program, *input.division, input.tree, input.geometry, input.drawing.view, input.machine, options);
+  if (!input.division) return program;
+  add_division(program, *input.division, input.tree, input.geometry, input.drawing.view, input.machine, options);
+  if (!input.drawing.plan.pairs->is_in_first_frame()) *program.model_preparation = {};
   return program;
 }
 
@@ -359,14 +362,17 @@ std::vector<Options> candidates(const Options& options, const Plan& plan) {
 }
 
 isa::Program compile_within(const model::Tree& tree, const facet::Geometry& geometry, view::View view,
-                            const machines::Machine& machine, const Options& wanted, const ClockCounter& count) {
+                            const machines::Machine& machine, const Options& wanted, const ClockCounter& count,
+                            csg::KeptResults* kept) {
   const std::optional<machines::Division> division = machines::division(machine);
   Options options = with_prices(division ? options_for(*division, wanted) : wanted, machine);
   options.work = wanted.work.afresh();
   const std::vector<EffectRequest> called =
       called_effects(options, make_look(options.scene, tree, csg::make_positive(tree), view.camera));
   if (division) refuse_effects(called, machine);
-  const auto drawing = make_drawing(borrowed(tree), borrowed(geometry), std::move(view), 0, {machine, options, called});
+  if (kept != nullptr) kept->begin_program(geometry);
+  const auto drawing =
+      make_drawing(borrowed(tree), borrowed(geometry), std::move(view), 0, {machine, options, called, kept});
   if (geometry.halfspaces() >= many_halfspaces) release_free_memory();  // frees the memory of temporary solids
   const Input input{tree, geometry, *drawing, machine, division, called};
   const std::vector<Options> all = candidates(options, drawing->plan);
@@ -394,9 +400,10 @@ isa::Program compile_within(const model::Tree& tree, const facet::Geometry& geom
 }  // namespace
 
 isa::Program compile(const model::Tree& tree, const facet::Geometry& geometry, view::View view,
-                     const machines::Machine& machine, const Options& options, const ClockCounter& count) {
+                     const machines::Machine& machine, const Options& options, const ClockCounter& count,
+                     csg::KeptResults* kept) {
   try {
-    return compile_within(tree, geometry, std::move(view), machine, options, count);
+    return compile_within(tree, geometry, std::move(view), machine, options, count, kept);
   } catch (const WorkError& error) {
     throw InputError(fmt::format("{}: {}", tree.file, error.what()));
   }

@@ -12,6 +12,7 @@
 #include "host/emit/preparation.h"
 #include "hw/base/error.h"
 #include "hw/division/encoding.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/host_counts.h"
 #include "hw/isa/opcodes.h"
 

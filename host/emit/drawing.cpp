@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "host/csg/kept_results.h"
 #include "host/emit/effect.h"
 #include "host/emit/evaluation.h"
 #include "host/emit/shading.h"
@@ -80,9 +81,10 @@ void plan_and_prepare(Drawing& drawing, const Workshop& workshop, std::shared_pt
     // A primitive that hides others may itself be in front of the mirror and not be drawn.
     pruning.hidden = false;
   }
-  drawing.plan =
-      make_plan(*drawing.tree, *drawing.geometry, drawing.view, machines::regions(workshop.machine),
-                {pruning, options.prices, std::move(pairs)}, opacities(drawing.look, workshop.called), options.work);
+  if (pairs == nullptr && workshop.kept != nullptr) pairs = workshop.kept->pairs_for(*drawing.geometry);
+  drawing.plan = make_plan(*drawing.tree, *drawing.geometry, drawing.view, machines::regions(workshop.machine),
+                           {pruning, options.prices, std::move(pairs), workshop.kept},
+                           opacities(drawing.look, workshop.called), options.work);
   if (drawing.reflection) drop_unseen(drawing);
   for (const EffectRequest& one : workshop.called)
     drawing.states.push_back(one.effect->prepared_for(drawing, workshop));

@@ -42,6 +42,7 @@ struct Workshop {
   const machines::Machine& machine;
   const Options& options;
   std::span<const EffectRequest> called;
+  csg::KeptResults* kept = nullptr;  ///< results of earlier frames of the model; null if none are kept
 };
 
 /// Plans a drawing and lets each called effect prepare it. `pairs` are those of another drawing of the same geometry,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "host/csg/kept_results.h"
 #include "host/emit/region_index.h"
 #include "hw/base/error.h"
 #include "hw/isa/host_counts.h"
@@ -191,8 +192,10 @@ Plan make_plan(const model::Tree& tree, const facet::Geometry& geometry, const v
   const std::vector<csg::ConvexSet> sets = split_by_opacity(csg::convex_sets(plan.positive, pruning.sets), opacity);
   isa::Preparation counted;
   csg::Tested tested;
-  const csg::Pruner pruner(geometry, view, plan.positive,
-                           {pruning, settings.prices, csg::Counted(counted, &tested), plan.pairs.get()});
+  const bool is_kept = settings.kept != nullptr && settings.kept->serves(tree, pruning);
+  const csg::Pruner pruner(
+      geometry, view, plan.positive,
+      {pruning, settings.prices, csg::Counted(counted, &tested), plan.pairs.get(), is_kept ? settings.kept : nullptr});
   const std::vector<std::vector<std::uint32_t>> active_sets = sets_in(regions, sets, view);
   plan.segments.resize(regions.size());
   for (std::size_t i = 0; i < regions.size(); ++i) plan.segments[i].region = regions[i];

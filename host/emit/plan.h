@@ -55,6 +55,7 @@ struct PlanSettings {
   csg::Pruning pruning;
   csg::Prices prices{};
   std::shared_ptr<csg::PairTable> pairs = nullptr;  ///< of the geometry; null: a new one
+  csg::KeptResults* kept = nullptr;                 ///< see csg::PrunerSettings; not used if they are of another model
 };
 
 /// `opacity` is by primitive: those below 1 hide nothing, and no set mixes different values; empty if all are 1. Throws

@@ -51,7 +51,7 @@ void check_depth_format(const std::filesystem::path& path) {
   pictures::check_format(named(path, exr), pictures::Samples::floats);
 }
 
-void write_picture(OutputFile& file, const Frame& frame, const isa::Program& program) {
+std::vector<std::uint8_t> channels_of(const Frame& frame, const isa::Program& program) {
   auto pixels = filled<std::uint8_t>(frame.colour.size() * 3, 0);
   const unsigned bits = program.colour.width;
   std::uint32_t last = 0;  // neighbouring pixels are mostly equal
@@ -61,7 +61,11 @@ void write_picture(OutputFile& file, const Frame& frame, const isa::Program& pro
     if (colour != last) channels = isa::unpack_colour(last = colour, bits);
     to = std::ranges::copy(channels, to).out;
   }
-  write(file, png, colours(frame, pixels));
+  return pixels;
+}
+
+void write_picture(OutputFile& file, const Frame& frame, const isa::Program& program) {
+  write(file, png, colours(frame, channels_of(frame, program)));
 }
 
 void write_depth(OutputFile& file, const Frame& frame, const isa::Program& program) {

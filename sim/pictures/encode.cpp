@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <string_view>
+#include <utility>
 
 #include "hw/base/error.h"
 #include "sim/pictures/module_loader.h"
@@ -15,6 +16,7 @@ namespace csgsim::pictures {
 namespace {
 
 constexpr std::string_view png_extension = ".png";
+constexpr std::string_view gif_extension = ".gif";
 
 /// Extensions that the module is known to support; no need to wait for it.
 constexpr auto known_extensions = std::to_array<std::string_view>({".exr", ".jpg", ".ppm", ".tif"});
@@ -35,6 +37,11 @@ std::string extension_of(const std::filesystem::path& path) {
   throw InputError(path.native() + ": cannot be written: " + why);
 }
 
+std::string bytes_of(const std::filesystem::path& path, Encoded&& encoded) {
+  if (!encoded.error.empty()) throw_unwritten(path, encoded.error);
+  return std::move(encoded.bytes);
+}
+
 std::string encode_by_module(const std::filesystem::path& path, const Raster& raster) {
   const Module& module = wait_for_module(path);
   const Target target = module.target_for(path.c_str());
@@ -47,9 +54,9 @@ std::string encode_by_module(const std::filesystem::path& path, const Raster& ra
     encoded = module.encode(path.c_str(), file.path().c_str(), raster);
     if (encoded.error.empty()) encoded.bytes = file.content();
   }
-  if (!encoded.error.empty()) throw_unwritten(path, encoded.error);
-  if (encoded.bytes.empty()) throw InputError(path.native() + ": this format creates no file; use .png");
-  return std::move(encoded.bytes);
+  std::string bytes = bytes_of(path, std::move(encoded));
+  if (bytes.empty()) throw InputError(path.native() + ": this format creates no file; use .png");
+  return bytes;
 }
 
 }  // namespace
@@ -66,8 +73,18 @@ std::string encode(const std::filesystem::path& path, const Raster& raster) {
   const auto* const bytes = std::get_if<Bytes>(&raster.samples);
   if (bytes == nullptr || extension_of(path) != png_extension) return encode_by_module(path, raster);
   Encoded encoded = encode_png(raster, *bytes);
-  if (!encoded.error.empty()) throw_unwritten(path, encoded.error);
-  return std::move(encoded.bytes);
+  return bytes_of(path, std::move(encoded));
 }
+
+bool is_animated(const std::filesystem::path& path) { return extension_of(path) == gif_extension; }
+
+Animation::Animation(std::filesystem::path path, unsigned pictures_per_second)
+    : path_(std::move(path)), writer_(wait_for_module(path_).animate(pictures_per_second)) {
+  if (!writer_) throw_unwritten(path_, "this OpenImageIO writes no animated GIF; use numbered .png files");
+}
+
+std::string Animation::add(const Raster& raster) { return bytes_of(path_, writer_->add(raster)); }
+
+std::string Animation::finish() { return bytes_of(path_, writer_->finish()); }
 
 }  // namespace csgsim::pictures

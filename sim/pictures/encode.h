@@ -3,9 +3,11 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 
 #include "hw/base/error.h"
+#include "sim/pictures/module.h"
 #include "sim/pictures/raster.h"
 
 namespace csgsim::pictures {
@@ -25,5 +27,21 @@ void check_format(const std::filesystem::path& path, Samples samples);
 /// The bytes of a picture file in the format of the path's extension: PNG of bytes by libpng, all others by the module
 /// of formats. Equal pictures always give equal bytes. Throws InputError.
 std::string encode(const std::filesystem::path& path, const Raster& raster);
+
+/// Whether several pictures can be written into one file of that name: an animated GIF.
+bool is_animated(const std::filesystem::path& path);
+
+/// Encodes one picture after another into one file, without keeping them. Each function returns the bytes that follow
+/// those of the calls before. They throw InputError.
+class Animation {
+ public:
+  Animation(std::filesystem::path path, unsigned pictures_per_second);
+  std::string add(const Raster& raster);
+  std::string finish();
+
+ private:
+  std::filesystem::path path_;
+  std::unique_ptr<AnimationWriter> writer_;
+};
 
 }  // namespace csgsim::pictures

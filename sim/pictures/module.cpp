@@ -3,12 +3,18 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include <array>
+#include <cstdint>
 #include <memory>
+#include <string>
 #include <string_view>
+#include <utility>
 
 namespace csgsim::pictures {
 
 namespace {
+
+constexpr const char* gif_name = "animation.gif";
 
 std::unique_ptr<OIIO::ImageOutput> writer_for(const char* path) {
   std::unique_ptr<OIIO::ImageOutput> writer = OIIO::ImageOutput::create(path);
@@ -51,10 +57,58 @@ Encoded encode(const char* path, const char* file, const Raster& raster) {
   return {{reinterpret_cast<const char*>(buffer.buffer().data()), buffer.buffer().size()}, {}};
 }
 
+/// Output that is taken away piece by piece.
+class Taken final : public OIIO::Filesystem::IOProxy {
+ public:
+  Taken() : IOProxy("", IOProxy::Write) {}
+  [[nodiscard]] const char* proxytype() const override { return "csgsim"; }
+  std::size_t write(const void* bytes, std::size_t count) override {
+    taken_.append(static_cast<const char*>(bytes), count);
+    m_pos += static_cast<std::int64_t>(count);
+    return count;
+  }
+  std::string take() { return std::exchange(taken_, {}); }
+
+ private:
+  std::string taken_;
+};
+
+class GifWriter final : public AnimationWriter {
+ public:
+  GifWriter(std::unique_ptr<OIIO::ImageOutput> writer, unsigned rate) : writer_(std::move(writer)), rate_(rate) {
+    writer_->set_ioproxy(&bytes_);
+  }
+
+  Encoded add(const Raster& raster) override {
+    OIIO::ImageSpec spec = specify(raster, OIIO::TypeDesc::UINT8);
+    const std::array<int, 2> rate{static_cast<int>(rate_), 1};
+    spec.attribute("FramesPerSecond", OIIO::TypeRational, rate.data());
+    const auto mode = std::exchange(is_open_, true) ? OIIO::ImageOutput::AppendSubimage : OIIO::ImageOutput::Create;
+    const bool written = writer_->open(gif_name, spec, mode) &&
+                         writer_->write_image(OIIO::TypeDesc::UINT8, std::get<Bytes>(raster.samples).data());
+    return written ? Encoded{bytes_.take(), {}} : Encoded{{}, writer_->geterror()};
+  }
+
+  Encoded finish() override { return writer_->close() ? Encoded{bytes_.take(), {}} : Encoded{{}, writer_->geterror()}; }
+
+ private:
+  Taken bytes_;  // outlives the writer
+  std::unique_ptr<OIIO::ImageOutput> writer_;
+  unsigned rate_;
+  bool is_open_ = false;
+};
+
+std::unique_ptr<AnimationWriter> animate(unsigned pictures_per_second) {
+  std::unique_ptr<OIIO::ImageOutput> writer = writer_for(gif_name);
+  if (!writer || writer->supports("ioproxy") == 0 || writer->supports("appendsubimage") == 0) return nullptr;
+  return std::make_unique<GifWriter>(std::move(writer), pictures_per_second);
+}
+
 }  // namespace
 
 }  // namespace csgsim::pictures
 
 // The name must equal module_symbol.
-extern "C" [[gnu::visibility("default")]] const csgsim::pictures::Module csgsim_pictures_1;
-const csgsim::pictures::Module csgsim_pictures_1{csgsim::pictures::target_for, csgsim::pictures::encode};
+extern "C" [[gnu::visibility("default")]] const csgsim::pictures::Module csgsim_pictures_2;
+const csgsim::pictures::Module csgsim_pictures_2{csgsim::pictures::target_for, csgsim::pictures::encode,
+                                                 csgsim::pictures::animate};

@@ -26,7 +26,8 @@ LEFT_OUT = {
     "flat": "svg page shapes",
     "solids": "height_picture read_xml unzip",
     "plots": "files gnuplot",
-    "session": "finished_run levels run_outputs scad version",
+    "observe": "animation",
+    "session": "finished_run frame_pictures frames levels run_outputs scad version",
     "viewer": "door page recorded serve files",
 }
 # Files whose names clash with those of other files in a batch.

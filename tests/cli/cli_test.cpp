@@ -95,7 +95,7 @@ TEST_CASE("render gives the same pictures and counts at all levels") {
 
 TEST_CASE("both levels draw the same frames of a sequence and report its frame rate") {
   const Folder folder;
-  const std::string options = model("thesis_fig_2_3") + " --size 40x30 --view-all --frames 3 --turn 20 ";
+  const std::string options = model("thesis_fig_2_3") + " --size 40x30 --view-all --frames 3 --orbit 60 ";
   const auto functional = run("render " + options + "-o " + (folder / "f.png"));
   const auto cycle = run("render " + options + "--level cycle -o " + (folder / "c.png"));
   REQUIRE(functional.code == 0);
@@ -104,11 +104,10 @@ TEST_CASE("both levels draw the same frames of a sequence and report its frame r
   for (const std::string number : {"_000.png", "_001.png", "_002.png"})
     CHECK(content(folder / ("c" + number)) == content(folder / ("f" + number)));
   CHECK(content(folder / "f_000.png") != content(folder / "f_001.png"));
-  CHECK(cycle.out.substr(cycle.out.find("drawn after")) == functional.out.substr(functional.out.find("drawn after")));
+  CHECK(cycle.out.substr(0, cycle.out.find(';')) == functional.out.substr(0, functional.out.find(';')));
   CHECK(cycle.out.find(" frames a second") != std::string::npos);
   succeeded(run("render " + model("thesis_fig_2_3") + " --size 40x30 --view-all -o " + (folder / "one.png")));
   CHECK(content(folder / "one.png") == content(folder / "f_000.png"));
-  CHECK(run("render " + options + "--stats " + (folder / "s.json")).code == 2);
 }
 
 TEST_CASE("running a compiled Program in either form reproduces render's picture and counts") {

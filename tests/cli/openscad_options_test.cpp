@@ -98,7 +98,7 @@ TEST_CASE("render accepts OpenSCAD's forms of --projection and --size and --view
 TEST_CASE("a turned camera of seven numbers keeps its roll from frame to frame") {
   const Folder folder;
   const std::string part = "render " + cameras + "part.csg --size 40x30 --camera=";
-  succeeded(run(part + "0,0,5,70,30,210,100 --frames 2 --turn 25 -o " + (folder / "f.png")));
+  succeeded(run(part + "0,0,5,70,30,210,100 --frames 2 --orbit 50 -o " + (folder / "f.png")));
   succeeded(run(part + "0,0,5,70,30,235,100 -o " + (folder / "p.png")));
   CHECK(content(folder / "f_001.png") == content(folder / "p.png"));
 }

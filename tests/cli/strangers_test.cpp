@@ -147,7 +147,7 @@ TEST_CASE("rerun reports equality only of results that it compared") {
     stats.refuses(fmt::format("'{}' is not an option of csgsim render", name), {"-o", "a.png"});
   }
   stats.set_option("frames", 2);
-  stats.refuses("--frames: a sequence of frames has no stats", {"-o", "a.png"});
+  stats.refuses("--frames: a sequence of frames cannot be rerun", {"-o", "a.png"});
   stats.change([](Json& json) { json["clocks"] = 1; });
   refused(stats.rerun(), "t.json", "the run differs: /clocks was 1, is");
 }

@@ -37,7 +37,7 @@ RENDERS = [
     {**SMALL, "level": "cycle"},
     {**SMALL, "tolerance": "0.5px", "advice": True},
 ]
-NOT_OF_CALLS = ("frames", "turn", "quiet", "verbose", "output", "stats")  # options only of the command line or of this test
+NOT_OF_CALLS = ("frames", "orbit", "cameras", "quiet", "verbose", "output", "stats")  # only of the command line or this test
 
 
 def same_run(stats):

@@ -80,13 +80,11 @@ model::Tree read_model(const ModelRequest& request) { return read_model_file(req
 
 namespace {
 
-CompiledModel compile(ModelFile file, const ModelRequest& request, const machines::Machine& machine) {
+CompiledModel with_facets(ModelFile file, const ModelRequest& request, const machines::Machine& machine) {
   model::Tree& tree = file.tree;
   facet::Geometry scene = facet::make_geometry(tree, faceting_of(request, machine, tree));
   const view::Camera camera = camera_of(request, machine, tree, scene);
-  CompiledModel model{std::move(file.hash), std::move(tree), std::move(scene), camera, {}};
-  model.program = compile_for_camera(model.camera, model, request, machine);
-  return model;
+  return {std::move(file.hash), std::move(tree), std::move(scene), camera, {}};
 }
 
 /// Warns if the near plane is so close that few depth steps remain for distant surfaces.
@@ -111,11 +109,12 @@ void warn_of_pattern(const emit::NoRoom& layers, const ModelRequest& request, co
 
 /// Uses screen-door transparency where only colours of the model are transparent and memory has no room for layers.
 isa::Program compile_with_room(const CompiledModel& model, const view::Camera& camera, view::View view,
-                               const ModelRequest& request, const machines::Machine& machine) {
+                               const ModelRequest& request, const machines::Machine& machine, csg::KeptResults* kept) {
   emit::Options emit = emit_options_of(request);
   const auto compiled = [&](view::View seen) {
-    return emit::compile(model.tree, model.scene, std::move(seen), machine, emit,
-                         [&](const isa::Program& one) { return functional::measure_clocks(one, machine); });
+    return emit::compile(
+        model.tree, model.scene, std::move(seen), machine, emit,
+        [&](const isa::Program& one) { return functional::measure_clocks(one, machine); }, kept);
   };
   try {
     return compiled(std::move(view));
@@ -141,18 +140,24 @@ story::HalfspaceFinder halfspaces_of(const CompiledModel& model, const ModelRequ
 }
 
 isa::Program compile_for_camera(const view::Camera& camera, const CompiledModel& model, const ModelRequest& request,
-                                const machines::Machine& machine) {
+                                const machines::Machine& machine, csg::KeptResults* kept) {
   view::View view = view::make_view(model.scene, model.tree, camera, sampling_of(request, machine));
   warn_of_coarse_depth(view);
   std::size_t halfspaces = 0;
   for (const facet::Convex& solid : model.scene.solids) halfspaces += solid.halfspaces.size();
   return with_memory([&] { return short_of_memory(request.model, halfspaces); },
-                     [&] { return compile_with_room(model, camera, std::move(view), request, machine); });
+                     [&] { return compile_with_room(model, camera, std::move(view), request, machine, kept); });
+}
+
+CompiledModel facet_model(ModelFile file, const ModelRequest& request, const machines::Machine& machine) {
+  return with_memory_for("the half-spaces of " + request.model,
+                         [&] { return with_facets(std::move(file), request, machine); });
 }
 
 CompiledModel compile_model(ModelFile file, const ModelRequest& request, const machines::Machine& machine) {
-  return with_memory_for("the half-spaces of " + request.model,
-                         [&] { return compile(std::move(file), request, machine); });
+  CompiledModel model = facet_model(std::move(file), request, machine);
+  model.program = compile_for_camera(model.camera, model, request, machine);
+  return model;
 }
 
 CompiledModel compile_model(const ModelRequest& request, const machines::Machine& machine) {

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "host/csg/kept_results.h"
 #include "host/facet/geometry.h"
 #include "host/model/tree.h"
 #include "host/view/camera.h"
@@ -37,6 +38,9 @@ struct CompiledModel {
   isa::Program program;
 };
 
+/// The model with its half-spaces and camera, without a Program. Throws as compile_model does.
+CompiledModel facet_model(ModelFile file, const ModelRequest& request, const machines::Machine& machine);
+
 /// Reads and compiles the model. Throws InputError, or UsageError for invalid options.
 CompiledModel compile_model(const ModelRequest& request, const machines::Machine& machine);
 CompiledModel compile_model(ModelFile file, const ModelRequest& request, const machines::Machine& machine);
@@ -49,8 +53,9 @@ view::View view_of(const CompiledModel& model, const ModelRequest& request, cons
 story::HalfspaceFinder halfspaces_of(const CompiledModel& model, const ModelRequest& request,
                                      const machines::Machine& machine);
 
-/// The Program of the same facets for another camera. Throws as compile_model does.
+/// The Program of the same facets for another camera, with the results kept from earlier frames (host/emit/compile.h).
+/// Throws as compile_model does.
 isa::Program compile_for_camera(const view::Camera& camera, const CompiledModel& model, const ModelRequest& request,
-                                const machines::Machine& machine);
+                                const machines::Machine& machine, csg::KeptResults* kept = nullptr);
 
 }  // namespace csgsim::session

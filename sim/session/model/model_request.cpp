@@ -22,6 +22,7 @@
 #include "hw/base/input_file.h"
 #include "hw/base/prints.h"
 #include "hw/base/text.h"
+#include "sim/session/model/cameras.h"
 #include "sim/session/model/fast_curves.h"
 #include "sim/session/model/prices.h"
 #include "sim/session/model/scad.h"
@@ -79,16 +80,14 @@ view::Projection projection_of(const ModelRequest& request) {
   return is_perspective ? view::Projection::perspective : view::Projection::orthographic;
 }
 
-/// Parses eye and centre, or centre, rotations and distance.
-view::Camera camera_in(const std::string& text) {
-  const bool is_gimbal = std::ranges::count(text, ',') == 6;
-  const auto v = numbers<double>(text, ',', is_gimbal ? 7 : 6, "--camera", "ex,ey,ez,cx,cy,cz or x,y,z,rx,ry,rz,d");
-  const glm::dvec3 first(v[0], v[1], v[2]);
-  const glm::dvec3 second(v[3], v[4], v[5]);
-  if (is_gimbal && !(v[6] > 0)) throw UsageError("--camera", "the distance (last number) must be above 0");
-  const view::Camera camera = is_gimbal ? view::gimbal_camera(first, second, v[6]) : view::Camera{first, second};
-  for_option("--camera", [&] { view::basis(camera); });
-  return camera;
+/// The camera of --camera, if it is given.
+std::optional<view::Camera> given_camera(const ModelRequest& request) {
+  if (request.camera.empty()) return std::nullopt;
+  try {
+    return parse_camera(request.camera);
+  } catch (const CameraError& error) {
+    throw UsageError("--camera", error.what());
+  }
 }
 
 /// Distance of the near plane in the scene; an orthographic view has none.
@@ -275,8 +274,10 @@ facet::Faceting planar_faceting_of(const ModelRequest& request, const machines::
   const view::Camera camera = camera_of(request, machine, tree, scene);
   const double nearest = view::make_view(scene, tree, camera, sampling_of(request, machine)).depth.near;
   const double tolerance = request.tolerance->value * view::pixel_size(camera, machine.picture.height, nearest);
-  print_text(fmt::format("{:<18}--tolerance {:.6g}: {:g} pixels at the nearest point of the model\n", "chosen",
-                         tolerance, request.tolerance->value));
+  if (!request.frame_camera) {
+    print_text(fmt::format("{:<18}--tolerance {:.6g}: {:g} pixels at the nearest point of the model\n", "chosen",
+                           tolerance, request.tolerance->value));
+  }
   return {.tolerance = tolerance};
 }
 
@@ -338,9 +339,14 @@ view::Sampling sampling_of(const ModelRequest& request, const machines::Machine&
 
 view::Camera camera_of(const ModelRequest& request, const machines::Machine& machine, const model::Tree& tree,
                        const facet::Geometry& scene) {
+  return request.frame_camera ? *request.frame_camera : camera_of(request, machine, tree, scene, given_camera(request));
+}
+
+view::Camera camera_of(const ModelRequest& request, const machines::Machine& machine, const model::Tree& tree,
+                       const facet::Geometry& scene, const std::optional<view::Camera>& given) {
   const machines::Size picture = machine.picture;
   const scene::Camera& seen_by = request.scene().camera;
-  const bool is_given = !request.camera.empty() || (seen_by.eye && seen_by.centre);
+  const bool is_given = given || (seen_by.eye && seen_by.centre);
   const bool sees_all = request.view_all || seen_by.view_all.value_or(false);
   // The view must not depend on how curved surfaces are drawn.
   const bool has_quadrics = !scene.quadrics.quadrics().empty();
@@ -350,9 +356,14 @@ view::Camera camera_of(const ModelRequest& request, const machines::Machine& mac
   view::Camera camera = view::default_camera(box, picture.width, picture.height);
   camera.eye = seen_by.eye.value_or(camera.eye);
   camera.centre = seen_by.centre.value_or(camera.centre);
-  if (!request.camera.empty()) camera = camera_in(request.camera);
+  if (given) camera = *given;
   camera.projection = projection_of(request);
   return sees_all ? view::view_all(camera, box, picture.width, picture.height) : camera;
+}
+
+bool is_faceted_for_camera(const ModelRequest& request, const machines::Machine& machine) {
+  if (request.tolerance && request.tolerance->is_in_pixels) return true;
+  return by_name(emit::curve_choices).at(request.curves) != emit::Curves::facets && machine.evaluator_degree >= 2;
 }
 
 std::vector<std::filesystem::path> ModelRequest::inputs() const {

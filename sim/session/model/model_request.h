@@ -50,7 +50,8 @@ struct ModelRequest {
   std::string size;
   std::optional<std::uint32_t> memory_bits;
   std::string camera;
-  std::string projection;  ///< empty: that of the scene
+  std::optional<view::Camera> frame_camera;  ///< camera of one of several frames; replaces all other cameras
+  std::string projection;                    ///< empty: that of the scene
   bool view_all = false;
   std::optional<double> near;
   std::string scene_file;
@@ -111,7 +112,7 @@ std::vector<std::string> strategy_names();
 machines::Machine machine_of(const ModelRequest& request);
 
 /// The requested faceting. Converts a tolerance in pixels to model units at the point of the model nearest to the eye,
-/// and prints the result.
+/// and prints the result, except for a frame's camera.
 facet::Faceting faceting_of(const ModelRequest& request, const machines::Machine& machine, const model::Tree& tree);
 
 /// The same for callers that support facets only: throws UsageError if --curves requests curved surfaces.
@@ -132,5 +133,12 @@ Work work_of(const ModelRequest& request);
 /// (convex/extent.h).
 view::Camera camera_of(const ModelRequest& request, const machines::Machine& machine, const model::Tree& tree,
                        const facet::Geometry& scene);
+
+/// The same for a given camera instead of --camera; its projection is that of the request.
+view::Camera camera_of(const ModelRequest& request, const machines::Machine& machine, const model::Tree& tree,
+                       const facet::Geometry& scene, const std::optional<view::Camera>& given);
+
+/// Whether faceting_of depends on the camera.
+bool is_faceted_for_camera(const ModelRequest& request, const machines::Machine& machine);
 
 }  // namespace csgsim::session

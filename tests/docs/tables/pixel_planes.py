@@ -1,7 +1,5 @@
 """The saving of a second buffer, for docs/machines/pixel-planes.md."""
 
-import re
-
 from figures import THESIS_MODELS, ruled
 
 TURNS = (0, 5, 10)
@@ -10,11 +8,9 @@ CLOCK = 10e6  # Hz
 
 def pace(figures, model, buffers):
     """Frames per second of three frames, each and in total, while the camera turns."""
-    run = figures.runs.run(f"csgsim render {figures.model(model)} --memory-bits 96 --frames 3 --turn 5 --progress none"
-                               f" --machine pixel-planes-4+scan_out.buffers={buffers} -o $OUT/frame.png")
-    intervals = [int(line.split()[3].replace(",", "")) for line in run.printed.splitlines() if re.match(r"\d+\s\s", line)]
-    in_all = re.search(r"clocks = ([0-9.]+) frames a second", run.printed)
-    return [f"{CLOCK / each:.1f}" for each in intervals] + [f"{float(in_all[1]):.1f}"]
+    stats = figures.runs.run(f"csgsim render {figures.model(model)} --memory-bits 96 --frames 3 --orbit 15 --progress none"
+                                 f" --machine pixel-planes-4+scan_out.buffers={buffers} --stats $OUT/frames.json").json("frames.json")
+    return [f"{CLOCK / frame.interval_clocks:.1f}" for frame in stats.frames] + [f"{stats.totals.frames_per_second:.1f}"]
 
 
 def buffers(figures):

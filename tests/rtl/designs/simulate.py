@@ -80,12 +80,12 @@ def of_frame(printed, frame, pattern):
 def times_of_sequence(csgsim, words, row, folder):
     """For each frame with a successor: the clocks until it is drawn, until it has been shown, and until the next
     begins."""
-    printed = run([csgsim, "render", *words, "--machine", row.machine, "--level", "cycle", "--frames", str(row.frames + 1), "-o",
-                folder / "sequence.png"]).stdout
-    rows = re.findall(r"^(\d+) +([\d,]+) +([\d,]+) +([\d,]+)$", printed, re.M)
-    if len(rows) != row.frames + 1:
-        stop(f"expected {row.frames + 1} frames in\n{printed}")
-    return [tuple(int(cell.replace(",", "")) for cell in cells[1:]) for cells in rows[:-1]]
+    run([csgsim, "render", *words, "--machine", row.machine, "--level", "cycle", "--frames", str(row.frames + 1), "-o",
+         folder / "sequence.png", "--stats", folder / "sequence.json"])
+    frames = json.loads((folder / "sequence.json").read_text())["frames"]
+    if len(frames) != row.frames + 1:
+        stop(f"expected {row.frames + 1} frames, not {len(frames)}")
+    return [tuple(frame[key] for key in ("clocks", "shown_clocks", "interval_clocks")) for frame in frames[:-1]]
 
 
 def begins_of_instructions(csgsim, words, row, folder):

@@ -11,7 +11,6 @@ clocks.
 import argparse
 import json
 import pathlib
-import re
 import resource
 import sys
 import tempfile
@@ -44,9 +43,9 @@ def clocked(csgsim, size, evaluator, folder):
 
 def clocks_of_sequence(words, folder):
     """Clocks until the last frame has been shown."""
-    frames = re.findall(r"^\d+ +[\d,]+ +([\d,]+) +([\d,]+)$", run([*words, "--level", "cycle"], folder).stdout, re.M)
-    shown, intervals = ([int(cell.replace(",", "")) for cell in cells] for cells in zip(*frames))
-    return sum(intervals[:-1]) + shown[-1]
+    run([*words, "--level", "cycle", "--stats", "sequence.json"], folder)
+    frames = json.loads((folder / "sequence.json").read_text())["frames"]
+    return sum(frame["interval_clocks"] for frame in frames[:-1]) + frames[-1]["shown_clocks"]
 
 
 def simulated(command, simulator, interval, folder):

@@ -73,6 +73,24 @@ TEST_CASE("PairTable estimates a search, and nothing for a pair known to have no
   CHECK(pairs.price(1, 0, prices) == 0);
 }
 
+TEST_CASE("PairTable counts no search of an earlier frame and estimates as a new table does") {
+  const Seen seen = seen_from({60, -40, 30}, view::Projection::orthographic, ball(0, 0, 0) + ball(8, 8, 8));
+  csg::PairTable pairs(seen.scene);
+  const csg::Prices prices{.support = 2};
+  const double price = pairs.price(0, 1, prices);
+  CHECK(pairs.is_in_first_frame());
+  CHECK(pairs.are_apart(0, 1, seen.view, {}));
+  CHECK(pairs.price(0, 1, prices) == prices.support);
+  pairs.begin_frame();
+  pairs.begin_program();
+  CHECK(!pairs.is_in_first_frame());
+  CHECK(pairs.work() == isa::Preparation{});
+  CHECK(pairs.price(0, 1, prices) == price);
+  CHECK(pairs.are_apart(1, 0, seen.view, {}));
+  CHECK(pairs.work() == isa::Preparation{});
+  CHECK(pairs.price(0, 1, prices) == prices.support);
+}
+
 TEST_CASE("a test pays up to half of the instructions that its success saves") {
   const csg::Prices all{.instruction = 100};
   CHECK(all.pays(1, 1e9));

@@ -1,0 +1,139 @@
+// Results of pruning that are kept from one block to the next, and from one frame to the next.
+// Used by the pruner, the compiler and sessions that draw several frames.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "host/csg/active_tree.h"
+#include "host/csg/locate.h"
+#include "host/csg/pair_table.h"
+#include "host/csg/pruning.h"
+#include "host/facet/geometry.h"
+#include "host/model/tree.h"
+
+namespace csgsim::csg {
+
+/// Work of a frame that kept results replaced.
+struct Reused {
+  std::uint64_t lookups = 0;       ///< active trees that were looked up
+  std::uint64_t trees = 0;         ///< those that were found
+  std::uint64_t nodes = 0;         ///< visits of tree nodes that finding them has replaced
+  std::uint64_t certificates = 0;  ///< primitives that the half-space that excluded them before excluded again
+
+  Reused& operator+=(const Reused& more);
+  bool operator==(const Reused&) const = default;
+};
+
+/// Active trees by their set and the primitives that meet its block, the half-spaces that exclude primitives, and the
+/// planes between pairs of primitives. A kept tree belongs to the results of the tests at its leaves, which are made
+/// again for each block, in the order in which a walk of the tree makes them. Found trees are therefore those that a
+/// walk would have made. A kept half-space is tested before the others of its primitive, which does not change the
+/// result.
+///
+/// A look-up reads each primitive of the key and each result: three of these take the host as long as a visit of a node
+/// (docs/host.md).
+class KeptResults {
+ public:
+  /// Begins another frame.
+  void begin_frame();
+
+  /// Begins another Program of the frame, for the model with this geometry.
+  void begin_program(const facet::Geometry& geometry);
+
+  /// Forgets what depends on the half-spaces of the model, which are going to change.
+  void forget_geometry();
+
+  /// The table of pairs for the next drawing of the Program. Drawings of another geometry, such as a reflected one, get
+  /// a new table.
+  [[nodiscard]] std::shared_ptr<PairTable> pairs_for(const facet::Geometry& geometry);
+
+  /// Work that was replaced in the last Program.
+  [[nodiscard]] const Reused& reused() const { return reused_; }
+
+  /// Whether results for the model's tree and these prunings are kept here: those of the first call.
+  [[nodiscard]] bool serves(const model::Tree& tree, const Pruning& pruning);
+
+  /// The search for one active tree.
+  class Search {
+   public:
+    /// The primitive that has to be tested next, if the results until now lead to one.
+    [[nodiscard]] std::optional<std::uint32_t> question() const;
+    void answer(Known known);
+    /// The kept tree; null if there is none.
+    [[nodiscard]] const ActiveTree* tree() const;
+    /// Visits of nodes that take the host as long as this search.
+    [[nodiscard]] std::uint64_t visits() const;
+
+    /// The result of a test in a walk of the tree: the answer, or for new tests that of `test`.
+    template <class Test>
+    Known in_walk(std::uint32_t primitive, const Test& test) {
+      if (walked_ < answers_.size()) return answers_[walked_++];
+      const Known known = test();
+      add(primitive, known);
+      return known;
+    }
+
+    /// Counts a found tree.
+    void count_found(std::uint64_t visits);
+    /// Keeps the tree of a walk that took that number of visits.
+    void keep(const ActiveTree& tree, std::uint64_t visits);
+
+   private:
+    friend class KeptResults;
+    Search(KeptResults& kept, std::uint32_t* root, std::size_t key_length);
+    void add(std::uint32_t primitive, Known known);
+    void link(std::uint32_t step);
+
+    KeptResults& kept_;
+    std::uint32_t* root_;  ///< number of the key's first step; null if it cannot be kept
+    std::size_t key_length_;
+    std::uint32_t at_ = model::no_index;    ///< the current step
+    std::uint32_t last_ = model::no_index;  ///< the step before
+    std::vector<Known> answers_;
+    std::size_t walked_ = 0;
+  };
+
+  [[nodiscard]] Search search(std::span<const std::uint32_t> set, std::span<const std::uint32_t> meeting);
+
+  /// The half-space that excluded the primitive from the surface of a set the last time; null if it cannot be kept.
+  [[nodiscard]] Excluder* excluder(std::uint32_t set, std::uint32_t primitive);
+  void count_certificate() { ++reused_.certificates; }
+
+ private:
+  /// A test of a primitive, or the tree to which tests have led.
+  struct Step {
+    std::uint32_t primitive = model::no_index;
+    std::uint32_t tree = model::no_index;
+    std::array<std::uint32_t, 3> next{model::no_index, model::no_index, model::no_index};  ///< by the test's result
+  };
+  struct KeptTree {
+    ActiveTree tree;
+    std::uint64_t visits = 0;  ///< of the walk that made it
+  };
+  struct Hash {
+    std::size_t operator()(const std::vector<std::uint32_t>& key) const;
+  };
+
+  /// Takes that part of the limited memory. Returns false if it is used up.
+  [[nodiscard]] bool reserve(std::size_t numbers);
+
+  const model::Tree* tree_ = nullptr;
+  Pruning pruning_;
+  std::unordered_map<std::vector<std::uint32_t>, std::uint32_t, Hash> roots_;
+  std::vector<Step> steps_;
+  std::vector<KeptTree> trees_;
+  std::unordered_map<std::uint64_t, Excluder> excluders_;
+  std::size_t used_ = 0;
+  const facet::Geometry* geometry_ = nullptr;
+  std::vector<std::shared_ptr<PairTable>> pairs_;  ///< by the order of the drawings
+  std::size_t drawings_ = 0;                       ///< of the Program, until now
+  Reused reused_;
+};
+
+}  // namespace csgsim::csg
