@@ -38,7 +38,7 @@ TEST_CASE("a row takes its extremes from the row above with the same columns") {
   CHECK(row.add(plane, {0, 5, 9, 6}) == csg::Finding::by_test);
 }
 
-TEST_CASE("Counted counts a test, two values for a row that follows, and a box for a known test") {
+TEST_CASE("Counted counts a test, two values for a row, and a box for a known test") {
   csg::Tested above;
   above.add(plane, {2, 5, 9, 5});
   above.seal();
