@@ -188,10 +188,9 @@ TEST_CASE("rejects a file without the price of an operation") {
 }
 
 TEST_CASE("finds processors by name or file and lists edited figures in the name") {
-  CHECK_THROWS_WITH(
-      load_processor("mc6800"),
-      "there is no processor 'mc6800'; did you mean mc68000? The processors are mc68000, mc68020-weitek, "
-      "vax-780, i486dx2, i860, or a file, whose name ends in .toml");
+  CHECK_THROWS_WITH(load_processor("mc6800"),
+                    "there is no processor 'mc6800'; did you mean mc68000? The processors are mc68000, mc68020-weitek, "
+                    "vax-780, i486dx2, i860, or a file, whose name ends in .toml");
   CHECK_THROWS_AS(load_processor("mc68000+price.load=-1"), machines::ChangeError);
   CHECK_THROWS_AS(load_processor("mc68000+price.lode=1"), machines::ChangeError);
   CHECK_THROWS_AS(load_processor("no such file.toml"), InputError);
