@@ -313,8 +313,9 @@ isa::Program compile_within(const model::Tree& tree, const facet::Geometry& geom
   if (division) refuse_effects(called, machine);
   if (kept != nullptr) kept->begin_frame();
   const auto drawing =
-      make_drawing(borrowed(tree), borrowed(geometry), std::move(view), 0, {machine, options, called, kept});
-  if (geometry.halfspaces() >= many_halfspaces) release_free_memory();  // frees the memory of temporary solids
+      make_drawing(borrowed(tree), borrowed(geometry), std::move(view), 0,
+                   {machine, options, called, division ? nullptr : kept});  // a divider prunes without its host
+  if (geometry.halfspaces() >= many_halfspaces) release_free_memory();      // frees the memory of temporary solids
   const Input input{tree, geometry, *drawing, machine, division, called};
   const std::vector<Options> all = candidates(options, drawing->plan);
   if (all.size() == 1) return compile_for_machine(input, all.front());
