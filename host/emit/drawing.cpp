@@ -85,9 +85,11 @@ void plan_and_prepare(Drawing& drawing, const Workshop& workshop) {
   const auto pairs = drawing.sampled_from != nullptr ? drawing.sampled_from->plan.pairs
                      : workshop.kept != nullptr      ? workshop.kept->pairs_for(*drawing.geometry)
                                                      : std::make_shared<csg::PairTable>(*drawing.geometry);
-  drawing.plan = make_plan(*drawing.tree, *drawing.geometry, drawing.view, machines::regions(workshop.machine),
-                           {pruning, options.prices, pairs, workshop.kept}, opacities(drawing.look, workshop.called),
-                           options.work);
+  // A divider prunes without its host.
+  csg::KeptResults* const kept = machines::division(workshop.machine) ? nullptr : workshop.kept;
+  drawing.plan =
+      make_plan(*drawing.tree, *drawing.geometry, drawing.view, machines::regions(workshop.machine),
+                {pruning, options.prices, pairs, kept}, opacities(drawing.look, workshop.called), options.work);
   if (drawing.reflection) drop_unseen(drawing);
   for (const EffectRequest& one : workshop.called)
     drawing.states.push_back(one.effect->prepared_for(drawing, workshop));
