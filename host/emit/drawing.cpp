@@ -82,9 +82,11 @@ void plan_and_prepare(Drawing& drawing, const Workshop& workshop, std::shared_pt
     pruning.hidden = false;
   }
   if (pairs == nullptr && workshop.kept != nullptr) pairs = workshop.kept->pairs_for(*drawing.geometry);
+  // A divider prunes without its host.
+  csg::KeptResults* const kept = machines::division(workshop.machine) ? nullptr : workshop.kept;
   drawing.plan = make_plan(*drawing.tree, *drawing.geometry, drawing.view, machines::regions(workshop.machine),
-                           {pruning, options.prices, std::move(pairs), workshop.kept},
-                           opacities(drawing.look, workshop.called), options.work);
+                           {pruning, options.prices, std::move(pairs), kept}, opacities(drawing.look, workshop.called),
+                           options.work);
   if (drawing.reflection) drop_unseen(drawing);
   for (const EffectRequest& one : workshop.called)
     drawing.states.push_back(one.effect->prepared_for(drawing, workshop));

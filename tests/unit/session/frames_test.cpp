@@ -133,7 +133,7 @@ TEST_CASE("each frame has the instructions of a Program from nothing with any st
 }
 
 TEST_CASE("a repeated frame finds all active trees and counts less host work") {
-  const session::ModelRequest request = request_of("rietveld_house", "scan-line", "64x64");
+  const session::ModelRequest request = request_of("thesis_fig_2_3", "scan-line", "64x64");
   const machines::Machine machine = session::machine_of(request);
   session::FrameCompiler compiler(request, machine);
   const view::Camera camera = compiler.model().camera;
