@@ -50,7 +50,7 @@ Body open_cube(const std::set<std::uint32_t>& missing, const software::WholePlan
   }
   solid.faces = faces;
   convert::ExactFaces exact(planes, glm::dvec3(0), 1e-9, work);
-  exact.find(solid, face_of, body);
+  exact.complete(solid, face_of, body);
   return body;
 }
 
