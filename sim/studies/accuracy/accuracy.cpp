@@ -82,7 +82,10 @@ class Accuracy : public StudyOf<Measurement> {
     command.remove("--memory-bits");  // the required number is a result
     command.option("--views", options_.views, "Number of views per point: the camera rotated about the vertical axis")
         .between(1, 64);
-    command.option("--knobs", options_.knobs, "Knobs to vary; default: all").list_of(knob_names(), "knob");
+    command
+        .option("--knobs", options_.knobs,
+                "Settings to vary; together varies z-bits and fraction-bits at the same time; default: all")
+        .list_of(knob_names(), "knob");
     command
         .option("--tolerances", options_.tolerances,
                 "Faceting tolerances in model units, separated by commas; default: fractions of the model's "

@@ -214,9 +214,10 @@ class Compare : public StudyOf<ComparisonRow> {
     command.option("--machines", options_.machines, "Machines to compare, as names or .toml files separated by commas")
         .check(session::is_read_by(session::check_machines));
     command
-        .option("--fragments", options_.fragments,
-                "Numbers: values of $fn for all curved solids, to vary half-spaces at the machine's own size or that "
-                "of --size; none for the model's own only")
+        .option(
+            "--fragments", options_.fragments,
+            "Numbers: values of $fn for all curved solids; they vary the number of half-spaces at one picture size; "
+            "none for the model's own only")
         .check(session::is_read_by(fragments_of));
     command.option("--sides", options_.sides, "Numbers: sides of square pictures in pixels; none for one size only")
         .check(session::is_read_by(sides_of));

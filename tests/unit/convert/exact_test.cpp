@@ -119,7 +119,7 @@ TEST_CASE("an unbounded body extends to the outermost wall") {
   flat.box = {};
   const Work unlimited;
   convert::ExactFaces(planes, glm::dvec3(0), 1e-9, unlimited)
-      .find({.vertices = flat.vertices, .faces = {}, .edges = {}, .curved = {}}, {}, flat);
+      .complete({.vertices = flat.vertices, .faces = {}, .edges = {}, .curved = {}}, {}, flat);
   CHECK(flat.sides.empty());
   CHECK(flat.box.empty());
 }
