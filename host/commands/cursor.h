@@ -38,7 +38,8 @@ class Cursor {
     if (!(item.number > 0)) fail(item.offset, fmt::format("{} must be above 0", what));
     return item.number;
   }
-  void sign(std::string_view text, std::string_view where) {
+  /// Consumes the bracket or other symbol `text`; fails with "expected `text` `where`" if the next item is another.
+  void symbol(std::string_view text, std::string_view where) {
     if (!take_if(text)) fail_here(fmt::format("expected `{}` {}", text, where));
   }
   /// Consumes all numbers before the next item of another kind.

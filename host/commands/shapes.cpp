@@ -46,9 +46,9 @@ constexpr std::array solid_rows{SolidRow{"block", read_block}, SolidRow{"cylinde
 /// One to three numbers in parentheses.
 glm::dvec3 read_point(Cursor& line, std::size_t& numbers) {
   const std::uint32_t offset = line.offset();
-  line.sign("(", "before the numbers of a point");
+  line.symbol("(", "before the numbers of a point");
   const std::vector<double> point = line.numbers();
-  line.sign(")", "after the numbers of a point");
+  line.symbol(")", "after the numbers of a point");
   if (point.empty() || point.size() > 3)
     line.fail(offset, fmt::format("a point must have 1 to 3 numbers, not {}", point.size()));
   if (numbers != 0 && point.size() != numbers)

@@ -28,17 +28,17 @@ struct TexelCoordinate {
   double most = 0;
 };
 
-/// Both coordinates. u and v are the two model axes most nearly parallel to the facet, in the order x, y, z: the axis
-/// of the normal's greatest component is left out, the first if there are several.
+/// Both coordinates of a facet's texels.
 struct TexelCoordinates {
   TexelCoordinate u;
   TexelCoordinate v;
 };
 
+/// u and v are the two model axes most nearly parallel to the facet, in the order x, y, z: the axis of the normal's
+/// greatest component is omitted, the first of these if several are equal.
 TexelCoordinates texel_coordinates(const emit::Context& context, const emit::Facet& facet, const TexelGrid& grid);
 
-/// Both coordinates of a facet. u and v are the two model axes most nearly parallel to the facet, in the order x, y, z:
-/// the axis of the normal's greatest component is left out (the first of these, if several are equal).
+/// Bound of the displacement of a texel's boundary by rounding, in pixels.
 inline constexpr double boundary_error = 1.0 / 32;
 
 /// A line at which a coordinate passes an integer: the coordinate is at least that integer where Ax + By + C >= 0.

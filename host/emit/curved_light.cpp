@@ -109,8 +109,8 @@ class Painter {
   struct Light {
     ScaledCosine cosine;
     glm::dvec3 brightness;  ///< of the light's colour on the surface
-    double greatest;        ///< greatest cosine
-    double most;            ///< upper bound of the cosine in pixel memory
+    double greatest;        ///< maximum of the fitted cosine on the facet
+    double most;            ///< upper bound of the cosine that pixels compute, with the error of fit and rounding
   };
 
   /// Adds a light. `begun` is the value to start from, if the field does not hold it yet.
@@ -161,7 +161,7 @@ class Painter {
     std::optional<std::uint32_t> begun;  ///< value to start from, if the field does not hold it yet
     double brightness;
     double brightest;  ///< upper bound after the addition, 1 is full scale
-    double greatest;   ///< greatest cosine
+    double greatest;   ///< maximum of the fitted cosine on the facet
   };
 
   static double full_scale(Field channel) { return std::ldexp(1.0, channel.width) - 1; }

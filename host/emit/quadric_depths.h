@@ -33,7 +33,8 @@ struct RelevantParts {
 
 RelevantParts relevant_parts(const Context& context, const QuadricBound& bound, const csg::Block& block);
 
-/// Whether the visible depth of the bound, nearer or farther, may be 0 or less at some of the pixels.
+/// Whether the depth of the bound's visible side, which may be the nearer or the farther one, may be 0 or less at some
+/// of the pixels.
 bool may_reach_near(const Context& context, const QuadricBound& bound, const view::PixelRect& pixels);
 
 /// Bits for the quadrics of the model, and for light on them in colours of `colour_bits` bits.

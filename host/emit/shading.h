@@ -18,8 +18,9 @@ bool light_matters(const Context& context, const Facet& facet, const view::Pixel
 void emit_colour(const Context& context, Broadcast& out, const Facet& facet, isa::Field field,
                  const view::PixelRect& pixels);
 
-/// Colours the facets of a surface where E is 1 at the pixels that show it. Each facet is found by comparing its depth
-/// with `depth`, the field that holds the surface's depth; where facets meet, the first counts. Changes `mask`.
+/// Colours the facets of a surface at the pixels where E is 1, which must be those that show it. Each facet is found by
+/// comparing its depth with `depth`, the field that holds the surface's depth; where facets meet, the first counts.
+/// Changes `mask`.
 void emit_facet_colours(const Context& context, Broadcast& out, const PlannedSurface& planned, const Surface& surface,
                         isa::Field depth, const Shadows& shadows);
 

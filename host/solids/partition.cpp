@@ -93,7 +93,7 @@ class Half {
 
  private:
   const std::vector<glm::dvec3>& points_;  ///< points of both sides of the cut
-  std::vector<std::uint32_t> places_;      ///< index of each point in the soup, or `none`
+  std::vector<std::uint32_t> places_;      ///< for each of `points_`: its index in the soup, or `none`
 };
 
 /// Divides a soup into the parts behind and in front of a plane.

@@ -174,7 +174,9 @@ std::vector<model::Polyhedron> exact_pieces(const Mesh& mesh, const facet::Box& 
   limits.checks_coverage = false;
   Division division(mesh, box, limits);
   std::vector<model::Polyhedron> pieces = division();
-  if (!division.keeps_volume()) throw WindingError("the faces cross along their edges; make a union of their parts");
+  if (!division.keeps_volume())
+    throw WindingError(
+        "the faces of the solid cross each other along edges; write it as a union of solids whose faces do not");
   return pieces;
 }
 

@@ -14,9 +14,9 @@
 
 namespace csgsim::swept {
 
-/// Algorithm 3.1 for any surface, with a stack in place of recursion. A `Part` is a square of the surface. `Shape`
-/// provides corners(part), is_flat(part, corners, accuracy, counts), and parts(part, counts), which returns the four
-/// parts of a part in the order of the corners.
+/// Algorithm 3.1 of the thesis for any surface, with a stack in place of recursion. A `Part` is a square of the
+/// surface. `Shape` provides corners(part), is_flat(part, corners, accuracy, counts), and parts(part, counts), which
+/// returns the four parts of a part in the order of the corners.
 template <class Shape>
 class Subdivision : public Stream {
  public:

@@ -13,8 +13,8 @@ double value(const FixedLinear& linear, const glm::dvec2& at) {
   return static_cast<double>(linear.a) * at.x + static_cast<double>(linear.b) * at.y + static_cast<double>(linear.c);
 }
 
-/// Bound of the error of a function evaluated in doubles at corners with errors of the same size: a few units in the
-/// last place of its largest term.
+/// Bound of the error of a function evaluated in doubles at corners that are rounded themselves: 2^-44 of its largest
+/// term, a few hundred times the rounding error of that term.
 double error_bound(const FixedLinear& linear, double reach) {
   const double largest = (std::abs(static_cast<double>(linear.a)) + std::abs(static_cast<double>(linear.b))) * reach +
                          std::abs(static_cast<double>(linear.c));

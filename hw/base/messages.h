@@ -1,5 +1,5 @@
 // Writes messages to standard error.
-// Used by host/read and the rooms of sim.
+// Used by host/read and the folders of sim.
 #pragma once
 
 #include <string>

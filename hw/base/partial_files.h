@@ -9,8 +9,8 @@
 
 namespace csgsim {
 
-/// A file name with the given ending that is unique in this process, on this machine, and on other machines that share
-/// the folder.
+/// A file name with the given ending that is unique in this process, on this computer, and on other computers that
+/// share the folder.
 std::filesystem::path unused_name(std::string_view ending = {});
 
 /// Registers a file for deletion if a signal ends the process during the object's lifetime.

@@ -27,8 +27,8 @@ Candidates all_of(const DisplayModel& model);
 /// First level (thesis 7.4.2): the part of the whole model that can matter in any square of a group. Compares the
 /// rectangle of every primitive with the group's, and tests the half-spaces of each overlapping primitive at the
 /// corners of the overlap. Drops primitives that are disjoint from the group or have a half-space that contains nothing
-/// of the overlap at any depth. Drops half-spaces that contain the whole overlap at every depth, and those that a
-/// leader of their side is beyond.
+/// of the overlap at any depth. Drops half-spaces that contain the whole overlap at every depth, and those that cannot
+/// be the extreme of their side, because a leader (cells.h) exceeds them everywhere.
 ///
 /// Squares of the group get the same instructions as from the whole model.
 Candidates survivors(Datapath& path, const Candidates& all, const Rectangle& group);

@@ -1,4 +1,4 @@
-// Converts between depth integers and distances. Used by host/view, host/emit, sim/judges and other rooms that
+// Converts between depth integers and distances. Used by host/view, host/emit, sim/judges and other folders that
 // interpret depth integers.
 #pragma once
 

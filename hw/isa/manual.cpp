@@ -29,7 +29,7 @@ constexpr std::string_view introduction = R"(# The instruction set
 
 This page is generated from the tables in `hw/isa/` that the machines and the host use.
 
-A **Program** is everything that crosses from the host to a machine. It is a list of **segments**, each a rectangle of
+A **Program** holds everything that a host sends to a machine. It is a list of **segments**, each a rectangle of
 the picture and the instructions broadcast to its pixels: the whole screen on Pixel-planes, a line on the scan-line
 array, a square on the pixel-square renderer. Every pixel of the segment receives the same instructions; its enable bit
 decides whether it takes part. The only jump goes forward, over instructions for which no pixel is enabled:
@@ -48,8 +48,8 @@ Pixel x counts from the segment's left and y from its top, both from 0.
 
 ## Linear expressions
 
-The evaluator gives every pixel its own A\*x + B\*y + C, one bit per clock, least significant bit first, for integers A,
-B and C. An instruction adds two numbers:
+The evaluator gives every pixel its own A\*x + B\*y + C, least significant bit first, for integers A, B and C;
+Pixel-planes streams one bit per clock. An instruction adds two numbers:
 
 - **width**: the number of bits streamed, as a two's complement number. The host chooses no more bits than the range
   over the segment needs; if the sum needs more, its high bits are lost, and a run counts an overflow. Only `stripe`

@@ -206,7 +206,7 @@ std::uint32_t Reading::piece(std::string_view label) const {
   const bool is_one = point == std::string_view::npos;
   const std::uint32_t number = is_one ? 0 : index(label.substr(point + 1));
   if (primitive >= facts.primitives.size() || number >= range.count)
-    refuse("the origin's p{} is not a piece that the Program lists; name one that is", label);
+    refuse("the Program lists no piece p{}, which this origin names; name a listed one", label);
   if (is_one && range.count > 1)
     refuse("p{0} has {1} pieces; name one of p{0}.0 to p{0}.{2}", primitive, range.count, range.count - 1);
   return range.first + number;
@@ -292,7 +292,7 @@ void Reading::set_purpose(std::string_view name) {
 
 void Reading::set_effect(std::string_view number) {
   const std::uint32_t named = index(number);
-  if (named >= no_effect) refuse("the Program has no effect e{}; it has fewer than {}", named, no_effect);
+  if (named >= no_effect) refuse("effect e{} is out of range; effects are e0 to e{}", named, no_effect - 1);
   instruction.origin.effect = static_cast<std::uint8_t>(named);
 }
 

@@ -1,5 +1,5 @@
 // Interface of all kinds of machines.
-// Used by the rooms of the kinds, hw/host, and the rooms of sim.
+// Used by the folders of the kinds, hw/host, and folders of sim.
 #pragma once
 
 #include <cstddef>

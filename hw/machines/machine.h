@@ -1,5 +1,5 @@
 // A machine with its parameters.
-// Used by all kinds of machines and most rooms of sim.
+// Used by all kinds of machines and most folders of sim.
 #pragma once
 
 #include <any>

@@ -58,7 +58,7 @@ constexpr auto schema = std::to_array<FigureSchema>({
         "display.compiler_factor", "thousandths", 100, 100'000,
         "clocks of a compiled program per thousand clocks of a hand-written one")),
     own_figure<Figures, &Figures::display_memory_words>("display.memory_words", "words", 1, max_memory_words,
-                                                        "memory for the model and the survivors of a segment"),
+                                                        "memory for the model and what remains of it in a segment"),
     or_priced(own_figure<Figures, &Figures::transform_clocks>(
         "display.transform_clocks", "clocks", 0, max_parameter_clocks, "clocks to transform a plane of the model")),
     or_priced(part_clocks<&Figures::display_tests, &TestClocks::primitive>(

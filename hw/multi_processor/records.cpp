@@ -164,7 +164,7 @@ HalfspaceId decode_request(const DisplayModel& model, const division::Candidates
   name.primitive = static_cast<std::uint32_t>(in.take(format.index));
   name.number = static_cast<std::uint32_t>(in.take(format.halfspaces));
   require(name.primitive < survivors.halfspaces.size() && name.number < survivors.halfspaces[name.primitive].size(),
-          "request for a half-space that is not among the survivors");
+          "request for a half-space that does not remain in the segment");
   return name;
 }
 

@@ -30,14 +30,14 @@ void check_display_memory(const DisplayMemory& memory, const Machine& machine) {
                   memory.model_words, machine.name, available));
 }
 
-/// The survivors of a segment must fit the memory of all nodes or of the display processor.
+/// What remains of the model in a segment must fit the memory of all nodes or of the display processor.
 void check_segment_memory(Subsegments parts, const ModelSizes& sizes, const DisplayMemory& memory,
                           const Machine& machine) {
   const bool is_far = list_room(parts, sizes, machine).is_far;
   if (!is_far || memory.holds(division_of(parts), sizes, machines::own<Figures>(machine))) return;
   throw InputError(fmt::format(
-      "the survivors of the segment at {},{} fit neither the memory of the nodes of {} nor that of its display "
-      "processor; increase node.memory_words, display.memory_words or subdivision.levels in the machine file",
+      "what remains of the model in the segment at {},{} fits neither the memory of the nodes of {} nor that of its "
+      "display processor; increase node.memory_words, display.memory_words or subdivision.levels in the machine file",
       parts.front().region.x, parts.front().region.y, machine.name));
 }
 

@@ -111,7 +111,7 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
     own_figure<Figures, &Figures::group_side>("divider.group", "squares", 1, 1024,
                                               "squares of a group, horizontally and vertically"),
     own_figure<Figures, &Figures::list_entries>("divider.list", "entries", 0, 1'000'000'000,
-                                                "capacity of the list of a group's survivors"),
+                                                "capacity of the list of what remains for a group"),
     own_figure<Figures, &Figures::model_bits>(
         "divider.memory", "bits", 1, 4'000'000'000,
         "memory for the model; if the model does not fit, its planes stay on the host"),

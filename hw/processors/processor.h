@@ -1,5 +1,5 @@
 // Processors with clocks per operation.
-// Used by hw/host, hw/multi_processor, sim/software and other rooms of sim.
+// Used by hw/host, hw/multi_processor, sim/software and other folders of sim.
 #pragma once
 
 #include <array>

@@ -23,8 +23,8 @@ struct Worked {
 
 /// The pixel memory of a tile. In each block, a bit is stored in a plane or, while its field is used as a number, in
 /// lanes; the form changes when an instruction needs the other one, and only in the blocks on which it works. Compiled
-/// Programs mostly use a field in one way, so that this is rare; fields that are written as a whole and in parts, such
-/// as colours and their channels, stay in parts.
+/// Programs mostly use a field in one way, so that this is rare; a field that is also written part by part, as a
+/// colour is by channel, is kept in the lanes of its parts.
 class Memory {
  public:
   static constexpr std::uint64_t all_blocks = ~std::uint64_t{0};

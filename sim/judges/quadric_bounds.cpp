@@ -129,9 +129,9 @@ QuadricMet QuadricBounds::met(std::uint32_t index, Place place) const {
   met.is_edge = bound.nature == Nature::edge;
   if (met.is_edge) met.is_met = edge_holds(index, place);
   if (bound.nature != Nature::roots) return met;
-  met = with_unit(index, place, 0);
+  met = met_in_units(index, place, 0);
   for (int unit = 1; unit <= bound.max_unit; ++unit) {
-    const QuadricMet other = with_unit(index, place, unit);
+    const QuadricMet other = met_in_units(index, place, unit);
     met.is_met = most(met.is_met, other.is_met);
     met.nearer = hull(met.nearer, other.nearer);
     met.farther = hull(met.farther, other.farther);
@@ -139,7 +139,7 @@ QuadricMet QuadricBounds::met(std::uint32_t index, Place place) const {
   return met;
 }
 
-QuadricMet QuadricBounds::with_unit(std::uint32_t index, Place place, int unit) const {
+QuadricMet QuadricBounds::met_in_units(std::uint32_t index, Place place, int unit) const {
   const SightQuadric& quadric = sight_.quadrics().quadric(index);
   const Bound& bound = bounds_[index];
   const Steps middle = line_.steps(quadric.middle, quadric.condition, 1.0 + bound.across + bound.down, place);

@@ -84,7 +84,8 @@ class QuadricBounds {
   [[nodiscard]] double drift(std::uint32_t quadric) const;
   [[nodiscard]] int max_unit(std::uint32_t quadric, double greatest_square) const;
   [[nodiscard]] FilterQuadratic section(std::uint32_t quadric) const;
-  [[nodiscard]] QuadricMet with_unit(std::uint32_t quadric, Place place, int unit) const;
+  /// The allowed results if depths are in units of 2^unit steps.
+  [[nodiscard]] QuadricMet met_in_units(std::uint32_t quadric, Place place, int unit) const;
   [[nodiscard]] Maybe edge_holds(std::uint32_t quadric, Place place) const;
 
   const facet::QuadricTable& table_;

@@ -92,7 +92,7 @@ std::string failure_reason(const system::ChildEnd& end) {
                          : fmt::format("gnuplot exited with status {}", WEXITSTATUS(end.status));
 }
 
-/// Replaces characters that no font of this machine has.
+/// Replaces characters that no font on this computer has.
 Drawing with_letters(Drawing drawing) {
   for (Text& text : drawing.texts) text.text = replace_missing_glyphs(text.text);
   return drawing;

@@ -28,7 +28,7 @@ struct Cell {
   Show show = Show::plain;
 };
 
-/// The value at a pointer of the data; an empty cell if there is none.
+/// A cell with the value of `data` at the JSON pointer `at`; an empty cell if there is none.
 Cell cell(const Json& data, const std::string& at, Show show = Show::plain);
 
 /// The JSON pointer of a member of the value at another pointer.

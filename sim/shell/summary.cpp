@@ -96,7 +96,7 @@ void print_advice(const observe::Report& report, const Advice& advice, bool is_v
 
 void print_purposes(const observe::Report& report) {
   const std::uint64_t whole = report.stats.total.clocks + report.result.latency_clocks;
-  fmt::print("\n{:<18}{:>14}{:>9}{:>15}{:>12}\n", "purpose", "clocks", "share", "instructions", "utilisation");
+  fmt::print("\n{:<18}{:>14}{:>9}{:>15}{:>12}\n", "purpose", "clocks", "share", "instructions", "utilization");
   for (std::size_t i = 0; i < isa::purpose_table.size(); ++i) {
     const observe::Cost& cost = report.stats.by_purpose[i];
     if (cost.instructions == 0) continue;
@@ -247,7 +247,7 @@ void print_details(const observe::Report& report, const observe::Frame& picture,
   print_line("scan-conversions",
              fmt::format("{} rendered into Z1, {} classified against Z1, {}", grouped(compile.rendered),
                          grouped(compile.classified), counted(compile.depth_tests, "depth test")));
-  print_line("pixel operations", fmt::format("{} pixel clocks, {} at enabled pixels: utilisation {:.2f} %",
+  print_line("pixel operations", fmt::format("{} pixel clocks, {} at enabled pixels: utilization {:.2f} %",
                                              quantity(static_cast<double>(total.pixel_operations), ""),
                                              quantity(static_cast<double>(total.enabled), ""),
                                              percent(total.enabled, total.pixel_operations)));

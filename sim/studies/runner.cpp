@@ -216,7 +216,7 @@ void add_shard(session::OptionList& command, std::optional<Shard>& shard) {
           throw session::UsageError("--shard", error.what());
         }
       },
-      "Measure only share k of n of the points, such as 3/16, into FOLDER/shards; csgsim gather joins the shares");
+      "Measure only shard k of n of the points, such as 3/16, into FOLDER/shards; csgsim gather joins the shards");
 }
 
 void add_folder(const StudyRow& row, Folder kept, session::OptionList& command, std::string& folder) {

@@ -41,7 +41,7 @@ Shard parse_shard(std::string_view text) {
     throw InputError(
         fmt::format("'{}' is not a shard; use k/n, such as 3/16 for the third of sixteen", printable(text)));
   if (*count < 1 || *count > max_shards)
-    throw InputError(fmt::format("the number of shards, {}, is not in 1 to {}", *count, max_shards));
+    throw InputError(fmt::format("the number of shards must be from 1 to {}, not {}", max_shards, *count));
   if (*number < 1 || *number > *count)
     throw InputError(fmt::format("shard {} of {} does not exist; choose one of 1/{} to {}/{}", *number, *count, *count,
                                  *count, *count));

@@ -47,7 +47,7 @@ ShardHeader header_from(std::string_view title) {
   header.shard = parse_shard(to_text(header.shard));
   from_cell(cells[3], header.points);
   if (header.points < 1 || header.points > max_points)
-    throw InputError(fmt::format("the number of points, {}, is not in 1 to {}", header.points, max_points));
+    throw InputError(fmt::format("the number of points must be from 1 to {}, not {}", max_points, header.points));
   header.inputs = {cells[4], cells[5], cells[6]};
   header.words.assign(cells.begin() + cells_before_words, cells.end());
   return header;
@@ -109,7 +109,7 @@ ShardFile read_shard_file(const fs::path& path) {
         file.lines.push_back(line_from(line, file.header.points));
       }
     }
-    if (number < 2) throw InputError("this is not a shard of a study");
+    if (number < 2) throw InputError("the file ends before the columns of its shard");
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}:{}:1: {}; delete the file and run its shard again", path.native(),
                                  std::max<std::size_t>(number, 1), error.what()));

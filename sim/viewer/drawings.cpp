@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t max_kept = 2;  ///< enough to compare two
 
 std::optional<std::string> source_in(const Json& wish) {
-  const Json& text = member_in(wish, "source", Json::value_t::string, "a text");
+  const Json& text = member_in(wish, "source", Json::value_t::string, "a string");
   return text.is_null() ? std::nullopt : std::optional(text.get<std::string>());
 }
 
@@ -39,7 +39,7 @@ void add_words(std::vector<std::string>& words, const std::string& name, const J
     if (value.get<bool>()) words.push_back("--" + name);
     return;
   }
-  if (!value.is_string()) throw WishError(name + " must be a text");
+  if (!value.is_string()) throw WishError(name + " must be a string");
   for (std::string& word : session::option_words(name, value.get<std::string>())) words.push_back(std::move(word));
 }
 
@@ -69,7 +69,7 @@ std::vector<std::string> Drawings::words_of(const Json& wish) const {
       add_words(words, name, value);
       continue;
     }
-    if (!value.is_array()) throw WishError("set must be an array of texts");
+    if (!value.is_array()) throw WishError("set must be an array of strings");
     for (const Json& one : value) add_words(words, name, one);
   }
   return words;

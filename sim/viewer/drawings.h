@@ -26,7 +26,7 @@ namespace csgsim::viewer {
 struct Beginning {
   std::string model;               ///< path of its file
   std::vector<std::string> words;  ///< all words except the model and the knobs
-  Json knobs;                      ///< given knobs as texts by name; `set` is an array of texts
+  Json knobs;                      ///< given knobs as texts by name; `set` is an array of strings
 };
 
 /// Results about a drawing, computed on demand.

@@ -36,7 +36,8 @@ std::string record_wave_with(const std::string& csgsim, const isa::Program& prog
   system::MemoryFile input("the Program of a wave");
   input.write(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
   std::optional<system::ChildEnd> end = system::run_child(words, input, limits);
-  if (!end) throw InputError("cannot run csgsim wave: the program file has been moved");
+  if (!end)
+    throw InputError("cannot run csgsim wave: the csgsim executable has been moved or deleted; restart csgsim view");
   if (system::has_succeeded(*end)) return std::move(end->output);
   const std::string why = system::why_failed(*end, limits);
   if (end->exceeded == system::Exceeded::nothing) throw InputError(why);

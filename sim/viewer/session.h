@@ -28,7 +28,7 @@ struct SessionOptions {
 };
 
 /// Answers the page's questions about a model. A question is sent with a wish (wish.h), an object with
-/// - `knobs`: texts by option name (knobs.h); an array of texts for `set`; true for flags;
+/// - `knobs`: texts by option name (knobs.h); an array of strings for `set`; true for flags;
 /// - `source`: the edited text of the model, instead of the text of its file;
 /// - `evaluation`: a name by which the question can be cancelled;
 /// and the members of the question. Failures are answered with status 422 and `error`, with `line` and `column` if they

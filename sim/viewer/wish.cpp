@@ -13,14 +13,14 @@ const Json& member_in(const Json& wish, const char* key, Json::value_t type, con
 }
 
 std::string text_in(const Json& wish, const char* key) {
-  const Json& text = member_in(wish, key, Json::value_t::string, "a text");
+  const Json& text = member_in(wish, key, Json::value_t::string, "a string");
   return text.is_null() ? "" : text.get<std::string>();
 }
 
 std::vector<std::string> texts_in(const Json& wish, const char* key) {
   std::vector<std::string> texts;
-  for (const Json& one : member_in(wish, key, Json::value_t::array, "an array of texts")) {
-    if (!one.is_string()) throw WishError(fmt::format("{} must be an array of texts", key));
+  for (const Json& one : member_in(wish, key, Json::value_t::array, "an array of strings")) {
+    if (!one.is_string()) throw WishError(fmt::format("{} must be an array of strings", key));
     texts.push_back(one.get<std::string>());
   }
   return texts;

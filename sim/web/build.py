@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Compiles the session of csgsim view to WebAssembly without CMake: build.py FOLDER CLIPPER builds FOLDER/csgsim.wasm.
 
-CLIPPER names clipper.cpp of Debian's source package libpolyclipping, whose binary is for this machine only. The
+CLIPPER names clipper.cpp of Debian's source package libpolyclipping, whose binary is for this computer only. The
 sources are those listed in the CMakeLists.txt of the rooms, except files that need system services a page lacks;
 wasm/ and lacking/ replace the parts that the remaining files use. ./setup.sh web installs the required packages.
 """

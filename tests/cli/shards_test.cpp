@@ -376,7 +376,7 @@ TEST_CASE("rejects an unknown shard number and suggests a valid one") {
     misused(words + "5/4", "shard 5 of 4 does not exist; choose one of 1/4 to 4/4");
     misused(words + "a/b", "'a/b' is not a shard; use k/n, such as 3/16");
     misused(words + "3", "use k/n");
-    misused(words + "1/0", "the number of shards, 0, is not in 1 to");
+    misused(words + "1/0", "the number of shards must be from 1 to");
     misused(words + "-1/4", "use k/n");
     misused(words + "1/2/3", "use k/n");
   }

@@ -277,7 +277,7 @@ TEST_CASE("rejects a shard with a non-finite number or an impossible number of p
   }
   for (const std::string points : {"0", "1000001", "18446744073709551615"}) {
     REQUIRE(shards.replace(",2,2,", ",2," + points + ",") >= 2);
-    shards.refuses(":1:1: the number of points, " + points + ", is not in 1 to 1000000");
+    shards.refuses(":1:1: the number of points must be from 1 to 1000000, not " + points);
   }
 }
 

@@ -55,7 +55,7 @@ TEST_CASE("render and run answer in at most 12 lines in a fixed order on every m
   }
 }
 
-TEST_CASE("the verdict and advice and idealisations stay within 12 lines") {
+TEST_CASE("the verdict and advice and idealizations stay within 12 lines") {
   const Outcome outcome = succeeded(
       run("render " + model("thesis_fig_2_3") +
           " --size 48x48 --check --advice --machine pixel-planes-4+link.width=ideal+memory.clear_clocks=ideal"));

@@ -83,7 +83,7 @@ def csgsim_says(csgsim, scad, limit):
     """Cells of the row. A rejected model is drawn with the option that the message suggests."""
     cells, said = drawn(csgsim, scad, limit)
     if cells:
-        return ["drawn; what is see-through by screen-door" if "screen-door" in said else "drawn", *cells]
+        return ["drawn; transparent surfaces by screen-door" if "screen-door" in said else "drawn", *cells]
     reason = "refused: " + re.sub(r"^\S*:(\d+:\d+:)? ", "", said).partition(";")[0].partition(" (")[0]
     fix = re.search(r"--set (\S+?),? ", said)
     if fix:

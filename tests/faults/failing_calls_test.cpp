@@ -66,7 +66,8 @@ Counts count_calls(const Bench& bench) {
   return counts;
 }
 
-/// All of 1 to count, or about `most` of them including the first and the last.
+/// The numbers 1 to `count` if these are at most `most`; else the first `most` / 2, and up to `most` - `most` / 2
+/// evenly spaced ones that include the last. Empty if `most` is 0.
 std::vector<std::size_t> some_of(std::size_t count, std::size_t most) {
   std::vector<std::size_t> chosen;
   if (most == 0) return chosen;

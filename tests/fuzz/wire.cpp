@@ -31,7 +31,7 @@ void check_command(const isa::Command& command, unsigned link_width, const std::
 
 }  // namespace
 
-/// Any words are commands that are re-encoded unchanged, or give one line of error.
+/// Any words either decode to commands that encode to the same words, or are rejected with one line.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::span<const std::uint8_t> rest(data, size);
   if (rest.empty()) return 0;

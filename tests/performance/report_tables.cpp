@@ -26,7 +26,8 @@ std::string speeds(const Results& results) {
   const bool beside = results.speeds.front().wall.other.has_value();
   std::string text = fmt::format(
       "## Runs\n\nRun time of the simulation alone, without process start, input and output: the first run of a "
-      "process, {} pixels.\n\n"
+      "process, {} pixels. The pictures show the whole model (`--view-all`), so clocks differ from those of other "
+      "pages.\n\n"
       "| model | machine | level | clocks | simulated ms | wall ms | simulated s / wall s |{}\n"
       "|---|---|---|--:|--:|--:|--:|{}\n",
       results.settings.size, beside ? " other ms | other ÷ this |" : "", beside ? "--:|--:|" : "");
@@ -109,9 +110,10 @@ std::string counts(const Results& results) {
   const bool beside = !results.settings.beside.empty();
   std::string text = fmt::format(
       "## Counts\n\nWork of a run at the functional level, independent of the computer. A *tile* has at most 64 × 64 "
-      "pixels; "
-      "*instructions* are those executed at all tiles; *words* are words of 64 pixels' bits, and *lanes* numbers of "
-      "pixels that were read. *Processor* is millions of processor instructions of the whole process, by callgrind.\n\n"
+      "pixels; *stretches* are sequences of instructions between which threads synchronize; *instructions* are counted "
+      "at each tile that executes them, and *linear* ones have a linear expression; *words* of 64 pixels' bits were "
+      "processed individually; *lanes* are pixels whose number was computed or moved. *Processor* is millions of "
+      "processor instructions of the whole process, by callgrind.\n\n"
       "| model | machine | tiles | stretches | instructions | linear | words | lanes | processor |{}\n"
       "|---|---|--:|--:|--:|--:|--:|--:|--:|{}\n",
       beside ? " other's | other ÷ this |" : "", beside ? "--:|--:|" : "");

@@ -124,7 +124,7 @@ const std::array rows{
     WorkRow{"plate", "compiling a plate with 857 holes of 583 facets", plate, static_cast<double>(holes) * hole_facets},
     WorkRow{"shadows", "the vehicle with shadows", shadows},
     WorkRow{"shadows-4", "the same with four samples a pixel", shadows_four},
-    WorkRow{"sweep", "sweeps of the three stand-ins", sweep},
+    WorkRow{"sweep", "sweeps of the carburettor, the vehicle and the house", sweep},
     WorkRow{"accuracy", "accuracy of the three", accuracy},
     WorkRow{"compare", "the three compared on all machines", compare},
 };

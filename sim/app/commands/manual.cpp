@@ -48,7 +48,7 @@ void print_parameters(machines::Machine machine) {
   for (machines::Figure& figure : machine.figures) figure.value = machines::used_value(figure, machine);
   print_parameters_of(machine);
   const std::vector<std::string> ideal = machines::idealisations(machine);
-  if (!ideal.empty()) fmt::print("\n  idealised, unlike any hardware: {}\n", fmt::join(ideal, ", "));
+  if (!ideal.empty()) fmt::print("\n  idealized, unlike any hardware: {}\n", fmt::join(ideal, ", "));
 }
 
 /// Lists the machines, or prints every parameter of the named ones with its source.

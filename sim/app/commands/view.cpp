@@ -112,7 +112,8 @@ void add_view(CommandLine& line) {
       .between(0U, 86'400U);
   command
       .option("--evaluation-time", options->evaluation_time,
-              "Time limit in seconds for evaluating the model's source in OpenSCAD and in csgsim")
+              "Time limit in seconds for evaluating the source before a picture, in OpenSCAD and in csgsim; "
+              "--openscad-time can only shorten OpenSCAD's part")
       .between(1U, 86'400U);
   command.runs([options, &command] { run(*options, command); });
 }

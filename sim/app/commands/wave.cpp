@@ -267,7 +267,8 @@ void add_wave(CommandLine& line) {
   command.flag("--whole", options->whole,
                "Step the whole machine from the first clock, not only the probed pixels near the window");
   command.flag("--timing", options->timing, "Print the time taken, compared with the run at the functional level");
-  command.flag("--lanes", options->lanes, "Write unit activities to an output without a name (-), as to a .json file");
+  command.flag("--lanes", options->lanes,
+               "With -o -, write unit activities as JSON, as for a .json file, instead of VCD");
   command
       .option("-o,--output", options->output,
               "The waveform: .vcd, .fst (by vcd2fst), or - for VCD without a viewer file; .json: the unit activities "

@@ -161,7 +161,7 @@ void ModelRequest::add_to(OptionList& options, const std::string& what) {
   options.option("--z-bits", z_bits, "Bits of depth").between(view::min_z_bits, view::max_z_bits);
   options
       .option("--strategy", strategy,
-              "How pixels are classified; bits uses --stack-bits, auto chooses the fewest clocks that fit the memory")
+              "How pixels are classified; bits uses --stack-bits, auto chooses the fastest that fits the memory")
       .one_of(strategy_names());
   options
       .option("--stack-bits", stack_bits,
@@ -172,7 +172,7 @@ void ModelRequest::add_to(OptionList& options, const std::string& what) {
       .option(
           "--colouring", colouring,
           "How pixels receive their colours: rebroadcast (facets again after the merge), field (a second colour field "
-          "beside Z1)")
+          "beside Z1), auto (the faster of these that fits the memory)")
       .one_of(by_name(emit::colourings));
   options
       .option("--pruning", pruning,

@@ -16,8 +16,8 @@ void ProgramRequest::add_to(OptionList& options) {
   options.option("PROGRAM", program, "The Program, .csgt or its text form").required();
   options
       .option("--machine", machine,
-              "A machine's name or .toml file, instead of the machine the Program was compiled for; it gets the "
-              "array of the Program")
+              "A machine's name or .toml file, instead of the machine the Program was compiled for; its array is "
+              "made as large as the Program's")
       .check(is_read_by(check_machine));
   add_parameter_sets(options, sets, "the machine");
   run.add_to(options);

@@ -75,7 +75,7 @@ std::string text_in(const RecordedRun& run, const Json& json) {
   } catch (const InputError&) {
     // the error below covers this case
   }
-  fail_value(run, json, "a text");
+  fail_value(run, json, "a string");
 }
 
 std::string number_in(const RecordedRun& run, const Json& value) {

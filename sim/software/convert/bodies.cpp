@@ -213,7 +213,7 @@ Bodies make_bodies(const model::Tree& tree, const facet::Faceting& faceting, con
     const facet::Solid solid = facet::make_solid_at(tree, i, faceting);
     bodies[i].edges = edges_of(solid);
     add_polygons(solid, faces_of[i], bodies[i]);
-    exact.find(solid, faces_of[i], bodies[i]);
+    exact.complete(solid, faces_of[i], bodies[i]);
   }
   csg::BoxIndex index = index_of(bodies);
   return {reference, tolerance, maker.planes(), std::move(planes), std::move(bodies), std::move(index)};

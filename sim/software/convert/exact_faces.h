@@ -21,9 +21,9 @@ class ExactFaces {
   ExactFaces(const WholePlanes& planes, const glm::dvec3& reference, double tolerance, const Work& work)
       : planes_(planes), reference_(reference), tolerance_(tolerance), work_(work), sheet_(planes) {}
 
-  /// Sets the sides, boxes and balls of a body whose faces have their half-spaces; `face_of` maps faces of the solid to
-  /// faces of the body. A body without volume gets no sides and an empty box.
-  void find(const facet::Solid& solid, std::span<const std::uint32_t> face_of, Body& body);
+  /// Sets the sides, boxes and balls of `body`; the half-spaces of its faces must already be set. `face_of` maps faces
+  /// of the solid to faces of the body. A body without volume gets no sides and an empty box.
+  void complete(const facet::Solid& solid, std::span<const std::uint32_t> face_of, Body& body);
 
  private:
   /// Data of a body's face that is derived from faces of the solid.

@@ -34,6 +34,7 @@ class FacePlanes {
   /// Starts a solid; the planes added next belong to it.
   void begin(const Footprint& solid) { solids_.push_back(solid); }
 
+  /// Adds the plane of a face of the current solid and returns the face's half-space, which refers to planes().
   /// Opposite faces of one solid share a plane only if there is nothing between them.
   facet::Halfspace add(const facet::Plane& plane);
 

@@ -71,8 +71,8 @@ class Octree final : public DirectoryOf<Octree> {
     add_half_of(node.first, 2, at, glm::uvec3{level}, parts);
   }
 
-  /// Adds the parts of the children from `first` that differ in the octant bits up to the axis, z being the highest
-  /// bit. They fill the block of the cell `at` with those depths.
+  /// Adds the parts of the 2^(axis + 1) children that start at index `first`: halves along `axis`, each divided along
+  /// the axes before it. Together they fill the block at `at` that results from depths[i] halvings along each axis i.
   void add_half_of(std::uint32_t first, int axis, const glm::uvec3& at, const glm::uvec3& depths,
                    std::vector<SpacePart>& parts) const {
     if (axis < 0) {

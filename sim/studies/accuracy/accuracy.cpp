@@ -82,7 +82,10 @@ class Accuracy : public StudyOf<Measurement> {
     command.remove("--memory-bits");  // the required number is a result
     command.option("--views", options_.views, "Number of views per point: the camera rotated about the vertical axis")
         .between(1, 64);
-    command.option("--knobs", options_.knobs, "Knobs to vary; default: all").list_of(knob_names(), "knob");
+    command
+        .option("--knobs", options_.knobs,
+                "Settings to vary; together varies z-bits and fraction-bits at the same time; default: all")
+        .list_of(knob_names(), "setting");
     command
         .option("--tolerances", options_.tolerances,
                 "Faceting tolerances in model units, separated by commas; default: fractions of the model's "
@@ -153,11 +156,11 @@ class Accuracy : public StudyOf<Measurement> {
 
 extern const StudyRow accuracy_row{
     .name = "accuracy",
-    .does = "Measure the cost of accuracy in clocks: vary every knob and count the errors",
+    .does = "Measure the cost of accuracy in clocks: vary every setting and count the errors",
     .example =
         "  csgsim accuracy carburettor.csg --camera 220,-255,135,2,0,5 -o carburettor-accuracy\n"
         "Each result is written to accuracy.csv immediately; after an interruption, the same command resumes.",
-    .plots = "plots (.png, .svg) per knob and of the front",
+    .plots = "plots (.png, .svg) per setting and of the front",
     .is_parallel = false,
     .make = [] { return std::unique_ptr<Study>(std::make_unique<Accuracy>()); }};
 

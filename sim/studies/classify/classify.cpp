@@ -74,7 +74,9 @@ class Classify : public StudyOf<ClassifyRow> {
         .words(software::row_names(software::shapes()), session::is_read_by(parse_shapes));
     command
         .option("--reduced", reduced_,
-                "Ways to prune trees in advance, separated by commas: for cells of the picture, inside a primitive")
+                "Ways to prune trees in advance, separated by commas: none; cells (to the primitives in a cell of the "
+                "picture); "
+                "inside (while a ray is inside a primitive, to those that intersect it)")
         .words(software::row_names(software::prunings()), session::is_read_by(reductions_in));
     add_processors(command, processors_);
     json_.add_to(command, "Write the surfaces that each ray intersects, in order, and the visible one");

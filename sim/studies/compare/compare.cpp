@@ -131,7 +131,7 @@ void print_row(const ComparisonRow& row, std::size_t width) {
              row.machine_transistors ? of_count(*row.machine_transistors) : "-", 100.0 * row.utilisation);
 }
 
-/// Prints the gain of each idealisation of a machine relative to the machine as described, whose row precedes them.
+/// Prints the gain of each idealization of a machine relative to the machine as described, whose row precedes them.
 void print_ideal_rows(Rows rows) {
   const std::size_t width = name_width(rows);
   fmt::print("{:<{}}{:<28}{:>13}{:>9}{:>10}{:>11}{:>9}\n", "machine", width, "ideal", "clocks", "time", "frames/s",
@@ -163,9 +163,9 @@ void print_rows(Rows rows) {
       "Transistor counts are estimates (docs/area.md) of the processors with their memory; -: not synthesised.\n");
 }
 
-/// The gain of each idealisation of a machine relative to the machine as described, whose row precedes them.
+/// The gain of each idealization of a machine relative to the machine as described, whose row precedes them.
 report::Table worth_table(const report::Json& data) {
-  report::Table table{"Gain of each idealisation", {"machine", "ideal", "clocks", "seconds", "gain"}, {}};
+  report::Table table{"Gain of each idealization", {"machine", "ideal", "clocks", "seconds", "gain"}, {}};
   double as_described = 0;
   for (std::size_t i = 0; i < data["points"].size(); ++i) {
     const report::Json& point = data["points"][i];
@@ -214,15 +214,16 @@ class Compare : public StudyOf<ComparisonRow> {
     command.option("--machines", options_.machines, "Machines to compare, as names or .toml files separated by commas")
         .check(session::is_read_by(session::check_machines));
     command
-        .option("--fragments", options_.fragments,
-                "Numbers: values of $fn for all curved solids, to vary half-spaces at the machine's own size or that "
-                "of --size; none for the model's own only")
+        .option(
+            "--fragments", options_.fragments,
+            "Numbers: values of $fn for all curved solids; they vary the number of half-spaces at one picture size; "
+            "none for the model's own only")
         .check(session::is_read_by(fragments_of));
     command.option("--sides", options_.sides, "Numbers: sides of square pictures in pixels; none for one size only")
         .check(session::is_read_by(sides_of));
     command.flag(
         "--ideal", options_.ideal,
-        "Measure the gain of idealisations: make each suitable parameter of a machine ideal, one after another and "
+        "Measure the gain of idealizations: make each suitable parameter of a machine ideal, one after another and "
         "all at once; ignores --sides and --fragments, and draws no plots");
     command
         .option("--with", options_.with,

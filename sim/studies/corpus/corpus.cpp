@@ -213,9 +213,9 @@ extern const StudyRow corpus_row{
         "  csgsim corpus parts -o parts-corpus\n"
         "  csgsim corpus a.csg b.scad parts --machines pixel-planes-4,mine.toml --size 256x256 -o out\n"
         "If a model cannot be read or a machine cannot draw it, its row holds the reason; the exit code is 1 if "
-        "no\n"
-        "machine can draw a model. Each result is written to corpus.csv immediately; after an interruption, the same\n"
-        "command resumes, and with more models or machines it measures only the new ones.",
+        "some\n"
+        "model can be drawn by no machine. Each result is written to corpus.csv immediately; after an interruption,\n"
+        "the same command resumes, and with more models or machines it measures only the new ones.",
     .plots = "plots (.png, .svg) of clocks and frames/s",
     .make = [] { return std::unique_ptr<Study>(std::make_unique<Corpus>()); }};
 

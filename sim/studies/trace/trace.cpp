@@ -106,7 +106,7 @@ class Trace : public StudyOf<TraceRow> {
         .check(session::is_read_by(parse_tolerances))
         .excludes("--tolerance");
     add_processors(command, processors_);
-    json_.add_to(command, "Write the facets, and the cells of the first directory that halves space");
+    json_.add_to(command, "Write the facets and the cells of the first space-halving directory");
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {

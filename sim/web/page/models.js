@@ -50,7 +50,7 @@ export const setUpChoice = async () => {
   own.addEventListener('change', () => { if (own.files.length) open(own.files[0]); });
   document.head.append(make('link', {rel: 'stylesheet', href: 'choice.css'}));
   byId('told').after(make('form', {id: 'choice'}, make('label', {}, 'Model', select), make('label', {}, 'Your own .csg file, or drop it on the page', own)),
-    make('p', {class: 'note'}, 'This page runs entirely in your browser; no server is involved, and your files stay here. csgsim view on your machine is faster, reads .scad, imports and text(), and shows waveforms.'));
+    make('p', {class: 'note'}, 'This page runs entirely in your browser; no server is involved, and your files stay here. csgsim view on your computer is faster, reads .scad, imports and text(), and shows waveforms.'));
   document.addEventListener('dragover', event => event.preventDefault());
   document.addEventListener('drop', event => {
     event.preventDefault();

@@ -22,7 +22,8 @@ std::map<std::string, std::string>& files() {
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& path) {
-  throw InputError(fmt::format("{}: a page in a browser cannot read files; use csgsim on your machine", path.native()));
+  throw InputError(
+      fmt::format("{}: a page in a browser cannot read files; use csgsim on your computer", path.native()));
 }
 
 }  // namespace

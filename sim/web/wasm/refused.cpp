@@ -12,14 +12,15 @@
 namespace csgsim {
 
 const void* load_module_symbol(const ModuleRole& role) {
-  throw InputError(
-      fmt::format("this page does not include the part of csgsim that {}; use csgsim view on your machine", role.does));
+  throw InputError(fmt::format(
+      "this page does not include the part of csgsim that {}; use csgsim view on your computer", role.does));
 }
 
 namespace {
 
 [[noreturn]] void refuse_format(std::string_view name) {
-  throw InputError(fmt::format("{}: this page cannot read its format; use csgsim view on your machine", name));
+  throw InputError(fmt::format(
+      "{}: this page cannot read files of this format; open the model with csgsim view on your computer", name));
 }
 
 }  // namespace
@@ -53,7 +54,7 @@ std::string evaluate_scad(const std::string& file, std::string_view /*text*/, st
 namespace viewer {
 
 std::string record_wave(const isa::Program& /*program*/, std::span<const std::string> /*options*/) {
-  throw InputError("this page cannot record waveforms; use csgsim view on your machine for lanes and waveforms");
+  throw InputError("this page cannot record waveforms or lanes; use csgsim view on your computer");
 }
 
 }  // namespace viewer

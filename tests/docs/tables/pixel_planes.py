@@ -14,9 +14,9 @@ def pace(figures, model, buffers):
 
 
 def buffers(figures):
-    rows = [("turned by, degrees", "", 0, 0, *TURNS, "all three")]
+    rows = []
     for model in THESIS_MODELS:
         for count in (1, 2):
             stats = figures.render(model, f"--memory-bits 96 --machine pixel-planes-4+scan_out.buffers={count}")
             rows.append((model if count == 1 else "", count, f"{stats.clocks:,}", f"{stats.interval_clocks:,}", *pace(figures, model, count)))
-    return ruled(("", "buffers", "clocks", "interval, clocks", "frames/s", "", "", ""), rows)
+    return ruled(("turned by", "buffers", "clocks at 0°", "interval, clocks", "frames/s at 0°", *(f"at {each}°" for each in TURNS[1:]), "of all three"), rows)

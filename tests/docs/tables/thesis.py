@@ -66,8 +66,9 @@ def tolerances(figures, machine, rows):
 
 
 def table_7_3(figures):
-    text = tolerances(figures, HOST, (
-        ("tolerance, model units", lambda p: p.tolerance, "g", False, ("", "", "", "1.62, 3.08")),
+    return tolerances(figures, HOST, (
+        ("half-spaces", lambda p: p.halfspaces, ",", True, ("1258", "2042", "3876", "1.62, 3.08")),
+        ("tolerance, model units", lambda p: p.tolerance, "g", False, None),
         ("mean in a segment", lambda p: p.segments.kept_halfspaces_mean, ".1f", True, ("74.0", "110.8", "191.4", "1.50, 2.59")),
         ("mean in a subsegment", lambda p: p.subsegments.kept_halfspaces_mean, ".1f", True, ("31.9", "39.0", "52.0", "1.22, 1.63")),
         ("renderer's clocks, squares as segments", lambda p: p.segments.instruction_clocks, ",", True, None),
@@ -76,8 +77,6 @@ def table_7_3(figures):
          ("32.6 s", "34.5 s", "42.3 s", "1.06, 1.30")),
         ("clocks of the frame, squares as subsegments", lambda p: p.subsegments.clocks, ",", True,
          ("89.7 s", "102.5 s", "139.7 s", "1.14, 1.56"))))
-    halfspaces = [each.halfspaces for each in figures.subdivide("carburettor", f"{SIZE} {HOST} {TOLERANCES}")]
-    return text.replace("| 0.0278 | |", f"| 0.0278 | {ratios(halfspaces)} |", 1)
 
 
 def shared_equally(figures, activity):

@@ -71,7 +71,7 @@ def fit(figures):
         constant, slope = fitted([one.facet_tests / one.rays for one in own], [one.seconds.mc68000.all for one in own])
         shading = own[0].seconds.mc68000.classification + own[0].seconds.mc68000.shading
         rows.append((f"{model}, without item buffer", f"{constant:.2f}", f"{slope:.2f}", f"{1e3 * shading / own[0].rays:.2f}"))
-    return ruled(("ms", "a ray", "a facet tested", "of a primary ray, classification and shading"), rows)
+    return ruled(("ms", "a ray", "a facet tested", "classification and shading of a primary ray"), rows)
 
 
 def primary(figures, model):

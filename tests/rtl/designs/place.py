@@ -48,7 +48,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("csgsim", type=existing)
     csgsim = parser.parse_args().csgsim
-    lines = ["| figures | part | pixels | logic cells | RAMs | MHz |", "|---|---|--:|--:|--:|--:|"]
+    lines = ["| machine | part | pixels | logic cells | RAMs | MHz |", "|---|---|--:|--:|--:|--:|"]
     for name, part, size in ROWS:
         cells = [name, PARTS[part], size.replace("x", " × "), *placed(csgsim, WORDS[name], part, size)]
         lines.append("| " + " | ".join(cells) + " |")

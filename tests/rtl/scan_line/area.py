@@ -37,7 +37,7 @@ def row(name, parameters):
 
 def main():
     rows = "".join(row(name, parameters) for name, parameters in ROWS.items())
-    table = "| with the figures of `scan-line` | gates | flip-flops | transistors |\n|---|--:|--:|--:|\n" + rows
+    table = "| with the parameters of `scan-line` | gates | flip-flops | transistors |\n|---|--:|--:|--:|\n" + rows
     page = PAGE.read_text()
     told = MARKED.sub(lambda match: match[1] + table + match[2], page)
     if sys.argv[1:] == ["--check"]:

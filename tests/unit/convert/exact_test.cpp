@@ -50,7 +50,7 @@ Body open_cube(const std::set<std::uint32_t>& missing, const software::WholePlan
   }
   solid.faces = faces;
   convert::ExactFaces exact(planes, glm::dvec3(0), 1e-9, work);
-  exact.find(solid, face_of, body);
+  exact.complete(solid, face_of, body);
   return body;
 }
 
@@ -119,7 +119,7 @@ TEST_CASE("an unbounded body extends to the outermost wall") {
   flat.box = {};
   const Work unlimited;
   convert::ExactFaces(planes, glm::dvec3(0), 1e-9, unlimited)
-      .find({.vertices = flat.vertices, .faces = {}, .edges = {}, .curved = {}}, {}, flat);
+      .complete({.vertices = flat.vertices, .faces = {}, .edges = {}, .curved = {}}, {}, flat);
   CHECK(flat.sides.empty());
   CHECK(flat.box.empty());
 }

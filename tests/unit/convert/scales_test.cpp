@@ -130,7 +130,7 @@ struct Boxes {
 
 constexpr double step = 0x1p-10;
 
-/// Boxes from 2^-10 to 2^39 wide that sometimes share corners, edges and faces.
+/// Boxes from 2^-10 to 2^38 wide that sometimes share corners, edges and faces.
 Boxes boxes_of_scales(Random& random) {
   Boxes made{testing::random_tree(random, 2 + static_cast<unsigned>(random.below(9))), {}};
   for (model::Primitive& primitive : made.tree.primitives) {

@@ -127,7 +127,7 @@ TEST_CASE("squares take five bytes in the binary form and survive a round trip")
   const Program program = parse(header + "squares 3*x*x - 2*x*y + 5*y*y (w35)\nload_linear [0+:34], 7*x (w35)\n", "t");
   const auto bytes = encode(program);
   CHECK(decode(bytes, "t") == program);
-  // The opcode and the origin take three bytes; 3, -2, 5 and 35 take one byte each.
+  // The opcode, with the mark of an unchanged origin, and 3, -2, 5 and 35 take one byte each.
   const Program without = parse(header + "load_linear [0+:34], 7*x (w35)\n", "t");
   CHECK(bytes.size() == encode(without).size() + 5);
 }

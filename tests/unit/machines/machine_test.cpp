@@ -151,7 +151,7 @@ TEST_CASE("multi-machine studies cover every built-in machine except the expensi
   CHECK(names == kinds::studied_names());
 }
 
-TEST_CASE("a machine's figures have the file's order with unit and provenance and source") {
+TEST_CASE("a machine's parameters have the file's order with unit and provenance and source") {
   const Machine machine = kinds::load("pixel-planes-4");
   std::string keys;
   for (const Figure& figure : machine.figures) {
@@ -269,7 +269,7 @@ TEST_CASE("the error for a missing key in a machine file names the key") {
         "my.toml:1:1: key 'array.width' is missing; add a table [array.width] with value, unit, provenance and source");
 }
 
-TEST_CASE("a figure that belongs to another kind of machine is rejected") {
+TEST_CASE("a parameter that belongs to another kind of machine is rejected") {
   const std::string text = changed("[memory.writes]", "[refresh.rate]");
   CHECK(message(text) ==
         testing::place_in(text, "refresh.rate") + ": unknown key 'refresh'; the nearest known is 'name'");
@@ -315,7 +315,7 @@ TEST_CASE("the error for a machine file that is not TOML states the place") {
   CHECK(message("name = \"x\"\nwidth = = 3\n").starts_with("my.toml:2:9: "));
 }
 
-TEST_CASE("figures changed after a machine's name appear in the name and count as assumed") {
+TEST_CASE("parameters changed after a machine's name appear in it and count as assumed") {
   const Machine plain = kinds::load("pixel-square");
   const Machine other = kinds::load("pixel-square+divider.kind=host+array.memory_bits=100");
   CHECK(other.name == "pixel-square+divider.kind=host+array.memory_bits=100");
@@ -331,7 +331,7 @@ TEST_CASE("figures changed after a machine's name appear in the name and count a
   CHECK(kinds::file_of("pixel-square+divider.kind=host").empty());
 }
 
-TEST_CASE("a change of an unknown figure or to an invalid value is rejected") {
+TEST_CASE("a change of an unknown parameter or to an invalid value is rejected") {
   CHECK_THROWS_WITH_AS(kinds::load("pixel-square+divider.kin=host"),
                        "pixel-square.toml: unknown parameter 'divider.kin'; the nearest known is 'divider.kind'",
                        csgsim::InputError);
@@ -376,7 +376,7 @@ TEST_CASE("expressions are of degree 2 only on machines documented to have them"
   }
 }
 
-TEST_CASE("a Program's machine record rebuilds the machine including changed figures") {
+TEST_CASE("a Program's machine record rebuilds the machine including changed parameters") {
   std::vector<std::string> names{"pixel-planes-4+array.memory_bits=96+alu.bits=4", "scan-line+link.latency=ideal",
                                  "pixel-square+divider.kind=host", "digital-bit-serial-ddr4+logic.expressions=trees"};
   for (const std::string_view name : kinds::built_in_names()) names.emplace_back(name);
@@ -392,7 +392,7 @@ TEST_CASE("a Program's machine record rebuilds the machine including changed fig
   }
 }
 
-TEST_CASE("a Program's recorded figures take precedence over csgsim's current ones") {
+TEST_CASE("a Program's recorded parameters take precedence over csgsim's current ones") {
   isa::MachineRecord record = machines::record_of(kinds::load("pixel-planes-4"));
   for (std::string& figure : record.figures)
     if (figure == "alu.bits=1") figure = "alu.bits=2";
@@ -404,7 +404,7 @@ TEST_CASE("a Program's recorded figures take precedence over csgsim's current on
   CHECK(kinds::load(record, {"alu.bits=4"}).alu_bits == 4);
 }
 
-TEST_CASE("an unknown machine is rebuilt from a complete set of figures only") {
+TEST_CASE("an unknown machine is rebuilt from a complete set of parameters only") {
   isa::MachineRecord record = machines::record_of(kinds::load("scan-line+clock.frequency=12000000"));
   record.name = "my lines";
   const Machine machine = kinds::load(record);

@@ -257,7 +257,7 @@ TEST_CASE("queries take one clock per level of a renderer's OR") {
   CHECK(machine.kind->clocks(enable, machine) == 1);
 }
 
-TEST_CASE("each figure of a pixel-square machine is accepted at its limits and no further") {
+TEST_CASE("each parameter of a pixel-square machine is accepted up to its limits") {
   constexpr std::int64_t million = 1'000'000;
   constexpr auto ranges = std::to_array<testing::FigureRange>({
       {"global_or.present", 0, 1},

@@ -180,7 +180,7 @@ TEST_CASE("a screen that leaves no clock or a display model that does not fit is
   CHECK(refusal(program, dividing_machine).starts_with("the divider would test for more than"));
 }
 
-TEST_CASE("planes are read over the link only if they do not fit with the model") {
+TEST_CASE("planes are read over the link only if the memory cannot hold model and planes") {
   const auto far = [](std::uint64_t bytes, std::uint64_t planes, std::uint64_t plane_bits) {
     return pixel_square::has_far_planes(bytes, planes, plane_bits, {.model_bits = 80});
   };
@@ -248,7 +248,7 @@ TEST_CASE("a group's first square includes the group's work if it has boxes or e
   CHECK(clocks({.steps = {}, .group_boxes = 5, .group_entries = 9}) == none + 5 * 7 + 9);
 }
 
-TEST_CASE("an ideal figure of a pixel-square machine has its documented meaning") {
+TEST_CASE("an ideal parameter of a pixel-square machine has its documented meaning") {
   const auto own = [](const std::string& key) {
     return machines::own<Figures>(kinds::load("pixel-square+" + key + "=ideal"));
   };

@@ -133,7 +133,7 @@ TEST_CASE("a model that exceeds the display processor even without its planes is
   figures(machine).memory_words = 34 + 32 - 1;
   CHECK_THROWS_WITH_AS(
       machines::check_runs_on(program, machine),
-      "the survivors of the segment at 0,0 fit neither the memory of the nodes of four nor that of its "
+      "what remains of the model in the segment at 0,0 fits neither the memory of the nodes of four nor that of its "
       "display processor; increase node.memory_words, display.memory_words or subdivision.levels in "
       "the machine file",
       InputError);

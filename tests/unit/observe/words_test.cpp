@@ -171,7 +171,7 @@ TEST_CASE("the part that bounds a frame is reported as its bottleneck") {
             .starts_with("node "));
 }
 
-TEST_CASE("the gain that advice states for a figure equals that of the changed machine") {
+TEST_CASE("the gain that advice states for a parameter equals that of the changed machine") {
   for (const std::string& name : all_machines) {
     CAPTURE(name);
     const Drawn drawn = draw(name, "carburettor");
@@ -244,7 +244,7 @@ TEST_CASE("frame rates without and with the host") {
   CHECK(machines::frame_rates(10'000'000, 0, 2'000'000) == machines::FrameRates{0, 5});
 }
 
-TEST_CASE("advice replaces a figure that the machine's name already changes") {
+TEST_CASE("advice replaces a parameter that the machine's name already changes") {
   const std::string name = "scan-line+link.width=4+cells.ports=2";
   const Drawn drawn = draw(name, "thesis_fig_2_3");
   const std::vector<observe::Knob> knobs = observe::parameter_knobs(drawn.program, drawn.machine, drawn.result, name);

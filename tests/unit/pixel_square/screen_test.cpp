@@ -27,8 +27,8 @@ isa::Program make_program(std::uint32_t width, std::uint32_t height, std::uint16
 }  // namespace
 
 TEST_CASE("a screen's turns are evenly spaced and read the picture row by row repeatedly") {
-  // Two rows of 12 bits in turns of 9 bits: three per picture, 30 a second, one in each 3 1/3 of 100 clocks. They start
-  // with bits 0, 9 and 18.
+  // Two rows of 12 bits, read 9 bits per turn, take three turns per picture and 30 per second: at 100 clocks per
+  // second, one every 3 1/3 clocks. They start with bits 0, 9 and 18.
   const Figures figures{.refresh_rate = 10, .refresh_bits = 9, .refresh_clocks = 2};
   Screen screen(figures, 100);
   screen.begin({4, 2}, 3);

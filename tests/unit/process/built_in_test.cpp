@@ -112,7 +112,7 @@ TEST_CASE("each built-in process yields the hand-calculated clock and silicon an
   CHECK(process::clock_of(machine, process::load_process("cmos-7nm"))->hz == 5'747'126'437);
 }
 
-TEST_CASE("each figure of a process is accepted at its limits and no further") {
+TEST_CASE("each parameter of a process is accepted up to its limits") {
   constexpr std::int64_t million = 1'000'000;
   constexpr auto ranges = std::to_array<testing::FigureRange>({
       {"gate.delay", 1, million},

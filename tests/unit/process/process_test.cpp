@@ -102,7 +102,7 @@ double path(const machines::Machine& machine, const Process& process, std::strin
 
 }  // namespace
 
-TEST_CASE("each figure of each built-in process has a source") {
+TEST_CASE("each parameter of each built-in process has a source") {
   for (const std::string_view name : process::process_names()) {
     const Process one = process::load_process(std::string(name));
     CHECK(one.name == name);
@@ -111,7 +111,7 @@ TEST_CASE("each figure of each built-in process has a source") {
   }
 }
 
-TEST_CASE("a process is loaded by name or file with changed figures") {
+TEST_CASE("a process is loaded by name or file with changed parameters") {
   CHECK(process::load_process("nmos-3um+gate.delay=5000").gate_delay == 5000);
   CHECK(process::load_process("nmos-3um+gate.delay=5000").name == "nmos-3um+gate.delay=5000");
   CHECK_THROWS_AS(process::load_process("nmos-3um+gate.delay=0"), machines::ChangeError);
@@ -147,7 +147,7 @@ TEST_CASE("the paths that limit the clock equal the hand-counted sums of their g
   // All six levels: six adders, wires of a half, a quarter and so on; registers after 32 nodes, 16 transistors less.
   CHECK(path(small_machine("+evaluator.register_levels=16"), one, "trees") ==
         doctest::Approx(100 + 10 * 18 + 300 * 31 * std::sqrt(1028e-6)));
-  // 434 transistors of 2 um2 and 64 bits of three of 1 um2: 1060 um2 per pixel; half of 64 of them.
+  // 434 transistors of 2 um2 and 64 bits of three of 1 um2: 1060 um2 per pixel. The wire spans 32 pixels.
   CHECK(path(small_machine(), one, "wire") == doctest::Approx(100 + 300 * 32 * std::sqrt(1060e-6)));
   // 64 lines per gate: three levels of four.
   CHECK(path(small_machine(), one, "global OR") == doctest::Approx(100 + 30));
@@ -341,7 +341,7 @@ TEST_CASE("pixel memory one bit beyond a decoder's capacity takes one more level
   CHECK(pixel(4096) == doctest::Approx(others + 20));
 }
 
-TEST_CASE("a process lists its figures in the order of its file with unit and value") {
+TEST_CASE("a process lists its parameters in the order of its file with unit and value") {
   const Process one = round_process();
   CHECK(one.name == "round");
   CHECK(one.description == "of round figures");

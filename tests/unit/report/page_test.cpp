@@ -101,7 +101,7 @@ TEST_CASE("a page shows the sentences and tables that other versions' stats have
   CHECK(html.find("unsaid") == std::string::npos);
 }
 
-TEST_CASE("a study's configuration lists its options and its machines' figures with sources") {
+TEST_CASE("a study's configuration lists its options and its machines' sourced parameters") {
   const Json machine{{"name", "m"},
                      {"figures", {{"clock.hz", {{"value", 5}, {"unit", "Hz"}, {"provenance", "assumed"}}}}}};
   const report::Section section = report::configuration_section(Json::object(), {"c", {{"--size", "8x8"}}, {machine}});

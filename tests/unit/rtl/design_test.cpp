@@ -42,7 +42,7 @@ isa::LinkWord parse_word(const std::string& digits) {
 
 }  // namespace
 
-TEST_CASE("figures of a machine file become parameters of the Verilog") {
+TEST_CASE("parameters of a machine file become parameters of the Verilog") {
   const auto parameters = rtl::verilog_parameters(
       kinds::load("pixel-planes-4", {"array.width=12", "array.memory_bits=90", "alu.bits=3", "scan_out.port=own",
                                      "scan_out.buffers=2", "global_or.fan_in=ideal", "memory.clear_clocks=ideal"}));
@@ -58,7 +58,7 @@ TEST_CASE("figures of a machine file become parameters of the Verilog") {
   CHECK(value_of(rtl::verilog_parameters(kinds::load("pixel-powers")), "DEGREE") == 2);
 }
 
-TEST_CASE("figures that the Verilog lacks are rejected with a suggested fix") {
+TEST_CASE("parameters that the Verilog lacks are rejected with a suggested fix") {
   CHECK(refusal("pixel-planes-4") == "");
   CHECK(refusal("scan-line") ==
         "scan-line is of the kind scan-line, which has no Verilog; use a machine of the kind frame-buffer, "

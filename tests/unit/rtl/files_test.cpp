@@ -167,7 +167,7 @@ TEST_CASE("a design's files describe it and build it") {
   CHECK(find_file(drawn, "README.md").starts_with(title + "with a Program in memory."));
   CHECK(find_file(bare, "README.md").starts_with(title + "fed over a serial line."));
   for (const Files& files : {drawn, bare}) {
-    CHECK(has(find_file(files, "README.md"), "## What fits\n\n| figures | part | pixels |"));
+    CHECK(has(find_file(files, "README.md"), "## What fits\n\n| machine | part | pixels |"));
     CHECK(find_file(files, "Makefile").starts_with("# The design of " + machine.name + ", 8 x 8 pixels."));
   }
   CHECK(find_file(drawn, "system.v").starts_with("// " + machine.name + ", with a Program in the host's memory.\n"));

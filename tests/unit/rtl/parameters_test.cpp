@@ -143,7 +143,7 @@ TEST_CASE("the Verilog's COLOUR_BITS is the Program's width or 24 with a serial 
   CHECK(values_of(eight_by_eight())["COLOUR_BITS"] == 24);
 }
 
-TEST_CASE("trees of several bits or fewer registers are rejected by the figure's name") {
+TEST_CASE("trees of several bits or fewer registers are rejected by the parameter's name") {
   const auto refusal = [](const std::string& changes) {
     return testing::error_of([&] { rtl::verilog_parameters(kinds::load("pixel-planes-4" + changes)); });
   };

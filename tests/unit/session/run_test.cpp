@@ -125,7 +125,7 @@ std::string hash_of_file(const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("run takes a Program and machine figures and run and checkpoint options") {
+TEST_CASE("run takes a Program and machine parameters and run and checkpoint options") {
   using session::ProgramRequest;
   const testing::Parsed<ProgramRequest> all({"a.csgt", "--machine", "pixel-planes-4", "--set", "alu.bits=2", "--stats",
                                              "s.json", "--resume", "c.checkpoint"});
@@ -138,7 +138,7 @@ TEST_CASE("run takes a Program and machine figures and run and checkpoint option
   CHECK(testing::option_error<ProgramRequest>({"a.csgt", "--machine", "pixel-plane-4"}) != "");
 }
 
-TEST_CASE("--set for a Program accepts figures of the machine but no scene keys") {
+TEST_CASE("--set for a Program accepts machine parameters but no scene keys") {
   session::ProgramRequest options;
   options.program = "a.csgt";
   options.sets = {"alu.bits=4"};

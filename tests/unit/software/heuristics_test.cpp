@@ -1,5 +1,5 @@
-// Judges of tree divisions: the cheapest place by the surface heuristic found by trying all of them, and splits at the
-// middle by hand.
+// Checks where k-d trees and bounding volume hierarchies are split: against an exhaustive search by the surface area
+// heuristic, and against middle splits calculated by hand.
 
 #include <glm/vec3.hpp>
 

@@ -140,7 +140,7 @@ TEST_CASE("an error in a processor file is reported with its place and a fix") {
   CHECK_FALSE(message(text).empty());
 }
 
-TEST_CASE("figures of a processor file accept exactly their documented ranges") {
+TEST_CASE("parameters of a processor file accept exactly their documented ranges") {
   struct Range {
     std::string key;
     std::uint64_t least;
@@ -187,7 +187,7 @@ TEST_CASE("a processor file without the price of an operation is rejected") {
   }
 }
 
-TEST_CASE("a processor is found by name or file and its name lists edited figures") {
+TEST_CASE("a processor is found by name or file and its name lists edited parameters") {
   CHECK_THROWS_WITH(load_processor("mc6800"),
                     "there is no processor 'mc6800'; did you mean mc68000? The processors are mc68000, mc68020-weitek, "
                     "vax-780, i486dx2, i860, or a file, whose name ends in .toml");

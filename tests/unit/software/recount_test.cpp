@@ -167,7 +167,7 @@ TEST_CASE("software counts equal a plain recount of rays and trees on the thesis
     check_scene(testing::thesis_scene(one, 64, 64));
   }
 }
-TEST_CASE("every method counts equally many calls and returns") {
+TEST_CASE("every method counts as many returns as calls") {
   for (std::uint64_t seed = 5001; seed <= 5020; ++seed) {
     const std::optional<Scene> scene = testing::random_scene(seed);
     if (!scene) continue;

@@ -154,7 +154,7 @@ TEST_CASE("--vary accepts the values of each option of render up to its limits")
   CHECK(option_error("memory-bits", "1,2") == "'1,2' is not a number");
 }
 
-TEST_CASE("--vary assigns values to options of render or else to machine figures") {
+TEST_CASE("--vary assigns values to options of render or else to machine parameters") {
   session::ModelRequest options;
   const std::vector<std::pair<std::string, std::string>> values{
       {"size", "9x7"},       {"memory-bits", "70"}, {"z-bits", "11"},    {"fraction-bits", "5"},
@@ -176,7 +176,7 @@ TEST_CASE("--vary assigns values to options of render or else to machine figures
                                       "stack-bits", "colouring", "curves", "pruning"});
 }
 
-TEST_CASE("exactly four figures of machines set the memory of a pixel") {
+TEST_CASE("exactly four parameters of machines set the memory of a pixel") {
   for (const char* const key : {"array.memory_bits", "pixel.memory_bits", "cells.words", "cells.word_bits"})
     CHECK(studies::is_memory_figure(key));
   for (const char* const key : {"", "memory_bits", "memory.reads", "node.memory_words", "memory-bits"})
@@ -221,7 +221,7 @@ TEST_CASE("a sample of a grid of more than 10^18 designs is rejected") {
   CHECK(design_error({}, dimensions, {1, 1}) == "--vary: the grid has more than 10^18 designs; vary fewer parameters");
 }
 
-TEST_CASE("--vary rejects an unknown key and lists options and the nearest figure") {
+TEST_CASE("--vary rejects an unknown key and lists options and the nearest parameter") {
   const std::string options =
       "size, memory-bits, z-bits, fraction-bits, colour-bits, strategy, stack-bits, colouring, curves, pruning";
   CHECK(design_error({}, {{"array.widt", {"1"}}}) ==
@@ -248,7 +248,7 @@ TEST_CASE("--vary rejects a value that is impossible alone and with the others' 
   CHECK(design_error({}, {{"pruning", {"al"}}}).starts_with("--vary pruning: "));
 }
 
-TEST_CASE("--vary rejects a figure that conflicts with an option and accepts an equal one") {
+TEST_CASE("--vary rejects a parameter that conflicts with an option, accepts an equal one") {
   const auto error = [](const char* key, const char* value) {
     return std::string("--vary: an option overrides ") + key + "=" + value + "; omit --size or --memory-bits";
   };

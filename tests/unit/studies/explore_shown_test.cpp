@@ -244,7 +244,7 @@ TEST_CASE("a group without a drawn design has no front and prints its number of 
         "  alu.bits=1 and 1 other design cannot be drawn: no\n");
 }
 
-TEST_CASE("the printed text of a design has each figure and option that differs") {
+TEST_CASE("the printed text of a design has each parameter and option that differs") {
   std::vector<ExploreRow> rows(2);
   const auto fill = [](studies::DesignPoint& point, unsigned number) {
     const std::string text = std::to_string(number);

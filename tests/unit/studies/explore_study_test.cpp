@@ -76,7 +76,7 @@ TEST_CASE("explore requests each design once per model with all inputs of the po
   CHECK(explored.asked[0].inputs.machine_hash == explored.asked[4].inputs.machine_hash);
 }
 
-TEST_CASE("a point states its memory if an option or a varied key or a figure sets it") {
+TEST_CASE("a point states its memory if an option or a varied key or a parameter sets it") {
   const Models models;
   const std::string cube = models / "cube.csg";
   const auto memory = [&](const Texts& words) {
@@ -95,7 +95,7 @@ TEST_CASE("a point states its memory if an option or a varied key or a figure se
   CHECK(memory({"--vary", "alu.bits=1", "--set", "array.memory_bits=82"}) == Texts{"82"});
 }
 
-TEST_CASE("each point of explore states its process and has its figures as inputs") {
+TEST_CASE("each point of explore states its process and has its parameters as inputs") {
   const Models models;
   const auto requested = [&](const Texts& words) {
     Texts all{models / "cube.csg", "--size", "16x12", "--vary", "z-bits=12"};
@@ -114,7 +114,7 @@ TEST_CASE("each point of explore states its process and has its figures as input
   CHECK(made.inputs.model_hash == plain.inputs.model_hash);
 }
 
-TEST_CASE("explore reports inconsistent figures and unreadable models in the row") {
+TEST_CASE("explore reports inconsistent parameters and unreadable models in the row") {
   const Models models;
   Explored explored({models / "cube.csg", "--size", "16x12", "--vary", "evaluator.bits=1,4", "--vary", "alu.bits=1,4"});
   const Texts cells = explored.ask();

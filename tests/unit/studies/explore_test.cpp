@@ -186,7 +186,7 @@ TEST_CASE("designs are all combinations in order with equal ones merged") {
   CHECK(studies::DesignGrid({}, dimensions, {500, 1}).designs().size() == 8);
 }
 
-TEST_CASE("designs that differ in one option or figure are distinct") {
+TEST_CASE("designs that differ in one option or parameter are distinct") {
   const std::vector<studies::Dimension> pairs{{"size", {"32x32", "48x48"}},   {"memory-bits", {"72", "96"}},
                                               {"z-bits", {"12", "20"}},       {"fraction-bits", {"2", "12"}},
                                               {"colour-bits", {"12", "24"}},  {"strategy", {"list", "products"}},

@@ -220,7 +220,7 @@ TEST_CASE("a comparison's x axis shows machines or half-spaces or pixels as they
   CHECK(names() == Words{"compare_machines", "compare_halfspaces", "compare_pixels"});
 }
 
-TEST_CASE("machines of a comparison that differ in a figure are named by the figure") {
+TEST_CASE("machines of a comparison that differ in a parameter are named by the parameter") {
   std::vector<studies::ComparisonRow> rows(3);
   const Words machines{"pixel-planes-4", "pixel-planes-4+alu.bits=2", "pixel-planes-4+alu.bits=2+array.memory_bits=96"};
   for (std::size_t i = 0; i < rows.size(); ++i) {

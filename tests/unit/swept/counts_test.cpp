@@ -115,7 +115,7 @@ TEST_CASE("a net patch takes the hand-counted operations for one and for five no
   }
 }
 
-TEST_CASE("a sweep's element takes operations by the degrees of contour and trajectory") {
+TEST_CASE("the degrees of contour and trajectory set the operations of a sweep's element") {
   for (std::uint32_t degree = 1; degree <= 3; ++degree) {
     for (std::uint32_t along = 1; along <= 3; ++along) {
       CAPTURE(degree);

@@ -114,7 +114,7 @@ TEST_CASE("a contour's v is the y axis projected on the contour's plane") {
 TEST_CASE("a contour's v points to -z along the rising y axis and to z if it falls") {
   CHECK(are_same(up_at(make_path({{0, 0, 0}, {0, 5, 0}}), 0.5), {0, 0, -1}));
   CHECK(are_same(up_at(make_path({{0, 0, 0}, {0, -5, 0}}), 1), {0, 0, 1}));
-  // Leaning slightly towards z removes the part of z along the tangent.
+  // If the path leans slightly towards z, v is -z without its component along the tangent.
   const glm::dvec3 leaning = glm::normalize(glm::dvec3(0, 1, 0.05));
   CHECK(
       are_same(up_at(make_path({{0, 0, 0}, leaning}), 0), glm::normalize(glm::dvec3(0, 0, -1) + leaning.z * leaning)));
@@ -135,7 +135,7 @@ TEST_CASE("v at an end along the y axis is that of the nearest place where it is
   CHECK(are_same(up_at(make_path({{0, 0, 0}, {5, 0, 0}, {5, 5, 0}}), 2), {-1, 0, 0}));
 }
 
-TEST_CASE("a contour's v rotates evenly where a smooth trajectory passes the y axis") {
+TEST_CASE("a contour's v rotates evenly where a smooth tangent passes the y direction") {
   // x' / y' = 1 - 2 t, from 45 degrees to the right to 45 to the left.
   const Path arch = smooth({{2, {{{0, 0, 0}, {5, 5, 0}, {0, 10, 0}}}}});
   const double tangens = 0.1 / std::sqrt(0.99);

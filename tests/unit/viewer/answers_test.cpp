@@ -265,9 +265,9 @@ TEST_CASE("the answer to a rejected request states its error") {
     return std::to_string(answer.status) + " " + answer.json.value("error", "");
   };
   CHECK(error({{"scene", "x"}}) == "400 there is no setting 'scene'");
-  CHECK(error({{"size", 3}}) == "400 size must be a text");
-  CHECK(error({{"set", "x"}}) == "400 set must be an array of texts");
-  CHECK(error({{"set", {1}}}) == "400 set must be a text");
+  CHECK(error({{"size", 3}}) == "400 size must be a string");
+  CHECK(error({{"set", "x"}}) == "400 set must be an array of strings");
+  CHECK(error({{"set", {1}}}) == "400 set must be a string");
   CHECK(error({{"machine", "other.toml"}}) ==
         "400 machine: other.toml is a file; start csgsim view with --machine other.toml");
   CHECK(error({{"machine", "other.toml+alu.bits=2"}}).starts_with("400 "));

@@ -123,7 +123,7 @@ TEST_CASE("a missing or null member of a request is empty but a wrong type is an
                                     wish_error([&] { static_cast<void>(viewer::object_in(wish, key)); })};
   };
   const auto all = [](const std::string& key) {
-    return std::vector<std::string>{key + " must be a text", key + " must be an array of texts",
+    return std::vector<std::string>{key + " must be a string", key + " must be an array of strings",
                                     key + " must be a number", key + " must be true or false",
                                     key + " must be an object"};
   };
@@ -136,7 +136,7 @@ TEST_CASE("a missing or null member of a request is empty but a wrong type is an
   }
   CHECK(errors("less")[2] == "less must be a number");
   CHECK(errors("part")[2] == "part must be a number");
-  CHECK(errors("mixed")[1] == "mixed must be an array of texts");
+  CHECK(errors("mixed")[1] == "mixed must be an array of strings");
 }
 
 TEST_CASE("a message to the page is one line with invalid UTF-8 replaced") {

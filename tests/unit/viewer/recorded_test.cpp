@@ -53,7 +53,7 @@ TEST_CASE("a failed recording is reported with its reason and a fix") {
   CHECK(error.starts_with("csgsim wave: "));
   CHECK(error.ends_with("; use a smaller picture, or record it with csgsim wave and a --window"));
   CHECK(testing::error_of([] { static_cast<void>(viewer::record_wave_with("/nosuch/csgsim", {}, {})); }) ==
-        "cannot run csgsim wave: the program file has been moved");
+        "cannot run csgsim wave: the csgsim executable has been moved or deleted; restart csgsim view");
 }
 
 TEST_CASE("a recording may take three minutes and print 512 MB and 64 KB of errors") {

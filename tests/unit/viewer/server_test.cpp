@@ -282,7 +282,7 @@ TEST_CASE("a server handles up to eight requests at a time") {
   CHECK(most == 8);
 }
 
-TEST_CASE("a server keeps 32 connections without a token and closes the oldest for others") {
+TEST_CASE("a server keeps 32 connections without a token, and a new one closes the oldest") {
   const RunningServer server(serving());
   Client asks(server.port);
   // One turn of the server accepts a connection and notices closed ones; both have happened after many answered
