@@ -176,7 +176,7 @@ void ExactFaces::find_balls(Body& body) const {
     body.inner = std::min(body.inner, -planes_.height(face.halfspace, body.middle) - place_error);
 }
 
-void ExactFaces::find(const facet::Solid& solid, std::span<const std::uint32_t> face_of, Body& body) {
+void ExactFaces::complete(const facet::Solid& solid, std::span<const std::uint32_t> face_of, Body& body) {
   body.vertices = solid.vertices;
   if (has_opposites(body)) return;
   const std::vector<Outline> outlines = outlines_of(solid, face_of, body.faces.size());
