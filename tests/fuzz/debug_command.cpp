@@ -28,7 +28,7 @@ bool is_sound(const debug::Target& target) {
   if (const auto* at = std::get_if<debug::AtPrimitive>(&target))
     return at->primitive < program().facts->primitives.size();
   if (const auto* condition = std::get_if<debug::Condition>(&target))
-    return condition->what.x < 30 && condition->what.y < 20 && condition->what.field.end() <= 40;
+    return condition->watched.x < 30 && condition->watched.y < 20 && condition->watched.field.end() <= 40;
   return true;
 }
 
