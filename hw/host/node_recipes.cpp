@@ -10,6 +10,9 @@ using processors::made;
 using processors::Operation;
 using processors::Operations;
 
+/// A number read and multiplied by one that the host's recipes read, from a table of products.
+constexpr Operations number_multiplied = made({{Operation::load_long, 1}, {Operation::multiply_long, 1}});
+
 /// Another leader of a cell read, compared and branched on.
 constexpr Operations leader_compared =
     made({{Operation::load_long, 1}, {Operation::compare_long, 1}, {Operation::branch, 1}});
@@ -27,9 +30,9 @@ constexpr Operations instruction_repeated =
 
 }  // namespace
 
-/// Without tables of products: three numbers of the matrix for each component of the normal, and its offset.
+/// Without tables each component of the normal is multiplied by four numbers of the matrix, one of them for the offset.
 Operations transformed_plane() {
-  Operations all = 12 * recipe("products");
+  Operations all = 12 * number_multiplied;
   all += recipe("quotients");
   all += recipe("planes");
   return all;

@@ -8,8 +8,8 @@
 // the host does too have its recipes.
 namespace csgsim::host {
 
-processors::Operations
-transformed_plane();  ///< a plane of the model transformed: the host's `planes`, `quotients` and `products`
+/// A plane of the model transformed: the host's `quotients` and `planes`, with 12 products that are not kept in tables.
+processors::Operations transformed_plane();
 processors::Operations tested_box();            ///< a primitive's box against a part of the picture: the host's `boxes`
 processors::Operations tested_halfspace();      ///< a half-space at the corners of a part: the host's `tests`
 processors::Operations tested_cell();           ///< a half-space against the leaders of a cell

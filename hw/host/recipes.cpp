@@ -26,7 +26,8 @@ constexpr Operations product = made({{Operation::load_long, 2},
                                      {Operation::branch_taken, 1},
                                      {Operation::store_long, 1}});
 
-/// Three sums of three products; the reciprocal of one sum, times the others; aligned and stored.
+/// Three sums of three products; the reciprocal of one sum, times the others; stored. The divisor is aligned first, and
+/// both products by its places.
 constexpr Operations quotient = made({{Operation::load_long, 9},
                                       {Operation::add_long, 6},
                                       {Operation::divide_long, 1},
@@ -37,7 +38,8 @@ constexpr Operations quotient = made({{Operation::load_long, 9},
                                       {Operation::branch, 2},
                                       {Operation::store_long, 3}});
 
-/// The sum of a plane's offset and three products, times the reciprocal of its direction; aligned and stored.
+/// The sum of a plane's offset and three products, times the reciprocal of its direction; aligned by the places stored
+/// with the reciprocal, and stored.
 constexpr Operations plane = made({{Operation::load_long, 6},
                                    {Operation::add_long, 3},
                                    {Operation::multiply_long, 1},

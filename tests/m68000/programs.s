@@ -215,7 +215,7 @@ divide_long:
 2:      dbra    d3,1b
         rts
 
-| The five most expensive recipes of the host (hw/host/recipes.cpp). Numbers are signed longs. A product means its upper long,
+| The five most expensive recipes of the host (hw/host/recipes.cpp), and a plane without tables. Numbers are signed longs. A product means its upper long,
 | rounded down.
 
 | Adds the product of d0 and d1 to d7. Takes d0 to d4.
@@ -250,81 +250,116 @@ divide_long:
         add.l   d2,d7
         .endm
 
-| d1 becomes the quotient of the long d1 with 12 more places and the long d2, which is not negative and large enough. Takes d0,
-| d3, d5, d6.
-place:
-        moveq   #12,d5
-        move.l  d1,d6
-        bpl.s   1f
-        neg.l   d1
-1:      rol.l   d5,d1
-        move.l  d1,d0
-        andi.l  #0xfff,d0
-        eor.l   d0,d1
-        bsr.s   divide_long
-        tst.l   d6
-        bpl.s   2f
-        neg.l   d1
-2:      rts
-
-| A plane of four longs at a0 times the matrix of four rows of four longs at a1: three longs at a2, the first three results
-| divided by the fourth. Takes all data registers, a1, a2.
-plane:
-        moveq   #3,d5
-3:      moveq   #0,d7
-        .irp    from,0,4,8,12
-        move.l  \from(a0),d0
-        move.l  (a1)+,d1
-        product
+| Adds the next component of a0 in the tables: its number at \first of the table's entry to d7, or, if more registers are
+| named, the numbers there to these in order. A component is the address of its entry; bit 31, which the MC68000 does not
+| put on its address lines, is its sign. Takes d0, a1.
+        .macro  component first=0, sums:vararg=d7
+        move.l  (a0)+,d0
+        movea.l d0,a1
+        bmi.s   1f
+        .set    at, \first
+        .irp    sum,\sums
+        add.l   at(a1),\sum
+        .set    at, at + 4
         .endr
-        move.l  d7,-(sp)
-        dbra    d5,3b
-        move.l  (sp)+,d2
-        move.l  d2,d7                   | its sign is applied to the quotients
-        bpl.s   4f
+        bra.s   2f
+1:      .set    at, \first
+        .irp    sum,\sums
+        sub.l   at(a1),\sum
+        .set    at, at + 4
+        .endr
+2:
+        .endm
+
+| A direction of three components at a0, whose entries have three products each. At a2 the result: a reciprocal (a long), its
+| number of places (a word), and two slopes (longs), the first two sums divided by the third, with 12 more places. If the third
+| is less than 8192, the reciprocal is 0 and the slopes are the sums. Takes all data registers, a0 to a3.
+quotient:
+        moveq   #0,d5
+        moveq   #0,d6
+        moveq   #0,d7
+        .rept   3
+        component 0,d5,d6,d7
+        .endr
+| The same of the three sums in d5, d6, d7.
+slopes: move.l  d7,d2
+        bpl.s   3f
         neg.l   d2
-4:      .rept   3
-        move.l  (sp)+,d1
-        bsr     place
+3:      cmpi.l  #8192,d2
+        bcs     5f
+        moveq   #17,d4                  | the places that the products are shifted back
+4:      add.l   d2,d2                   | until bit 31 is 1
+        dbmi    d4,4b
+        lsr.l   #1,d2
+        move.l  #0x1fffffff,d0
+        moveq   #-1,d1
+        bsr     divide_long
         tst.l   d7
-        bpl.s   5f
+        bpl.s   3f
         neg.l   d1
-5:      move.l  d1,(a2)+
+3:      move.l  d1,(a2)+
+        move.w  d4,(a2)+
+        movea.l d1,a1
+        movea.w d4,a3
+        .irp    dividend,d5,d6
+        move.l  \dividend,d0
+        move.l  a1,d1
+        moveq   #0,d7
+        product
+        move.l  a3,d0
+        asr.l   d0,d7
+        move.l  d7,(a2)+
         .endr
+        rts
+5:      clr.l   (a2)+
+        clr.w   (a2)+
+        move.l  d5,(a2)+
+        move.l  d6,(a2)+
         rts
 
-| A point of three longs at a0 times the matrix of three rows of four longs at a1, of which the fourth is added: two longs at
-| a2, the first two results divided by the third, which is positive. The box at a3, the least and greatest of both and of the
-| third, is enlarged. Takes all data registers, a1 to a3.
-point:
-        moveq   #2,d5
-3:      moveq   #0,d7
-        .irp    from,0,4,8
-        move.l  \from(a0),d0
-        move.l  (a1)+,d1
+| A plane at a0: its offset, three components, and the address of its direction's result. Their entries have the product for
+| the offset as the fourth. The sum, divided like the slopes, is stored at a2. Takes d0 to d4, d7, a0, a1.
+plane:
+        move.l  (a0)+,d7
+        .rept   3
+        component 12
+        .endr
+        movea.l (a0)+,a1
+scaled: move.l  (a1)+,d1
+        beq.s   3f
+        move.l  d7,d0
+        moveq   #0,d7
+        product
+        move.w  (a1),d0
+        asr.l   d0,d7
+3:      move.l  d7,(a2)
+        rts
+
+| A plane without tables, as the display processor of the multi-processor transforms it (hw/host/node_recipes.cpp): the normal
+| a4, a5, a6; at a0 the offset and four rows of a matrix, for the offset and the three sums. At a2 the result of the direction
+| and the plane's. Takes d0 to d7, a0 to a3.
+own_plane:
+        .macro  row
+        .irp    part,a4,a5,a6
+        move.l  (a0)+,d0
+        move.l  \part,d1
         product
         .endr
-        add.l   (a1)+,d7
+        .endm
+        move.l  (a0)+,d7
+        row
         move.l  d7,-(sp)
-        dbra    d5,3b
-        move.l  (sp),d1
-        move.l  (sp)+,d2
-        bsr.s   enlarge
-        .rept   2
-        move.l  (sp)+,d1
-        bsr     place
-        move.l  d1,(a2)+
-        bsr.s   enlarge
+        .irp    sum,d5,d6
+        moveq   #0,d7
+        row
+        move.l  d7,\sum
         .endr
-        rts
-enlarge:
-        cmp.l   (a3)+,d1
-        bge.s   1f
-        move.l  d1,-4(a3)
-1:      cmp.l   (a3)+,d1
-        ble.s   2f
-        move.l  d1,-4(a3)
-2:      rts
+        moveq   #0,d7
+        row
+        bsr     slopes
+        move.l  (sp)+,d7
+        lea     -14(a2),a1
+        bra     scaled
 
 | The colour d6 of a facet with the normal, three longs at a0, in the light a4, a5, a6, of a surface with three longs at a1: a
 | byte for each channel. Takes all data registers.

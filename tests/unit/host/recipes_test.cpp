@@ -40,7 +40,7 @@ Counts sum_of(std::initializer_list<std::pair<std::uint64_t, const Counts*>> par
 
 // Operations of each recipe according to docs/host.md.
 const std::map<std::string, Counts> expected_recipes{
-    // An offset, its three products and a reciprocal; one quotient aligned to its position.
+    // An offset, its three products, a reciprocal and its places; one quotient aligned to its position.
     {"planes",
      {{Operation::load_long, 6},
       {Operation::add_long, 3},

@@ -35,10 +35,11 @@ isa::Segment segment_of(unsigned drawings, std::uint64_t boxes) {
 }
 
 host::Written written(unsigned drawings, unsigned link_width) {
-  host::Written all;
+  host::Writer writer(link_width);
+  writer.begin({});
   for (unsigned i = 0; i < drawings; ++i)
-    for (const isa::Instruction& one : drawing) all.add(one, link_width);
-  return all;
+    for (const isa::Instruction& one : drawing) writer.add(one);
+  return writer.written();
 }
 
 Operations sum_of(std::initializer_list<Operations> parts) {
@@ -74,7 +75,8 @@ TEST_CASE("processors of a host take drawings in turn and the first one merges")
   program.segments = {segment_of(3, 12), segment_of(1, 8)};
   // The first processor has drawings 0 and 2, the second drawing 1 and that of the second segment. Of the planes, in
   // three parts, the first has two parts.
-  const std::uint64_t longs = written(2, two.link.width).longs;
+  const host::Written of_second = written(2, two.link.width);
+  const std::uint64_t longs = of_second.longs + of_second.kept_longs;
   CHECK(share(program, two) == sum_of({20 * host::recipe("planes"), 8 * host::recipe("boxes"),
                                        host::count_operations(written(2, two.link.width)), merged(longs, 2)}));
 }
