@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cstdint>
 #include <string>
 
 #include "hw/base/messages.h"
@@ -46,11 +47,14 @@ std::string files_text(const DrawnFrames& drawn) {
 
 void print_frames(const DrawnFrames& drawn) {
   const FrameCounts& sums = drawn.sums;
-  fmt::print("{} in {} clocks = {:.4g} frames a second", counted(drawn.frames.size(), "frame"),
-             grouped(sums.interval_clocks), drawn.frames_per_second());
+  const auto seconds = [&](std::uint64_t clocks) {
+    return quantity(static_cast<double>(clocks) / static_cast<double>(drawn.machine.clock_hz), "s");
+  };
+  fmt::print("{} in {} clocks: {} frames per second", counted(drawn.frames.size(), "frame"),
+             grouped(sums.interval_clocks), rounded(drawn.frames_per_second()));
   if (sums.host_clocks > 0)
-    fmt::print(", {:.4g} with the host, which takes {} clocks for the model and {} for the frames",
-               drawn.hosted_frames_per_second(), grouped(sums.host_model_clocks), grouped(sums.host_clocks));
+    fmt::print("; {} with the host, which needs {} for the model and {} for the frames",
+               rounded(drawn.hosted_frames_per_second()), seconds(sums.host_model_clocks), seconds(sums.host_clocks));
   fmt::print("; {}\n", files_text(drawn));
 }
 

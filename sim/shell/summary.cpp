@@ -119,7 +119,7 @@ void print_prunings(const observe::Report& report) {
     if (pruning.left > 0)
       text += fmt::format("; left out {}, where the host would take longer than half of what it saves",
                           grouped(pruning.left));
-    fmt::print("{:<18}{}\n", "pruning " + pruning.name, text);
+    fmt::print("{:<20}{}\n", "pruning " + pruning.name, text);
   }
 }
 

@@ -105,7 +105,7 @@ TEST_CASE("both levels draw the same frames of a sequence and report its frame r
     CHECK(content(folder / ("c" + number)) == content(folder / ("f" + number)));
   CHECK(content(folder / "f_000.png") != content(folder / "f_001.png"));
   CHECK(cycle.out.substr(0, cycle.out.find(';')) == functional.out.substr(0, functional.out.find(';')));
-  CHECK(cycle.out.find(" frames a second") != std::string::npos);
+  CHECK(cycle.out.find(" frames per second") != std::string::npos);
   succeeded(run("render " + model("thesis_fig_2_3") + " --size 40x30 --view-all -o " + (folder / "one.png")));
   CHECK(content(folder / "one.png") == content(folder / "f_000.png"));
 }

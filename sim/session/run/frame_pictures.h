@@ -14,7 +14,7 @@
 
 namespace csgsim::session {
 
-/// Frames that an animated picture shows in a second.
+/// Frames per second of an animated picture.
 inline constexpr unsigned animated_frames_per_second = 20;
 
 /// The path of each frame's picture: a number replaces `%d`, `%3d` or `%03d` in the name; a name without such a mark,
