@@ -115,7 +115,7 @@ TEST_CASE("models generated for bench have the stated number of half-spaces") {
 
 TEST_CASE("bench distinguishes finished processes from missing and failed programs") {
   const std::array<std::string, 2> sleeps{"sleep", "0.1"};
-  const std::optional<bench::Took> took = bench::run_process(sleeps);
+  const std::optional<bench::ProcessCost> took = bench::run_process(sleeps);
   REQUIRE(took);
   CHECK(took->wall >= 0.1);
   CHECK(took->processor < took->wall);

@@ -316,7 +316,7 @@ TEST_CASE("a texture table has a power of two of at most 8 rows and columns") {
   CHECK(error("pattern = 'table'\ntexels = [[[1,0,0]],[[1,0,0],[0,0,0]]]").find("equally long") != std::string::npos);
   CHECK(error("pattern = 'table'\ntexels = [[1,0,0]]").find("a colour of effects.textures.texels is an integer") !=
         std::string::npos);
-  CHECK(error("pattern = 'table'\ntexels = [[[1,0,2]]]").find("takes 0 to 1") != std::string::npos);
+  CHECK(error("pattern = 'table'\ntexels = [[[1,0,2]]]").find("it must be 0 to 1") != std::string::npos);
   CHECK(error("texels = [[[1,0,0]]]").find("texels need pattern = \"table\"") != std::string::npos);
   CHECK(error("to_line = 3").find("add from_line") != std::string::npos);
 }

@@ -293,5 +293,5 @@ TEST_CASE("gathering the faces of a mesh by planes counts as work") {
   solids::Limits limits;
   // One or more steps per face.
   limits.work = Work(mesh.faces.size());
-  CHECK(testing::error_of([&] { convex_pieces(mesh, limits); }).starts_with("gathering the faces of a plane takes"));
+  CHECK(testing::error_of([&] { convex_pieces(mesh, limits); }).starts_with("gathering the faces of a plane needs"));
 }

@@ -95,12 +95,12 @@ void check_working(const Drawn& drawn, const story::Story& story, const story::Q
   CHECK(q * q <= depth.discriminant);
   CHECK((q + 1) * (q + 1) > depth.discriminant);
   const isa::Instruction& made = instruction(drawn.program, depth.depth_number);
-  CHECK(made.opcode == (depth.far ? isa::Opcode::linear_plus : isa::Opcode::linear_minus));
+  CHECK(made.opcode == (depth.is_far ? isa::Opcode::linear_plus : isa::Opcode::linear_minus));
   CHECK(((made.linear.a * x + made.linear.b * y + made.linear.c) >> made.linear.shift) == depth.middle);
   CHECK(depth.offset % depth.root == 0);
   const auto farthest = (std::int64_t{1} << drawn.program.facts->compile.z_bits) - 1;
   const auto offset = static_cast<std::int64_t>(depth.offset);
-  const std::int64_t at = depth.far ? depth.middle + offset : depth.middle - offset;
+  const std::int64_t at = depth.is_far ? depth.middle + offset : depth.middle - offset;
   CHECK(std::clamp<std::int64_t>(at, 0, farthest) == story.depth);
 }
 
