@@ -102,7 +102,7 @@ TEST_CASE("points of one model measured on four threads equal those measured on 
   REQUIRE(rows.size() == all.size());
   for (const Drawn& one : all) {
     const studies::SweepRow alone(measure_picture(one.point, one.job, true));
-    CHECK(alone.compiled());
+    CHECK(alone.is_compiled());
     CHECK(std::ranges::count(rows, alone) == 1);
   }
 }
