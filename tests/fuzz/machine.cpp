@@ -28,7 +28,8 @@ std::string description_of(const machines::Machine& machine) {
   std::string text = fmt::format("name = {}\ndescription = {}\nkind = \"{}\"\n", fuzz::toml_string(machine.name),
                                  fuzz::toml_string(machine.description), machine.kind->name);
   for (const machines::Figure& figure : machine.figures) {
-    const bool is_name = !schema_of(machine, figure).names.empty() || figure.value == machines::ideal_value;
+    const bool is_name = !schema_of(machine, figure).names.empty() || figure.value == machines::ideal_value ||
+                         figure.value == machines::priced_value;
     text += fmt::format("[{}]\nvalue = {}\n", figure.key, is_name ? fuzz::toml_string(figure.value) : figure.value);
     if (!figure.unit.empty()) text += fmt::format("unit = {}\n", fuzz::toml_string(figure.unit));
     text += fmt::format("provenance = {}\nsource = {}\n", fuzz::toml_string(figure.provenance),
@@ -39,6 +40,7 @@ std::string description_of(const machines::Machine& machine) {
 
 bool is_within(const machines::Figure& figure, const machines::FigureSchema& schema) {
   if (schema.ideal && figure.value == machines::ideal_value) return true;
+  if (schema.priced && figure.value == machines::priced_value) return true;
   if (!schema.names.empty()) return std::ranges::find(schema.names, figure.value) != schema.names.end();
   std::int64_t value = 0;
   const char* const end = figure.value.data() + figure.value.size();

@@ -194,5 +194,5 @@ TEST_CASE("advice on a Program is for the requested machine or for the Program's
   options.run.advice = true;
   CHECK(session::advice_of(options, machine).machine == "another");
   CHECK(session::advice_of(options, machine).is_asked);
-  CHECK(session::advice_of(options, machine).ask.starts_with("csgsim run --advice "));
+  CHECK(session::advice_of(options, machine).ask.starts_with("--advice tries machine parameters; "));
 }

@@ -35,7 +35,7 @@ ExploreRow made_row(const std::string& model, const std::string& machine, double
   one.point.z_bits = 20;
   one.point.fraction_bits = 12;
   one.point.colour_bits = 24;
-  one.point.pruning = "all";
+  one.point.pruning = "auto";
   one.point.colouring = "rebroadcast";
   one.point.strategy = "stack";
   one.point.curves = "auto";

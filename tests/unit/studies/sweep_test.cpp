@@ -114,8 +114,8 @@ TEST_CASE("an unknown name in a list is rejected with a similar one") {
 TEST_CASE("a sweep has a point per combination and varies only stack bits that matter") {
   const std::vector<studies::DesignPoint> points = small_points();
   REQUIRE(points.size() == 2 * 2 * 3);
-  CHECK(studies::point_cells<studies::SweepRow>(points[0]) == "a.csg,pixel-planes-4,,16,all,rebroadcast,stack,0,auto");
-  CHECK(studies::point_cells<studies::SweepRow>(points[1]) == "a.csg,pixel-planes-4,,16,all,rebroadcast,bits,3,auto");
+  CHECK(studies::point_cells<studies::SweepRow>(points[0]) == "a.csg,pixel-planes-4,,16,auto,rebroadcast,stack,0,auto");
+  CHECK(studies::point_cells<studies::SweepRow>(points[1]) == "a.csg,pixel-planes-4,,16,auto,rebroadcast,bits,3,auto");
   CHECK(points[2].stack_bits == 5);
   CHECK(points[3].z_bits == 20);
   CHECK(points[6].model == "b.csg");
