@@ -12,6 +12,7 @@
 #include "sim/observe/frame.h"
 #include "sim/observe/stats.h"
 #include "sim/observe/stats_json.h"
+#include "sim/session/model/prices.h"
 #include "tests/support/drawing.h"
 #include "tests/support/test.h"
 
@@ -67,7 +68,9 @@ void check_compilation(const std::string& name, const std::string& model, const 
   sampling.height = size.height;
   const model::Tree tree = read::read_csg_file(testing::model_path(model));
   const facet::Geometry scene = facet::make_geometry(tree);
-  isa::Program compiled = emit::compile(tree, scene, view::make_view(scene, tree, camera, sampling), machine);
+  emit::Options options;
+  options.prices_on = session::weighed_prices_on;
+  isa::Program compiled = emit::compile(tree, scene, view::make_view(scene, tree, camera, sampling), machine, options);
   isa::Program golden = isa::load_program(trace(name, ".csgt"));
   golden.facts->model.file.clear();
   compiled.facts->model.file.clear();

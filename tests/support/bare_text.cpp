@@ -19,8 +19,9 @@ std::string bare_text(isa::Program program) {
   std::istringstream lines(text.str());
   std::string bare;
   for (std::string line; std::getline(lines, line);) {
-    const bool is_fact = std::ranges::any_of(std::array{".depth", ".model", ".compile", ".field", ".primitive"},
-                                             [&](const char* directive) { return line.starts_with(directive); });
+    const bool is_fact =
+        std::ranges::any_of(std::array{".depth", ".model", ".compile", ".field", ".primitive", ".pruning"},
+                            [&](const char* directive) { return line.starts_with(directive); });
     if (is_fact) continue;
     const bool is_segment = line.starts_with(".segment");
     line = std::regex_replace(line, comment, "");

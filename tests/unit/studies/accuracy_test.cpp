@@ -217,9 +217,9 @@ TEST_CASE("a row of accuracy has a cell for each column name") {
         &studies::ComparisonRow::drawn_segments, &studies::ComparisonRow::instructions, &studies::ComparisonRow::clocks,
         &studies::ComparisonRow::shown_clocks, &studies::ComparisonRow::interval_clocks,
         &studies::ComparisonRow::host_clocks, &studies::ComparisonRow::host_model_clocks,
-        &studies::ComparisonRow::pixel_operations, &studies::ComparisonRow::enabled, &studies::ComparisonRow::processors,
-        &studies::ComparisonRow::processor_clocks, &studies::ComparisonRow::machine_memory_bits,
-        &studies::ComparisonRow::instruction_clocks})
+        &studies::ComparisonRow::pixel_operations, &studies::ComparisonRow::enabled,
+        &studies::ComparisonRow::processors, &studies::ComparisonRow::processor_clocks,
+        &studies::ComparisonRow::machine_memory_bits, &studies::ComparisonRow::instruction_clocks})
     row.*count = number++;
   row.pixel_transistors = number++;
   row.machine_transistors = number++;
