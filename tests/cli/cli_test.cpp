@@ -189,7 +189,7 @@ TEST_CASE("a Program with early out compiles and runs on machines with a global 
   write(folder / "deaf.toml", text);
   const std::string compile = "compile " + model("old_example002") + " --size 60x50 -o ";
   succeeded(run(compile + (folder / "asks.csgt")));
-  succeeded(run(compile + (folder / "deaf.csgt") + " --machine " + (folder / "deaf.toml")));
+  succeeded(run(compile + (folder / "deaf.csgt") + " --pruning all --machine " + (folder / "deaf.toml")));
   succeeded(run(compile + (folder / "mute.csgt") + " --pruning no-early-out"));
   CHECK(run("disasm " + (folder / "asks.csgt")).out.find("skip_if_none") != std::string::npos);
   CHECK(run("disasm " + (folder / "deaf.csgt")).out.find("skip_if_none") == std::string::npos);

@@ -90,7 +90,7 @@ TEST_CASE("the text output has percentages and grouped digits and the JSON outpu
   const Outcome drawn = succeeded(run("render" + of + " --check --verbose --stats " + (folder / "s.json")));
   const double busy = json(folder / "s.json")["account"]["controller_utilisation"];
   CHECK(busy < 1);
-  CHECK(drawn.out.find(fmt::format("controller busy{:>25.2f} %", 100 * busy)) != std::string::npos);
+  CHECK(drawn.out.find(fmt::format("controller utilisation{:>20.2f} %", 100 * busy)) != std::string::npos);
   CHECK(drawn.out.find(csgsim::grouped(json(folder / "s.json")["clocks"]) + " clocks)") != std::string::npos);
   const std::string levels = run("levels" + of + " --levels functional").out;
   CHECK(levels.find(csgsim::grouped(json(folder / "s.json")["clocks"])) != std::string::npos);

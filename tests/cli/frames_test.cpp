@@ -139,7 +139,8 @@ TEST_CASE("rejects options that do not suit several frames") {
   const Folder folder;
   write(folder / "c.txt", "1,2,3,0,0,0\n");
   misused(part + "--check --cameras " + (folder / "c.txt"), "--check: is for one frame; leave out --cameras");
-  misused(part + "--cameras " + (folder / "c.txt") + " --stats " + (folder / "c.txt"), "--stats");
+  misused(part + "--cameras " + (folder / "c.txt") + " --stats " + (folder / "c.txt"),
+          "it is the same file as the input");
   write(folder / "c.txt", "1,2,3,0,0,0\n1,2,three,0,0,0\n");
   const Outcome wrong = run(part + "--cameras " + (folder / "c.txt"));
   CHECK(wrong.code == 1);

@@ -192,7 +192,7 @@ TEST_CASE("rerun rejects a file that is not a stats file with the place of the e
   write(folder / "a.json", R"({"configuration": {"command": ["csgsim", "sweep"], "options": {}}})");
   refused(run_words({"rerun", "a.json"}, folder.path()), "only runs of render and run can be repeated");
   write(folder / "a.json", R"({"configuration": {"command": ["csgsim", "run"], "options": {"program": 7}}})");
-  refused(run_words({"rerun", "a.json"}, folder.path()), "its configuration has 7 where a text should be");
+  refused(run_words({"rerun", "a.json"}, folder.path()), "its configuration has 7 where a string should be");
   write(folder / "a.json", R"({"configuration": {"command": ["csgsim", "run"], "options": {"program": "p", "-": 7}}})");
   CHECK(run_words({"rerun", "a.json"}, folder.path()).code == 1);
   succeeded(run("render " + model("old_example002") + " --size 16x16 --stats " + (folder / "a.json")));

@@ -113,7 +113,7 @@ const std::map<std::string, std::string> samples{{"projection", "\"perspective\"
                                                  {"parts", "\"speed\""}};
 
 /// Options that exclude others.
-const std::set<std::string> alone{"point", "tolerances", "with"};
+const std::set<std::string> alone{"cameras", "point", "tolerances", "with"};
 
 std::string sample(const std::string& command, const Key& key) {
   const auto found = samples.find(key.name);

@@ -157,14 +157,14 @@ TEST_CASE("a value in a stats file sets no other option whatever its bytes") {
   for (const std::string name : {"model", "machine", "camera", "size"}) {
     CAPTURE(name);
     stats.set_option(name, std::string("pixel-planes-4\0--output=home.png", 32));
-    stats.refuses("where a text should be");
+    stats.refuses("where a string should be");
     stats.set_option(name, Json{{"hex", "002d"}});
-    stats.refuses("where a text should be");
+    stats.refuses("where a string should be");
   }
   stats.set_option("set", Json::array({"", "--output=home.png"}));
   stats.refuses("--set");
   stats.set_option("set", Json::array({std::string("\0", 1)}));
-  stats.refuses("where a text should be");
+  stats.refuses("where a string should be");
   stats.set_option("machine", "--output=home.png");
   CHECK(stats.rerun().err.find("--output=home.png") != std::string::npos);
   CHECK(!fs::exists(stats.folder / "home.png"));

@@ -296,7 +296,7 @@ class Errors(unittest.TestCase):
             """)
         ended = subprocess.run([sys.executable, "-c", script], check=False, text=True, capture_output=True)
         self.assertEqual(ended.stdout, "")
-        self.assertIn("CsgsimWarning: warning: at the far end", ended.stderr.splitlines()[-1])
+        self.assertIn("CsgsimWarning: warning: one depth step at the far end", ended.stderr.splitlines()[-1])
 
     def test_reports_a_second_clocked_machine_in_a_process(self):
         csgsim.render(FIGURE, size="16x16", level="cycle")

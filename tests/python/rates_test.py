@@ -44,12 +44,13 @@ class Rates(unittest.TestCase):
         """The point of each study."""
         given = {"machines": machine, "size": SIZE, "camera": CAMERA, "progress": "none"}
         yield csgsim.compare(MODEL, **given, fragments="none", sides="none")[0]
-        yield from csgsim.sweep(MODEL, **given, strategy=["stack"])
-        yield from csgsim.sweep(MODEL, **given, strategy=["stack"], no_draw=True)
+        given |= {"curves": "facets", "strategy": ["stack"]}
+        yield from csgsim.sweep(MODEL, **given)
+        yield from csgsim.sweep(MODEL, **given, no_draw=True)
 
     def test_all_reports_have_the_rates_of_render(self):
         for machine in MACHINES:
-            given = {"machine": machine, "size": SIZE, "camera": CAMERA}
+            given = {"machine": machine, "size": SIZE, "camera": CAMERA, "curves": "facets"}
             with self.subTest(machine=machine), tempfile.TemporaryDirectory() as folder:
                 stats, _ = support.stats("render", MODEL, **given)
                 rates = rates_of(stats)

@@ -131,7 +131,8 @@ TEST_CASE("invalid skips are reported with their position") {
   CHECK(error_in_line_5("skip_if_none").starts_with("t:5:13: expected a number of instructions"));
   CHECK(error_in_line_5("skip_if_none Z1").starts_with("t:5:14: expected a number of instructions"));
   CHECK(error_in_line_5("  skip_if_none 0").starts_with("t:5:3: skip_if_none 0 skips nothing"));
-  CHECK(error_in_line_5("enable_all\n  skip_if_none 2").starts_with("t:6:3: skip_if_none 2 skips past the end of the segment"));
+  CHECK(error_in_line_5("enable_all\n  skip_if_none 2")
+            .starts_with("t:6:3: skip_if_none 2 skips past the end of the segment"));
   CHECK(error_in_line_5("skip_if_none 18446744073709551615").starts_with("t:5:1: skip_if_none 18446744073709551615"));
   const std::string end = ".segment width=8 height=8\nenable_all\nenable_all";
   CHECK(error_in_line_5("skip_if_none 1\n" + end)
@@ -145,7 +146,8 @@ TEST_CASE("preparation counts beyond the limit are rejected and so is their sum"
         std::string("t:2:1: boxes=281474976710657 exceeds the limit of a frame, ") + most + "; use a smaller model");
   CHECK_NOTHROW(parse(array + ".prepare boxes=" + most + "\n" + segment, "t"));
   CHECK(error_of(array + ".prepare boxes=" + most + "\n" + segment + ".prepare boxes=1\n") ==
-        std::string("t: sum of all .prepare: boxes=281474976710657 exceeds the limit of a frame, ") + most + "; use a smaller model");
+        std::string("t: sum of all .prepare: boxes=281474976710657 exceeds the limit of a frame, ") + most +
+            "; use a smaller model");
 }
 
 TEST_CASE("directives in the text of a Program must be in order") {

@@ -102,5 +102,6 @@ TEST_CASE("conflicting values in a scene file are reported at their table") {
   CHECK(error_in("[[materials]]\nfrom_line = 4\nto_line = 3\n").find("precedes from_line") != std::string::npos);
   CHECK(error_in("[camera]\nnear = 1\n").find("perspective") != std::string::npos);
   CHECK(error_in("[[effects.cuts]]\nhatch = 9\n").find("add normal") != std::string::npos);
-  CHECK(error_in("[[effects.cuts]]\nnormal = [1, 0, 0]\nhatch = 1\n").find("set hatch to 4 or more") != std::string::npos);
+  CHECK(error_in("[[effects.cuts]]\nnormal = [1, 0, 0]\nhatch = 1\n").find("set hatch to 4 or more") !=
+        std::string::npos);
 }
