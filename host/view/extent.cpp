@@ -177,7 +177,7 @@ Extent make_extent(const facet::Convex& solid, const EyeSpace& space, const View
     inside += place / static_cast<double>(places.size());
   }
   const std::int64_t top = (std::int64_t{1} << sampling.z_bits) - 1;
-  Extent extent{touched_pixels(places, sampling), 0, top, everywhere, near_cuts};
+  Extent extent{touched_pixels(places, sampling), 0, top, everywhere, near_cuts, infinite, {}};
   if (extent.empty()) return extent;
   const double growth = growth_about(inside, solid, near_cuts, view, extent.pixels);
   if (std::isfinite(growth)) {

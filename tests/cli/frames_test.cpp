@@ -24,7 +24,7 @@ Animated animated_in(const std::string& gif) {
   Animated animated;
   std::size_t at = 13 + table(byte(10));
   const auto skip_blocks = [&] {
-    while (byte(at) != 0) at += 1 + byte(at);
+    while (byte(at) != 0) at += std::size_t{1} + byte(at);
     ++at;
   };
   while (byte(at) != 0x3b) {

@@ -25,7 +25,8 @@ struct Seen {
 Seen seen_from(const glm::dvec3& eye, view::Projection projection, const std::string& solids) {
   Seen seen{read::read_csg_text("group() {" + solids + "}", "test"), facet::Geometry{{}, {{}, 1}, {}}, {}};
   seen.scene = facet::make_geometry(seen.tree);
-  seen.view = view::make_view(seen.scene, seen.tree, {eye, {0, 0, 0}, projection}, {.width = 128, .height = 128});
+  seen.view =
+      view::make_view(seen.scene, seen.tree, {eye, {0, 0, 0}, projection}, {.width = 128, .height = 128, .near = {}});
   return seen;
 }
 
