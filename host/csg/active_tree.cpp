@@ -409,7 +409,7 @@ bool Pruner::add_operands(std::uint32_t node, Primitives meeting, const Place& p
 ActiveTree Pruner::active_tree(std::span<const std::uint32_t> set, const Block& block) const {
   std::vector<std::uint32_t> found = meeting(set, block);
   Place place{block, set};
-  // Without other primitives a walk is shorter than a look-up.
+  // A walk without other primitives is shorter than a look-up.
   if (kept_ == nullptr || found.empty()) return walked(place, std::move(found));
   KeptResults::Search search = kept_->search(set, found);
   while (const std::optional<std::uint32_t> primitive = search.question())

@@ -17,7 +17,7 @@
 namespace csgsim::csg {
 
 /// Searches planes between the corners of primitives in model space. Each pair is searched once, when it is first
-/// needed, and the result holds for every camera. A table may serve several frames, each of which may compile several
+/// needed, and the result holds for every camera. A table may serve several frames, and a frame may compile several
 /// Programs until one fits. Keeps a reference to the geometry and is not thread-safe.
 class PairTable {
  public:

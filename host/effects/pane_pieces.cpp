@@ -14,7 +14,7 @@ namespace {
 
 using isa::Opcode;
 
-/// For each primitive, the number of the node of which it is a piece.
+/// The number of the node that each primitive is a piece of.
 std::vector<std::uint32_t> node_numbers(const model::Tree& tree) {
   std::vector<std::uint32_t> nodes;
   std::uint32_t node = 0;

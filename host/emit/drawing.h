@@ -46,7 +46,7 @@ struct Workshop {
 };
 
 /// Plans a drawing and lets each called effect prepare it. `pairs` are those of another drawing of the same geometry,
-/// if there is one. Throws InputError if an effect cannot.
+/// or null. Throws InputError if an effect cannot.
 std::shared_ptr<const Drawing> make_drawing(std::shared_ptr<const model::Tree> tree,
                                             std::shared_ptr<const facet::Geometry> geometry, view::View view,
                                             unsigned nesting, const Workshop& workshop,

@@ -114,7 +114,7 @@ class OutlineSweep {
                         [&](const Region& region) { return (region.*side).second == point; });
   }
 
-  /// Adds the pending diagonal of the region's last point, if there is one.
+  /// Adds the pending diagonal of the region's last point, if any.
   At settled(At region, std::uint32_t point) {
     if (region->needs_diagonal) diagonals_.emplace_back(region->last, point);
     region->needs_diagonal = false;

@@ -59,8 +59,6 @@ Operations count_operations(const isa::Program& program, const machines::Machine
   return all;
 }
 
-Operations count_model_operations(const isa::Program& program) { return count_operations(*program.model_preparation); }
-
 double nanoseconds(const Operations& operations, const machines::Machine& machine) {
   constexpr double in_second = 1e9;
   if (machine.host.processor == machines::ideal_processor) return 0;

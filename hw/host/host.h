@@ -16,9 +16,6 @@ namespace csgsim::host {
 /// and otherwise compiles every segment.
 processors::Operations count_operations(const isa::Program& program, const machines::Machine& machine);
 
-/// Work of the host for the model, whatever the camera.
-processors::Operations count_model_operations(const isa::Program& program);
-
 /// Time of the machine's host for operations, shared by its processors; 0 for an ideal host.
 double nanoseconds(const processors::Operations& operations, const machines::Machine& machine);
 
