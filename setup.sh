@@ -181,6 +181,7 @@ lint() {
   fi
   git ls-files '*.h' '*.cpp' | xargs clang-format --dry-run -Werror
   python3 tests/docs/wording.py
+  python3 tests/docs/used_by.py
   if [ -n "${1:-}" ]; then
     long=$(git log --no-merges --format=%s "$1..HEAD" | grep -vE '^[a-z0-9_./, +-]+: [a-z`-].{0,69}$' || true)
     [ -z "$long" ] || {

@@ -1,5 +1,5 @@
 // The model that a file of commands defines.
-// Used by the interpreter and read.cpp.
+// Used by interpreter.h and read.h.
 #pragma once
 
 #include <cstdint>

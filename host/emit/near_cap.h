@@ -1,5 +1,5 @@
 // What a solid shows at depth 0, where it meets the near plane.
-// Used by surface.cpp, halfspaces.cpp and quadric_depths.cpp.
+// Used by surface.cpp, halfspaces.cpp and display_model.cpp.
 #pragma once
 
 #include <vector>

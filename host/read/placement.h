@@ -1,5 +1,5 @@
 // Matrices and colours of nodes.
-// Used by build.cpp and host/commands.
+// Used by build.h, build.cpp and host/commands.
 #pragma once
 
 #include <glm/mat4x4.hpp>

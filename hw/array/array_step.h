@@ -1,5 +1,5 @@
 // ALU functions and control words of the pixel processors.
-// Used by hw/array and, through it, by hw/pixel_planes and hw/pixel_square.
+// Used by hw/array.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Replays a Program on some pixels without a machine.
-// Used by hw/pixel_planes/probed.cpp and sim/waves.
+// Used by hw/pixel_planes/probed.h and sim/waves.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Processor operations per task of the host.
-// Used by host.cpp and tests.
+// Used by hw/host, sim/session and tests.
 #pragma once
 
 #include <cstdint>

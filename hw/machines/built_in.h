@@ -1,4 +1,4 @@
-// A built-in description: a name and its file. Used by hw/kinds, hw/processors and hw/process.
+// A built-in description: a name and its file. Used by catalogue.h, hw/kinds, hw/processors and hw/process.
 #pragma once
 
 #include <string_view>

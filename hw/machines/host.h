@@ -1,5 +1,5 @@
 // Parameters of a machine's host.
-// Used by machine.h.
+// Used by machine.h, hw/processors and hw/multi_processor.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // Names with parameter changes.
-// Used by hw/kinds and sim/studies.
+// Used by catalogue.h, hw/kinds and sim/studies.
 #pragma once
 
 #include <span>

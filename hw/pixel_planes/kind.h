@@ -1,5 +1,5 @@
 // The machine kind "frame-buffer".
-// Used by hw/kinds, sim/rtl and tests.
+// Used by hw/pixel_planes, sim/rtl and tests.
 #pragma once
 
 #include "hw/machines/kind.h"

@@ -1,5 +1,5 @@
 // Parameters of a silicon process.
-// Used by price.h, sim/studies and sim/app.
+// Used by price.h, load.cpp, sim/studies and sim/app.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Kinds and counts of processor operations.
-// Used by hw/host, hw/multi_processor and sim/software.
+// Used by hw/processors, hw/host and sim/software.
 #pragma once
 
 #include <array>

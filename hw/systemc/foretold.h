@@ -1,5 +1,5 @@
 // Results of an earlier run, for machines with few pixels.
-// Used by hw/pixel_planes, hw/kinds and sim/waves.
+// Used by hw/systemc, hw/pixel_planes and hw/kinds.
 #pragma once
 
 #include <cstdint>

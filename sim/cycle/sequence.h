@@ -1,5 +1,5 @@
 // Draws a sequence of Programs on the clocked machine.
-// Used by sim/shell and the lockstep tests.
+// Used by cycle_engine.cpp, sim/session and tests.
 #pragma once
 
 #include <span>

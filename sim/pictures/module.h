@@ -1,5 +1,5 @@
 // Interface of the module of picture formats.
-// Used by module_loader.h and png.h.
+// Used by module_loader.h, png.h and encode.h.
 #pragma once
 
 #include <memory>

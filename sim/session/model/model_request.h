@@ -1,5 +1,5 @@
 // Options of compiling a model, and the settings derived from them.
-// Used by sim/session, sim/app, sim/python, sim/shell, sim/studies and sim/viewer.
+// Used by sim/session, sim/app, sim/python, sim/studies and sim/viewer.
 #pragma once
 
 #include <chrono>

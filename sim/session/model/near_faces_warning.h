@@ -1,5 +1,5 @@
 // Warning about nearly coplanar faces of a model.
-// Used by sim/session, sim/app and sim/shell.
+// Used by sim/session and sim/app.
 #pragma once
 
 #include "sim/session/model/compiled_model.h"

@@ -1,5 +1,5 @@
 // The option --progress.
-// Used by sim/session, sim/app and sim/studies.
+// Used by sim/session, sim/shell, sim/app and sim/studies.
 #pragma once
 
 #include <unistd.h>

@@ -1,5 +1,5 @@
 // The `configuration` section of stats files.
-// Used by finished_run.h and report_option.cpp.
+// Used by finished_run.h, frames.cpp and report_option.cpp.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // Draws a model in several frames, as a moving camera sees it.
-// Used by sim/app and sim/shell.
+// Used by sim/shell.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Memory estimates, and messages for exhausted memory.
-// Used by sim/session, sim/app, sim/shell, sim/studies and sim/viewer.
+// Used by sim/session, sim/app, sim/studies and sim/viewer.
 #pragma once
 
 #include <fmt/format.h>

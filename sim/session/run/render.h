@@ -1,5 +1,5 @@
 // The request behind csgsim render.
-// Used by sim/app, sim/python and sim/studies.
+// Used by frames.h, sim/app, sim/python and sim/studies.
 #pragma once
 
 #include <cstdint>

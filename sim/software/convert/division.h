@@ -1,5 +1,5 @@
 // Division of faces by other bodies.
-// Used by fragments.cpp.
+// Used by fragments.cpp, exact_faces.cpp and side_by_side.cpp.
 #pragma once
 
 #include <cstdint>

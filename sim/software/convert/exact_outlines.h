@@ -1,5 +1,5 @@
 // Exact outlines of the boundary.
-// Used by boundary.cpp and outlines.cpp.
+// Used by boundary.cpp and outlines.h.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // Fragments of the boundary.
-// Used by boundary.cpp and exact_outlines.h.
+// Used by boundary.cpp, division.h and exact_outlines.h.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // CSG trees restricted to some primitives.
-// Used by division.h and fragments.cpp.
+// Used by division.h, fragments.cpp and side_by_side.cpp.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Search for points near lines.
-// Used by exact_outlines.h and sides.h.
+// Used by exact_outlines.h, sides.h, crossings.cpp and outlines.cpp.
 #pragma once
 
 #include <cstdint>

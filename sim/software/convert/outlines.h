@@ -1,5 +1,5 @@
 // Outlines of the boundary in planes.
-// Used by boundary.h and surface.h.
+// Used by sim/software/convert.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // Splitting and joining of sides.
-// Used by outlines.cpp.
+// Used by outlines.cpp, crossings.cpp and polygons.cpp.
 #pragma once
 
 #include <cstddef>

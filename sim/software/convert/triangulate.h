@@ -1,5 +1,5 @@
 // Triangulation of outlines.
-// Used by surface.cpp and outlines.cpp.
+// Used by surface.h and outlines.cpp.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // The spatial directory of the thesis.
-// Used by excell.cpp and its tests.
+// Used by excell.cpp.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // Tracing of primary rays through a directory.
-// Used by trace.cpp.
+// Used by trace.cpp and item_buffer.h.
 #pragma once
 
 #include <algorithm>

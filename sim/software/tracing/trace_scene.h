@@ -1,5 +1,5 @@
 // Facets and rays of a picture to be traced.
-// Used by trace.h.
+// Used by trace.h, primary_rays.h and secondary_rays.h.
 #pragma once
 
 #include <cstdint>
