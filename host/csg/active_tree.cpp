@@ -196,10 +196,10 @@ double Pruner::comparison_instructions(std::uint32_t primitive) const {
   return around + static_cast<double>(solid.halfspaces.size() + solid.quadrics.size());
 }
 
-/// Tests the boxes in model space, if that pays.
+/// Whether the boxes in model space are disjoint; false if the test is not worth its time.
 bool Pruner::have_disjoint_boxes(std::uint32_t one, std::uint32_t other) const {
   const double saved = comparison_instructions(one);
-  if (!prices_.pays(saved, prices_.box)) {
+  if (!prices_.is_worthwhile(saved, prices_.box)) {
     ++tallies_.space.left;
     return false;
   }
@@ -209,10 +209,10 @@ bool Pruner::have_disjoint_boxes(std::uint32_t one, std::uint32_t other) const {
   return are_disjoint;
 }
 
-/// Searches a plane between the primitives, if that pays.
+/// Whether a plane separates the primitives; false if the search is not worth its time.
 bool Pruner::are_apart(std::uint32_t one, std::uint32_t other) const {
   const double saved = comparison_instructions(one);
-  if (!prices_.pays(saved, pairs_.price(one, other, prices_))) {
+  if (!prices_.is_worthwhile(saved, pairs_.price(one, other, prices_))) {
     ++tallies_.separation.left;
     return false;
   }
@@ -223,11 +223,11 @@ bool Pruner::are_apart(std::uint32_t one, std::uint32_t other) const {
   return are_apart;
 }
 
-/// What the half-spaces of a primitive say about the place, if finding their extremes pays. The extremes themselves are
-/// needed for the comparison's instructions anyway.
+/// Whether the half-spaces of a primitive contain or exclude the place; Known::depends if the test is not worth its
+/// time. The extremes of the half-spaces are needed for the comparison's instructions anyway.
 Known Pruner::located(std::uint32_t primitive, const Place& place) const {
   const double saved = comparison_instructions(primitive);
-  if (!prices_.pays(saved, prices_.box)) {
+  if (!prices_.is_worthwhile(saved, prices_.box)) {
     ++tallies_.halfspaces.left;
     return Known::depends;
   }

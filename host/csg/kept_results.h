@@ -67,7 +67,7 @@ class KeptResults {
     void answer(Known known);
     /// The kept tree; null if there is none.
     [[nodiscard]] const ActiveTree* tree() const;
-    /// Visits of nodes that take the host as long as this search.
+    /// Cost of this search for the host, as a number of node visits.
     [[nodiscard]] std::uint64_t visits() const;
 
     /// The result of a test in a walk of the tree: the answer, or for new tests that of `test`.

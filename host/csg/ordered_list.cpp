@@ -256,17 +256,18 @@ class Labeller {
     label_.front() = 0;
   }
 
-  /// Allocates labels for the leaf's targets and frees its name. Leaves are passed in order.
+  /// Assigns labels to the leaf's targets that have none: the first gets the leaf's own label, a second one a free
+  /// label. Frees the leaf's label if no target got it. Leaves are passed in order.
   void pass(Position at) {
     const WiredLeaf& leaf = wiring_.leaves[at];
-    const std::uint32_t name = label_[at];
-    bool name_taken = false;
+    const std::uint32_t own = label_[at];
+    bool own_taken = false;
     for (const Position target : {std::min(leaf.if_true, leaf.if_false), std::max(leaf.if_true, leaf.if_false)}) {
       if (target == wiring_.hidden || label_[target] != no_label) continue;
-      label_[target] = name_taken ? take_near(name) : name;
-      name_taken = true;
+      label_[target] = own_taken ? take_near(own) : own;
+      own_taken = true;
     }
-    if (!name_taken) free_.push_back(name);
+    if (!own_taken) free_.push_back(own);
   }
 
   [[nodiscard]] std::uint32_t label(Position at) const { return label_[at]; }

@@ -39,15 +39,15 @@ struct ListLeaf {
 /// An active tree as an ordered Boolean list (J. Rossignac, "Ordered Boolean List (OBL): Reducing the Footprint for
 /// Evaluating Boolean Expressions", IEEE TVCG 17(9), 2011): short-circuit code that examines each leaf once.
 ///
-/// All pixels start in the mask with label 0. At each leaf, the pixels with its name go to `if_in` or `if_out`, and the
-/// others wait. After the last leaf, the pixels still in the mask are the visible ones; all of them have `true_label`.
+/// All pixels start in the mask with label 0. At each leaf, the pixels with its label go to `if_in` or `if_out`, and
+/// the others wait. After the last leaf, the tree is TRUE at the pixels still in the mask; they have `true_label`.
 ///
-/// A label is reused: it means the next leaf with that name, or TRUE after the last one. If no pixel waits for a leaf's
-/// target yet, the target gets the leaf's name, so that the pixels that go there keep their label; of two such targets,
-/// the one examined sooner gets it. The other one gets the free label that differs from the name in the fewest bits.
+/// A label is reused: it means the next leaf with that label, or TRUE after the last one. If no pixel waits for a
+/// leaf's target yet, the target gets the leaf's label, so that the pixels that go there keep theirs; of two such
+/// targets, the one examined sooner gets it. The other one gets the free label that differs from it in the fewest bits.
 /// Only a leaf with other targets has to rewrite the label of every pixel that stays in the mask.
 struct OrderedList {
-  std::vector<ListLeaf> leaves;  ///< empty: everything is visible
+  std::vector<ListLeaf> leaves;  ///< empty: no pixel leaves the mask
   std::uint32_t true_label = 0;
   std::uint32_t labels = 1;      ///< the labels 0 ... labels - 1 are in use
   std::uint32_t label_bits = 0;  ///< ceil(log2(labels))

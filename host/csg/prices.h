@@ -1,4 +1,4 @@
-// Prices that decide which tests of the host pay.
+// Times of the host's pruning tests, which decide whether a test is worth its time.
 // Used by pruning, the emitter and sessions.
 #pragma once
 
@@ -6,7 +6,7 @@ namespace csgsim::csg {
 
 /// Time of the host and of the machine in nanoseconds. The default is a host that takes no time.
 struct Prices {
-  bool are_weighed = false;  ///< whether tests that do not pay are left out (`--pruning auto`)
+  bool are_weighed = false;  ///< whether tests that are not worth their time are left out (`--pruning auto`)
   double box = 0;            ///< two boxes are compared
   double test = 0;           ///< a half-space is tested at the corners of a rectangle
   double value = 0;          ///< two planes' values are compared
@@ -15,7 +15,7 @@ struct Prices {
 
   /// Whether to make a test that takes `nanoseconds` and saves that number of instructions if it succeeds. Half of the
   /// tests are assumed to succeed.
-  [[nodiscard]] bool pays(double instructions, double nanoseconds) const {
+  [[nodiscard]] bool is_worthwhile(double instructions, double nanoseconds) const {
     return !are_weighed || 2 * nanoseconds <= instructions * instruction;
   }
 

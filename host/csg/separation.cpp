@@ -28,8 +28,8 @@ bool separated(std::span<const glm::dvec3> first, std::span<const glm::dvec3> se
 
 namespace {
 
-/// Searches a plane, and calls found(direction, farthest of the first hull, of the second) for each that separates the
-/// hulls, until that returns false.
+/// Searches for planes that separate the hulls. For each, calls found(direction, a, b), until that returns false:
+/// `direction` points from the second hull to the first; a and b are their points closest to the plane.
 template <class Found>
 void search(Hull& first, Hull& second, const Counted& counted, const Found& found) {
   if (first.points().empty() || second.points().empty()) return;

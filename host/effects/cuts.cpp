@@ -119,7 +119,8 @@ class Cuts final : public emit::EffectOf<std::vector<Cut>> {
 
 extern const emit::EffectRow cuts{
     .section = scene::effect_section<std::vector<Cut>>(
-        "effects.cuts", "cutting planes: everything in front of them is removed, and the cut solids are capped"),
+        "effects.cuts",
+        "cutting planes: everything on the side that `normal` points to is removed, and the cut solids are capped"),
     .technique =
         "each plane is one more half-space that intersects the model, so that the caps and their holes follow "
         "from the tree; hatching uses only the low bits of a linear expression",

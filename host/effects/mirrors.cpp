@@ -285,8 +285,8 @@ class Mirrors final : public emit::EffectOf<Settings, PreparedMirrors> {
       all += emit::with_inner_drawings(*mirror.drawing).size();
       if (all > max_mirrors) {
         throw InputError(fmt::format(
-            "more than {} mirrors are visible, where mirrors in mirrors count each time; {}", max_mirrors,
-            depth > 1 ? "use --set effects.mirrors.depth=1, or let fewer faces mirror" : "let fewer faces mirror"));
+            "more than {} reflections must be drawn, counting those inside reflections; {}", max_mirrors,
+            depth > 1 ? "use --set effects.mirrors.depth=1, or make fewer faces mirrors" : "make fewer faces mirrors"));
       }
       state.drawings.push_back(mirror.drawing);
       state.mirrors.push_back(std::move(mirror));

@@ -123,7 +123,7 @@ Deciding deciding(const Context& context, std::span<const std::uint32_t> set, Si
   const auto count = static_cast<double>(result.facets.size());
   const csg::Prices& prices = context.options.prices;
   if (context.options.pruning.halfspaces && !result.nothing && count > 1 &&
-      prices.pays(count, count * usual_values * prices.value)) {
+      prices.is_worthwhile(count, count * usual_values * prices.value)) {
     drop_dominated(context, result.facets, side, block.pixels);
   }
   return result;

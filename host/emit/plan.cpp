@@ -109,9 +109,9 @@ void drop_hidden(SegmentPlan& plan, const csg::PositiveTree& positive, const fac
   const double price = static_cast<double>(hiders.boxes()) * prices.box + usual_tests * prices.test;
   for (const PlannedSurface& one : plan.surfaces) {
     const double saved = surface_instructions(one, geometry);
-    const bool pays = prices.pays(saved, price);
-    drop.push_back(pays && hiders.hide(one.block));
-    pays ? tally.add(drop.back(), saved, price) : void(++tally.left);
+    const bool is_tested = prices.is_worthwhile(saved, price);
+    drop.push_back(is_tested && hiders.hide(one.block));
+    is_tested ? tally.add(drop.back(), saved, price) : void(++tally.left);
   }
   std::size_t index = 0;
   std::erase_if(plan.surfaces, [&](const PlannedSurface&) { return drop[index++]; });

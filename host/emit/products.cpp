@@ -34,14 +34,14 @@ PlannedSurface with_product(const PlannedSurface& planned, const std::vector<csg
   return product;
 }
 
-/// Whether a plane is found between two primitives, if searching it pays.
+/// Whether a plane separates two primitives; false if the search is not worth its time.
 bool are_apart(const Context& context, std::uint32_t one, std::uint32_t other) {
   if (!context.options.pruning.separation) return false;
   const facet::Geometry& geometry = context.geometry;
   const auto halfspaces = geometry.solids[one].halfspaces.size() + geometry.solids[other].halfspaces.size();
   csg::PairTable& pairs = *context.plan.pairs;
   const csg::Prices& prices = context.options.prices;
-  return prices.pays(static_cast<double>(halfspaces), pairs.price(one, other, prices)) &&
+  return prices.is_worthwhile(static_cast<double>(halfspaces), pairs.price(one, other, prices)) &&
          pairs.are_apart(one, other, context.view, context.counted);
 }
 

@@ -220,7 +220,7 @@ QuadricSide QuadricTable::add(const Quadric& quadric, const glm::dvec3& inward) 
   canonical.origin -= centre_;
   if (quadric.kind == QuadricKind::cylinder)
     canonical.origin = glm::dvec3(nearest_to_zero(canonical.origin, canonical.axis));
-  // The axis is principal, so the directions inside a nappe have a positive component along it.
+  // The axis is principal, so all directions inside one nappe have components of the same sign along it.
   const auto along = [&](const glm::dvec3& axis) {
     return quadric.kind != QuadricKind::cone || glm::dot(inward, axis) > 0.0;
   };

@@ -17,22 +17,23 @@ namespace {
 constexpr std::uint64_t check_steps = 3'000;
 
 Remark bent_faces(const solids::BentFaces& bent, bool is_hull) {
-  std::string what = bent.count == 1 ? fmt::format("faces[{}] is not flat: a corner is {:.3g} off its plane",
-                                                   bent.first, bent.max_deviation)
-                                     : fmt::format(
-                                           "faces[{}] and {} more are not flat: corners are up to {:.3g} off "
-                                           "their planes",
-                                           bent.first, bent.count - 1, bent.max_deviation);
+  std::string what =
+      bent.count == 1 ? fmt::format("faces[{}] is not flat: a corner is {:.3g} model units off the plane of the face",
+                                    bent.first, bent.max_deviation)
+                      : fmt::format(
+                            "faces[{}] and {} more are not flat: corners are up to {:.3g} model units "
+                            "off the planes of their faces",
+                            bent.first, bent.count - 1, bent.max_deviation);
   what += is_hull
               ? "; the solid is nearly convex and combined with others, so its convex hull replaces it, as in OpenSCAD"
-              : "; cut into triangles as in OpenSCAD";
+              : "; csgsim cuts such faces into triangles, as OpenSCAD does";
   if (bent.first_different && !is_hull)
     what += fmt::format(", except faces[{}], which crosses itself in OpenSCAD's projection", *bent.first_different);
   return {bent.first, std::move(what)};
 }
 
 constexpr std::string_view enclosed_space_is_drawn =
-    "the enclosed space is drawn, as OpenSCAD shows the mesh on its own; OpenSCAD's Booleans drop it";
+    "csgsim draws the enclosed space, as OpenSCAD shows the mesh alone; OpenSCAD's Booleans reject the mesh";
 
 Remark crossing_faces(const solids::Crossing& crossing) {
   const std::string more = crossing.count > 1 ? fmt::format(", and so do {} more pairs", crossing.count - 1) : "";
@@ -47,7 +48,9 @@ Remark turned_faces(const solids::TurnedFaces& turned) {
                                 ? fmt::format("faces[{}] is oriented opposite to its neighbours", turned.first)
                                 : fmt::format("faces[{}] and {} more are oriented opposite to their neighbours",
                                               turned.first, turned.count - 1);
-  return {turned.first, which + "; reversed, as OpenSCAD shows the solid on its own; OpenSCAD's Booleans drop it"};
+  return {turned.first, fmt::format("{}; csgsim turns {}, so that the solid looks as OpenSCAD shows it alone; "
+                                    "OpenSCAD's Booleans reject the solid",
+                                    which, turned.count == 1 ? "it" : "them")};
 }
 
 struct Divided {

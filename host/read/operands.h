@@ -21,7 +21,7 @@ struct Operands {
   Work work{};                      ///< is charged for making the node
 };
 
-/// The result of such a node, in its own space: a solid as convex pieces, an area, or neither.
+/// The result of a node that is not a Boolean, in the node's own space: a solid as convex pieces, an area, or neither.
 struct Made {
   std::vector<model::Polyhedron> pieces{};
   flat::Area area{};

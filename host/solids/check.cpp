@@ -91,7 +91,7 @@ double median_edge(const Mesh& mesh) {
 
 std::string open_edge(const NumberedMesh& numbered, const EdgeSide& side) {
   const auto [from, to] = side.forward ? std::pair(side.low, side.high) : std::pair(side.high, side.low);
-  return fmt::format("the mesh is open: no face joins faces[{}] from points[{}] to points[{}]; add one",
+  return fmt::format("the mesh is open: no other face has the edge of faces[{}] from points[{}] to points[{}]; add one",
                      numbered.face_numbers[side.face], numbered.point_numbers[from], numbered.point_numbers[to]);
 }
 

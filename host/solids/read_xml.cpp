@@ -76,14 +76,14 @@ class Document {
   pugi::xml_document document_;
 };
 
-/// `text(name)` returns the text of the node for a coordinate.
+/// Adds a point. `text(name)` returns the node's text for `x`, `y` or `z`.
 template <class Text>
 void add_point(Mesh& mesh, const Document& document, const pugi::xml_node& node, const Text& text) {
   const auto coordinate = [&](const char* name) { return document.coordinate(node, text(name)); };
   mesh.points.push_back({coordinate("x"), coordinate("y"), coordinate("z")});
 }
 
-/// `text(name)` returns the text of the node for a corner.
+/// Adds a face. `text(name)` returns the node's text for `v1`, `v2` or `v3`: the index of a point.
 template <class Text>
 void add_triangle(Mesh& mesh, const Document& document, const pugi::xml_node& node, const Text& text) {
   auto& face = mesh.faces.emplace_back();

@@ -33,6 +33,7 @@ class HeldVertices {
   void hold_by_element(std::uint32_t vertex) { ++slots_[vertex].elements; }
   void drop_by_element(std::uint32_t vertex);
 
+  /// Number of the vertex in the output.
   [[nodiscard]] std::uint32_t number(std::uint32_t vertex) const { return slots_[vertex].number; }
   [[nodiscard]] std::uint64_t held() const { return held_; }
 

@@ -5,7 +5,7 @@
 
 namespace csgsim::bit_serial_memory {
 
-// Scratch row 0 is used here; designs may use the other scratch rows within these operations.
+// These functions use scratch row 0. The designs' combine(), store() and assign() use only the other scratch rows.
 
 void ColumnLogic::store_combined(BinaryOp op, Row target, Bit a, Bit b, Mask mask) {
   combine(op, map_.scratch(0), a, b);

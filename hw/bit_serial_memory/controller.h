@@ -57,10 +57,8 @@ class Controller final : public sc_core::sc_module {
   // State for waves.
   [[nodiscard]] std::string_view state() const { return state_; }
   [[nodiscard]] std::optional<std::uint64_t> ordinal() const { return ordinal_; }
-  [[nodiscard]] bool cleared() const {
-    return cleared_;
-  }  ///< whether pixel memory has been cleared for the current
-     ///< frame
+  /// Whether pixel memory has been cleared for the current frame.
+  [[nodiscard]] bool cleared() const { return cleared_; }
   /// Row command that the first bank executes.
   [[nodiscard]] std::string row_command() const {
     const RowCommand* const current = started_.current();

@@ -76,8 +76,9 @@ void check_primitive(const DisplayModel& model, std::size_t index) {
   require(one.near_colour >> model.colour_bits == 0 && (!one.complemented || one.near_colour == 0),
           "primitive {} has an invalid colour at depth 0", index);
   for (const Halfspace& halfspace : one.halfspaces) {
-    require(halfspace.plane < model.planes.size(), "primitive {} refers to plane {}, but there are {}", index,
-            halfspace.plane, model.planes.size());
+    require(halfspace.plane < model.planes.size(),
+            "primitive {} refers to plane {}, but there are {} planes, counted from 0", index, halfspace.plane,
+            model.planes.size());
     const bool coloured = seen(side_of(model.planes[halfspace.plane], halfspace.forward), one.complemented);
     require(halfspace.colour >> model.colour_bits == 0 && (coloured || halfspace.colour == 0),
             "primitive {} has a facet with an invalid colour", index);

@@ -104,6 +104,7 @@ struct ModelHeader {
   std::uint32_t background = 0;  ///< colour where nothing is visible
   Fields fields;
 
+  /// The greatest value of a depth, which is that of the background.
   [[nodiscard]] std::int64_t farthest() const { return (std::int64_t{1} << z_bits) - 1; }
   /// This object as a header, for derived classes.
   [[nodiscard]] const ModelHeader& header() const { return *this; }

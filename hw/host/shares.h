@@ -10,14 +10,15 @@
 namespace csgsim::host {
 
 /// Work of the busiest of the Kind::hosts() processors of that type that share the work of host::count_operations(). A
-/// drawing is the instructions from one that gives every pixel a new enable bit to the next such one. Processors take
-/// the drawings of the frame in turn, each with its part of the segment's preparation. They also take the preparation
-/// of the frame in turn, in as many equal parts as the segment with the most drawings has. The first processor merges:
-/// it copies the longs of the others into the order of the drawings.
+/// chunk is the instructions from one enable_all or enable_load to the next. Processors take the chunks of the frame in
+/// turn, each with its part of the segment's preparation. They also take the preparation of the frame in turn, in as
+/// many equal parts as the segment with the most chunks has. The first processor merges: it copies the longs of the
+/// others into the order of the chunks.
 processors::Operations largest_share(const isa::Program& program, const machines::Machine& machine,
                                      const processors::Processor& processor);
 
-/// The same for the work on the model, which they take in as many equal parts as the preparation of the frame.
+/// Work on the model of the busiest of these processors, which take it in as many equal parts as the preparation of the
+/// frame.
 processors::Operations largest_model_share(const isa::Program& program, const machines::Machine& machine);
 
 }  // namespace csgsim::host

@@ -73,7 +73,7 @@ struct DivisionStep {
   constexpr bool operator==(const DivisionStep&) const = default;
 };
 
-/// The work of such a machine for a region, as counted by the host.
+/// The work of a machine that divides the model itself for a region, as counted by the host.
 struct DivisionCounts {
   std::vector<DivisionStep> steps;
   std::uint64_t group_boxes = 0;       ///< boxes tested before the first region of a group

@@ -66,7 +66,8 @@ void check_fields(const Instruction& instruction, const OpcodeInfo& row, std::ui
       if (!is_field(row.operands[j])) continue;
       const Field other = instruction.fields[j];
       if (widths == FieldWidths::narrower) {
-        require(field.width <= other.width, "{}: field {} is wider than {}; make it no wider", row.name, field, other);
+        require(field.width <= other.width, "{}: field {} is wider than field {}; make it at most as wide", row.name,
+                field, other);
       } else {
         require(field.width == other.width, "{}: fields {} and {} differ in width; make them equally wide", row.name,
                 other, field);

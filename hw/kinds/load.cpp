@@ -138,7 +138,7 @@ machines::Machine load(const std::string& machine, const std::vector<std::string
   all_changes.insert(all_changes.end(), changes.begin(), changes.end());
   if (!file_of(machine).empty()) return load_file(name, all_changes);
   if (const BuiltIn* const found = built_in_named(name)) return read(*found, all_changes);
-  throw InputError(no_such("machine", name, built_in_names()) + ", or a file, whose name ends in .toml");
+  throw InputError(no_such("machine", name, built_in_names()) + "; the name of a machine file must end in .toml");
 }
 
 }  // namespace csgsim::kinds

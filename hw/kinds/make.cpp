@@ -35,9 +35,9 @@ bool can_be_stepped(const machines::Machine& machine) { return find_maker(machin
 bool can_be_probed(const machines::Machine& machine) { return find_maker(machine).make_probed != nullptr; }
 
 std::unique_ptr<systemc::ClockedMachine> make_probed_machine(const machines::Machine& machine,
-                                                             const systemc::EarlierRun& foretold,
+                                                             const systemc::EarlierRun& earlier,
                                                              systemc::EvaluatorForm form) {
-  return find_maker(machine).make_probed(machine, foretold, form);
+  return find_maker(machine).make_probed(machine, earlier, form);
 }
 
 }  // namespace csgsim::kinds

@@ -6,8 +6,8 @@
 
 #include "hw/machines/machine.h"
 #include "hw/systemc/clocked_machine.h"
+#include "hw/systemc/earlier_run.h"
 #include "hw/systemc/evaluator_form.h"
-#include "hw/systemc/foretold.h"
 
 namespace csgsim::kinds {
 
@@ -22,9 +22,9 @@ bool can_be_stepped(const machines::Machine& machine);
 /// Whether the SystemC model can consist of some of the machine's pixels only.
 bool can_be_probed(const machines::Machine& machine);
 
-/// The SystemC model with only the pixels of `foretold`; requires can_be_probed().
+/// The SystemC model with only the pixels of `earlier`; requires can_be_probed().
 std::unique_ptr<systemc::ClockedMachine> make_probed_machine(const machines::Machine& machine,
-                                                             const systemc::EarlierRun& foretold,
+                                                             const systemc::EarlierRun& earlier,
                                                              systemc::EvaluatorForm form);
 
 }  // namespace csgsim::kinds

@@ -19,8 +19,8 @@
 
 namespace csgsim::machines {
 
-/// Descriptions in parameter files, with a `name` and `figures`: the built-in ones, and any file. Include this header
-/// in source files only, because it includes {fmt}.
+/// Loads descriptions by the name of a built-in one, or from a file. `Described` has the members `name` and `figures`,
+/// its parameters. Include this header in source files only, because it includes {fmt}.
 template <class Described>
 struct Catalogue {
   std::string_view what;  ///< singular noun for messages
@@ -40,7 +40,7 @@ struct Catalogue {
     const std::vector<std::string> changes = changes_of(spec);
     if (!file_of(spec).empty()) return load_file(name, changes);
     if (const BuiltIn* const found = named(name)) return read_built_in(*found, changes);
-    throw InputError(no_such(what, name, names()) + ", or a file, whose name ends in .toml");
+    throw InputError(fmt::format("{}; the name of a {} file must end in .toml", no_such(what, name, names()), what));
   }
 
  private:

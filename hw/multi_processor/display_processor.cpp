@@ -76,7 +76,7 @@ void DisplayProcessor::draw() {
   receive_model();
   if (has_planes_) spend(DisplayActivity::transforming, model_.planes.size() * figures_.transform_clocks);
   broadcast_frame();
-  is_far_ = false;
+  is_remote_ = false;
   for (const isa::Region& segment : picture_segments({model_.width, model_.height}, figures_.levels)) {
     draw_segment(segment);
   }
@@ -106,7 +106,7 @@ void DisplayProcessor::spend(DisplayActivity activity, std::uint64_t clocks) {
 }
 
 void DisplayProcessor::draw_segment(const isa::Region& segment) {
-  if (!figures_.divides_ahead || is_far_) wait_for_nodes();
+  if (!figures_.divides_ahead || is_remote_) wait_for_nodes();
   division::Candidates survivors = prune(segment);
   const std::size_t parts = parts_of(segment, nodes_.width, nodes_.height).size();
   // A picture that is one subsegment has a list even if no primitive is left.
@@ -114,7 +114,7 @@ void DisplayProcessor::draw_segment(const isa::Region& segment) {
   const bool is_active = !survivors.primitives.empty() || is_picture;
   wait_for_nodes();
   survivors_ = std::move(survivors);
-  is_far_ = false;
+  is_remote_ = false;
   broadcast(segment, is_active);
   ++counted_.segment_count;
   if (is_active) ++counted_.active_segments;
@@ -152,13 +152,13 @@ division::Candidates DisplayProcessor::prune(const isa::Region& segment) {
   counted_.first_box_tests += counts.boxes;
   counted_.first_halfspace_tests += counts.halfspaces;
   counted_.first_cell_tests += counts.cells;
-  const std::uint64_t planes = has_planes_ ? 0 : counts.halfspaces * far_plane_clocks();
+  const std::uint64_t planes = has_planes_ ? 0 : counts.halfspaces * remote_plane_clocks();
   spend(DisplayActivity::dividing, clocks_of(counts, figures_.display_tests) + planes);
   return survivors;
 }
 
 /// Clocks to read a plane over the host's link and to transform it.
-std::uint64_t DisplayProcessor::far_plane_clocks() const {
+std::uint64_t DisplayProcessor::remote_plane_clocks() const {
   const unsigned bits = division::widths_of(model_).plane_record();
   return figures_.host.latency + std::uint64_t{quotient_up(bits, figures_.host.width)} * figures_.host.word_clocks +
          figures_.transform_clocks;
@@ -185,8 +185,8 @@ void DisplayProcessor::broadcast(const isa::Region& segment, bool is_active) {
   if (is_active) {
     const Records records = segment_records(model_, survivors_);
     const std::uint64_t reserved = 2 * quotient_up(std::uint64_t{isa::LinkWord::most_bits}, figures_.word_bits);
-    is_far_ = frame_words_ + memory_words(records) + reserved > figures_.memory_words;
-    if (is_far_) {
+    is_remote_ = frame_words_ + memory_words(records) + reserved > figures_.memory_words;
+    if (is_remote_) {
       send(segment_heads(model_, survivors_), WordKind::heads, false);
     } else {
       send(records, WordKind::segment, false);

@@ -54,7 +54,7 @@ class DisplayProcessor final : public sc_core::sc_module {
   division::Candidates prune(const isa::Region& segment);
   void take_request(const BusRequest& sent);
   void answer_request();
-  [[nodiscard]] std::uint64_t far_plane_clocks() const;
+  [[nodiscard]] std::uint64_t remote_plane_clocks() const;
   void draw_segment(const isa::Region& segment);
   void broadcast_frame();
   void broadcast(const isa::Region& segment, bool is_active);
@@ -79,7 +79,7 @@ class DisplayProcessor final : public sc_core::sc_module {
   std::uint64_t model_words_ = 0;             ///< words of its memory that the model occupies
   std::uint64_t frame_words_ = 0;             ///< words of a node's memory that the frame's records occupy
   division::Candidates survivors_;            ///< survivors of the segment broadcast last
-  bool is_far_ = false;                       ///< half-spaces of that segment stayed here
+  bool is_remote_ = false;                    ///< half-spaces of that segment stayed here
   division::BitWriter request_;               ///< bits received of a node's request
   bool request_pending_ = false;              ///< a request has been received
   std::uint64_t words_ = 0;                   ///< words sent, over all frames

@@ -89,7 +89,7 @@ void Node::take_from_node(const BusRequest& sent) {
     if (const auto command = entries_.take(sent.word, form_, records_.model())) take_list_command(*command);
   }
   if (!sent.last) return;
-  paused_ = sent.kind == WordKind::pause || is_far_;
+  paused_ = sent.kind == WordKind::pause || is_remote_;
   if (paused_ || lists_received_ == parts_.size()) {
     sharing_ = false;
     activities_.change(NodeActivity::waiting, time_.now());
@@ -127,7 +127,7 @@ void Node::update_room_line() {
 
 /// Half-spaces are numbered in the order of their arrival.
 ListForm Node::choose_list_form() const {
-  if (figures_.lists == ListKind::instructions || !is_active_ || is_far_) return {};
+  if (figures_.lists == ListKind::instructions || !is_active_ || is_remote_) return {};
   const std::size_t planes = records_.model().planes.size();
   const auto bits = static_cast<unsigned>(std::bit_width(planes > 0 ? planes - 1 : 0));
   ListForm form{
@@ -149,8 +149,8 @@ void Node::begin_receiving() {
 
 void Node::take_record(const BusRequest& sent) {
   if (is_segment_record(sent.kind) && !std::exchange(is_active_, true)) {
-    is_far_ = sent.kind == WordKind::heads;
-    records_.begin_segment(!is_far_);
+    is_remote_ = sent.kind == WordKind::heads;
+    records_.begin_segment(!is_remote_);
   }
   records_.take(sent.word);
   if (sent.kind == WordKind::frame && sent.last) begin_frame();
@@ -210,7 +210,7 @@ void Node::wait_for_others() {
 /// lists.
 void Node::prune() {
   own_.clear();
-  if (number_ < parts_.size() && !is_far_) {
+  if (number_ < parts_.size() && !is_remote_) {
     own_.begin(parts_[number_], records_, form_, parts_.size() == 1 ? room_for_lists() : room_for_lists() / 2);
     tests_ += own_.counts();
     spend(NodeActivity::pruning, own_.build());
@@ -222,10 +222,10 @@ void Node::prune() {
 /// The nodes send their lists in turn to all nodes; all nodes render what they have received at each pause and at the
 /// end.
 void Node::draw_lists() {
-  if (!is_far_) begin_sharing(time_.now());
+  if (!is_remote_) begin_sharing(time_.now());
   while (lists_received_ < parts_.size()) {
     const bool is_own_turn = lists_received_ == number_;
-    if (is_own_turn && is_far_) {
+    if (is_own_turn && is_remote_) {
       divide_remotely();
       continue;
     }

@@ -46,7 +46,7 @@ struct SavedPixels {
 struct Rendering {
   const List* list = nullptr;           ///< null if it renders no list
   std::uint64_t start_clock = 0;        ///< clock since the simulation began
-  const PixelMemory* before = nullptr;  ///< state of its pixels; empty at the start of a list
+  const PixelMemory* before = nullptr;  ///< its pixels before it; empty for the first part of a list
 };
 
 /// A processor of the array, which holds the pixels of the picture interleaved over the array in both directions. The
@@ -149,7 +149,7 @@ class Node final : public sc_core::sc_module {
   bool receiving_ = false;  ///< whether a transmission of the display processor is in progress
   isa::Region segment_;     ///< received last
   bool is_active_ = false;  ///< the segment has records
-  bool is_far_ = false;     ///< half-spaces stay with the display processor
+  bool is_remote_ = false;  ///< half-spaces stay with the display processor
   std::vector<isa::Region> parts_;
   OwnList own_;                     ///< list of the node's own subsegment
   std::vector<List> lists_;         ///< parts received and not yet rendered

@@ -93,7 +93,7 @@ class PixelStory {
   const NodePixels own_;
   const std::size_t place_;  ///< index of the pixel among the node's own
   Rendering replayed_;       ///< the rendering that `moments_` belong to
-  PixelMemory before_;       ///< state of the pixel; empty at the start of a list
+  PixelMemory before_;       ///< the pixel before that rendering; empty for the first part of a list
   std::vector<PixelMoment> moments_;
 };
 

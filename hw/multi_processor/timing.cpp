@@ -88,7 +88,7 @@ class FrameModel {
     ++counted_.segment_count;
     divide(division);
     const Passes passes = plan_passes(parts, sizes_, machine_);
-    is_far_ = passes.is_far;
+    is_remote_ = passes.is_remote;
     form_ = passes.form;
     broadcast_segment(division);
     std::uint64_t now = display_free_;
@@ -126,7 +126,7 @@ class FrameModel {
   void divide(const SegmentDivision& division) {
     const TestClocks& each = figures_.display_tests;
     const std::uint64_t times = memory_.holds(division, sizes_, figures_) ? 1 : 2;
-    const std::uint64_t plane = memory_.has_planes ? 0 : far_plane_clocks(sizes_, figures_);
+    const std::uint64_t plane = memory_.has_planes ? 0 : remote_plane_clocks(sizes_, figures_);
     const std::uint64_t clocks =
         times * (division.boxes * each.primitive + division.halfspace_tests * (each.halfspace + plane) +
                  division.cell_tests * each.cell);
@@ -134,7 +134,7 @@ class FrameModel {
     counted_.first_halfspace_tests += times * division.halfspace_tests;
     counted_.first_cell_tests += times * division.cell_tests;
     counted_.stages.first_pruning += clocks;
-    const bool ahead = figures_.divides_ahead && !is_far_;
+    const bool ahead = figures_.divides_ahead && !is_remote_;
     display_free_ = (ahead ? display_free_ : std::max(display_free_, nodes_free_)) + clocks;
   }
 
@@ -142,7 +142,7 @@ class FrameModel {
     const std::uint32_t width = machine_.link.width;
     const std::uint64_t commands =
         quotient_up(isa::wire_bits(isa::SegmentStart{}), width) + quotient_up(isa::wire_bits(isa::SegmentEnd{}), width);
-    const std::uint64_t halfspaces = is_far_ ? 0 : division.halfspaces;
+    const std::uint64_t halfspaces = is_remote_ ? 0 : division.halfspaces;
     counted_.broadcast_primitives += division.primitives;
     counted_.broadcast_halfspaces += halfspaces;
     broadcast(commands + (division.active ? segment_words(sizes_, division.primitives, halfspaces, width) : 0));
@@ -297,7 +297,7 @@ class FrameModel {
   const Refresh refresh_;
   FrameAccount counted_;
   ListForm form_;
-  bool is_far_ = false;             ///< half-spaces of the current segment stay with the display processor
+  bool is_remote_ = false;          ///< half-spaces of the current segment stay with the display processor
   std::uint64_t display_free_ = 0;  ///< clock in which the display processor has sent what it has divided
   std::uint64_t nodes_free_ = 0;    ///< clock in which the nodes have rendered the segment
 };

@@ -33,8 +33,8 @@ void check_display_memory(const DisplayMemory& memory, const Machine& machine) {
 /// What remains of the model in a segment must fit the memory of all nodes or of the display processor.
 void check_segment_memory(Subsegments parts, const ModelSizes& sizes, const DisplayMemory& memory,
                           const Machine& machine) {
-  const bool is_far = list_room(parts, sizes, machine).is_far;
-  if (!is_far || memory.holds(division_of(parts), sizes, machines::own<Figures>(machine))) return;
+  const bool is_remote = list_room(parts, sizes, machine).is_remote;
+  if (!is_remote || memory.holds(division_of(parts), sizes, machines::own<Figures>(machine))) return;
   throw InputError(fmt::format(
       "what remains of the model in the segment at {},{} fits neither the memory of the nodes of {} nor that of its "
       "display processor; increase node.memory_words, display.memory_words or subdivision.levels in the machine file",
@@ -44,7 +44,7 @@ void check_segment_memory(Subsegments parts, const ModelSizes& sizes, const Disp
 /// Upper bound: half-spaces are read over the bus, planes from the host, and the first pruning is done twice.
 double test_clocks(const isa::Segment& part, const ModelSizes& sizes, const Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
-  const auto plane = static_cast<double>(far_plane_clocks(sizes, figures));
+  const auto plane = static_cast<double>(remote_plane_clocks(sizes, figures));
   const TestClocks each = node_test_clocks(sizes, figures);
   const auto read = static_cast<double>(read_clocks(sizes, machine).clocks());
   const isa::DivisionCounts& counts = *part.division;

@@ -89,7 +89,7 @@ DisplayMemory display_memory(const isa::Program& program, const ModelSizes& size
   return {quotient_up(host_bits(program) - planes, figures.word_bits), false};
 }
 
-std::uint64_t far_plane_clocks(const ModelSizes& sizes, const Figures& figures) {
+std::uint64_t remote_plane_clocks(const ModelSizes& sizes, const Figures& figures) {
   const HostLink& host = figures.host;
   return host.latency + quotient_up(plane_bits(sizes), host.width) * host.word_clocks + figures.transform_clocks;
 }

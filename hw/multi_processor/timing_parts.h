@@ -51,6 +51,6 @@ struct DisplayMemory {
 DisplayMemory display_memory(const isa::Program& program, const ModelSizes& sizes, const Figures& figures);
 
 /// Clocks to read a plane from the host and transform it.
-std::uint64_t far_plane_clocks(const ModelSizes& sizes, const Figures& figures);
+std::uint64_t remote_plane_clocks(const ModelSizes& sizes, const Figures& figures);
 
 }  // namespace csgsim::multi_processor

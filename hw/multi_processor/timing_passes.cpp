@@ -101,21 +101,21 @@ class ListExchange {
       : parts_(parts),
         form_(form),
         room_(room.words),
-        is_far_(room.is_far),
+        is_remote_(room.is_remote),
         is_alone_(machine.array.width * machine.array.height == 1),
         max_command_words_(max_command_words(machine)),
         node_bits_(machines::own<Figures>(machine).word_bits),
         bus_bits_(machine.link.width) {
-    const std::uint64_t own_room = parts.size() == 1 || is_far_ ? room_ : room_ / 2;
+    const std::uint64_t own_room = parts.size() == 1 || is_remote_ ? room_ : room_ / 2;
     for (const isa::Segment& part : parts)
       built_.push_back(
-          ListBuilder(part, own_room, is_far_ ? read : 0, form, each, machines::own<Figures>(machine)).build());
+          ListBuilder(part, own_room, is_remote_ ? read : 0, form, each, machines::own<Figures>(machine)).build());
   }
 
   Passes run() {
-    passes_.is_far = is_far_;
+    passes_.is_remote = is_remote_;
     passes_.form = form_;
-    for (const std::vector<BuiltPart>& list : built_) passes_.divided.push_back(is_far_ ? 0 : list.front().clocks);
+    for (const std::vector<BuiltPart>& list : built_) passes_.divided.push_back(is_remote_ ? 0 : list.front().clocks);
     for (std::size_t node = 0; node < parts_.size(); ++node) send_list(node);
     return passes_;
   }
@@ -127,12 +127,12 @@ class ListExchange {
 
   void send_list(std::size_t node) {
     waiting_ = 0;
-    for (std::size_t other = node + 1; other < built_.size() && !is_far_; ++other)
+    for (std::size_t other = node + 1; other < built_.size() && !is_remote_; ++other)
       waiting_ = std::max(waiting_, built_[other].front().words);
     std::size_t command = 0;
     for (std::size_t i = 0; i < built_[node].size(); ++i) {
       const BuiltPart& part_built = built_[node][i];
-      if (i > 0 || is_far_) {
+      if (i > 0 || is_remote_) {
         begin(node, part_built.clocks, part_built.reads);
       } else {
         begin(node);
@@ -146,7 +146,7 @@ class ListExchange {
       }
       if (i + 1 < built_[node].size()) pause();
     }
-    if (is_far_) {
+    if (is_remote_) {
       stop();
     } else {
       passes_.messages.push_back(std::exchange(now_, {}));
@@ -182,7 +182,7 @@ class ListExchange {
   const Subsegments parts_;
   const ListForm form_;
   const std::uint64_t room_;
-  const bool is_far_;
+  const bool is_remote_;
   const bool is_alone_;
   const std::uint64_t max_command_words_;
   const std::uint32_t node_bits_;
@@ -213,8 +213,8 @@ ListRoom list_room(Subsegments parts, const ModelSizes& sizes, const Machine& ma
       parts.front().region.x, parts.front().region.y, records + reserved, machine.name, figures.memory_words));
 }
 
-ListForm list_form(Subsegments parts, bool is_far, const ModelSizes& sizes, const Machine& machine) {
-  if (is_far) return {};
+ListForm list_form(Subsegments parts, bool is_remote, const ModelSizes& sizes, const Machine& machine) {
+  if (is_remote) return {};
   ListForm form = longest_form(sizes, machine);
   const std::uint64_t halfspaces = division_of(parts).halfspaces;
   form.number_bits = 1;
@@ -243,7 +243,7 @@ ReadClocks read_clocks(const ModelSizes& sizes, const Machine& machine) {
 Passes plan_passes(Subsegments parts, const ModelSizes& sizes, const Machine& machine) {
   const TestClocks each = node_test_clocks(sizes, machines::own<Figures>(machine));
   const ListRoom room = list_room(parts, sizes, machine);
-  const ListForm form = list_form(parts, room.is_far, sizes, machine);
+  const ListForm form = list_form(parts, room.is_remote, sizes, machine);
   return ListExchange(parts, room, read_clocks(sizes, machine).clocks(), form, each, machine).run();
 }
 

@@ -33,7 +33,7 @@ struct Message {
 
 /// A segment from the division of the first list to the arrival of the last one.
 struct Passes {
-  bool is_far = false;                 ///< half-spaces stay with the display processor
+  bool is_remote = false;              ///< half-spaces stay with the display processor
   ListForm form;                       ///< form of all lists
   std::vector<std::uint64_t> divided;  ///< clocks of each list before the first is sent
   std::vector<Message> messages;
@@ -42,14 +42,14 @@ struct Passes {
 /// Memory of a node that the records of frame and segment leave free.
 struct ListRoom {
   std::uint64_t words = 0;
-  bool is_far = false;  ///< half-spaces stay with the display processor
+  bool is_remote = false;  ///< half-spaces stay with the display processor
 };
 
 /// Throws InputError if there is no room for any list.
 ListRoom list_room(Subsegments parts, const ModelSizes& sizes, const machines::Machine& machine);
 
-/// Form of the lists of a segment. `is_far`: its half-spaces stay with the display processor.
-ListForm list_form(Subsegments parts, bool is_far, const ModelSizes& sizes, const machines::Machine& machine);
+/// Form of the lists of a segment. `is_remote`: its half-spaces stay with the display processor.
+ListForm list_form(Subsegments parts, bool is_remote, const ModelSizes& sizes, const machines::Machine& machine);
 
 /// The form in which lists of any segment take longest.
 ListForm longest_form(const ModelSizes& sizes, const machines::Machine& machine);

@@ -26,12 +26,12 @@ GlobalOr::GlobalOr(sc_core::sc_module_name name, array::PlaneShape shape, std::u
   }
 }
 
-void GlobalOr::set_answers(std::vector<bool> answers) { foretold_.emplace(answers.begin(), answers.end()); }
+void GlobalOr::set_answers(std::vector<bool> answers) { known_answers_.emplace(answers.begin(), answers.end()); }
 
 bool GlobalOr::any_enabled() {
-  if (!foretold_) return enable->any_enabled();
-  const bool found = foretold_->front();
-  foretold_->pop_front();
+  if (!known_answers_) return enable->any_enabled();
+  const bool found = known_answers_->front();
+  known_answers_->pop_front();
   return found;
 }
 
@@ -60,7 +60,7 @@ void GlobalOr::shift() {
 /// Each gate of the first level combines consecutive pixels in row order.
 void GlobalOr::gather_enable(Level& level) {
   std::fill(level.bits.begin(), level.bits.end(), false);
-  if (foretold_) {
+  if (known_answers_) {
     level.bits.front() = any_enabled();
     return;
   }

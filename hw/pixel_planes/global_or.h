@@ -44,7 +44,7 @@ class GlobalOr final : public sc_core::sc_module {
   array::PlaneShape shape_;
   std::uint32_t fan_in_;
   std::vector<Level> levels_;  ///< from the pixels to the controller
-  std::optional<std::deque<bool>> foretold_;
+  std::optional<std::deque<bool>> known_answers_;
 };
 
 }  // namespace csgsim::pixel_planes

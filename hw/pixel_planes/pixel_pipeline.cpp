@@ -12,29 +12,29 @@ namespace {
 array::PlaneShape whole_array(const machines::Machine& machine) { return {machine.array.width, machine.array.height}; }
 
 std::optional<array::SteppedEvaluator> adders(const machines::Machine& machine, systemc::EvaluatorForm form,
-                                              const systemc::EarlierRun* foretold) {
+                                              const systemc::EarlierRun* earlier) {
   if (form == systemc::EvaluatorForm::worked_out) return std::nullopt;
-  const std::span<const array::Place> pixels = foretold == nullptr ? std::span<const array::Place>() : foretold->pixels;
+  const std::span<const array::Place> pixels = earlier == nullptr ? std::span<const array::Place>() : earlier->pixels;
   const array::TreeForm trees{machine.evaluator_degree, machine.evaluator_bits, machine.register_levels};
   return array::SteppedEvaluator(whole_array(machine), trees, pixels);
 }
 
-array::PixelArray pixels_of(const machines::Machine& machine, const systemc::EarlierRun* foretold) {
-  if (foretold == nullptr) return {machine.array, machine.alu_bits};
-  return {foretold->pixels, machine.array.memory_bits, machine.alu_bits};
+array::PixelArray pixels_of(const machines::Machine& machine, const systemc::EarlierRun* earlier) {
+  if (earlier == nullptr) return {machine.array, machine.alu_bits};
+  return {earlier->pixels, machine.array.memory_bits, machine.alu_bits};
 }
 
 }  // namespace
 
 PixelPipeline::PixelPipeline(sc_core::sc_module_name name, const machines::Machine& machine,
-                             systemc::EvaluatorForm form, const systemc::EarlierRun* foretold)
+                             systemc::EvaluatorForm form, const systemc::EarlierRun* earlier)
     : sc_core::sc_module(name),
       period_(systemc::period_of(machine)),
       latency_(machines::evaluator_latency(machine)),
-      datapath_(whole_array(machine), machine.register_levels, adders(machine, form, foretold),
-                pixels_of(machine, foretold)),
+      datapath_(whole_array(machine), machine.register_levels, adders(machine, form, earlier),
+                pixels_of(machine, earlier)),
       row_(pixels().shape().row_words()) {
-  if (foretold != nullptr) foretold_.emplace(whole_array(machine), foretold->picture);
+  if (earlier != nullptr) earlier_picture_.emplace(whole_array(machine), earlier->picture);
   SC_HAS_PROCESS(PixelPipeline);
   SC_METHOD(wake);
   dont_initialize();
@@ -96,7 +96,7 @@ void PixelPipeline::take_puts() const {
 }
 
 std::span<const std::uint64_t> PixelPipeline::memory_row(std::uint32_t address, std::uint32_t row) const {
-  if (foretold_) return foretold_->row(address, row);
+  if (earlier_picture_) return earlier_picture_->row(address, row);
   pixels().read_row(address, row, row_);
   return row_;
 }
@@ -111,7 +111,7 @@ void PixelPipeline::resume(const array::PixelArray& pixels, const array::StreamB
 }
 
 void PixelPipeline::show(isa::Field field) {
-  if (foretold_) foretold_->show(field);
+  if (earlier_picture_) earlier_picture_->show(field);
 }
 
 }  // namespace csgsim::pixel_planes

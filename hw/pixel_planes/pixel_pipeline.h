@@ -15,10 +15,10 @@
 #include "hw/machines/machine.h"
 #include "hw/pixel_planes/control_word.h"
 #include "hw/pixel_planes/datapath.h"
-#include "hw/pixel_planes/foretold_picture.h"
+#include "hw/pixel_planes/earlier_picture.h"
 #include "hw/pixel_planes/pixel_ports.h"
+#include "hw/systemc/earlier_run.h"
 #include "hw/systemc/evaluator_form.h"
-#include "hw/systemc/foretold.h"
 
 namespace csgsim::pixel_planes {
 
@@ -31,10 +31,10 @@ class PixelPipeline final : public sc_core::sc_module, public PixelWires, public
   /// Whether the word at the pixels is a question: it requests the global OR.
   sc_core::sc_out<bool> question{"question"};
 
-  /// If `foretold` is not null, only the pixels of that run are built, side by side: pixel i is at (i, 0). The refresh
+  /// If `earlier` is not null, only the pixels of that run are built, side by side: pixel i is at (i, 0). The refresh
   /// port then delivers the picture of that run.
   PixelPipeline(sc_core::sc_module_name name, const machines::Machine& machine, systemc::EvaluatorForm form,
-                const systemc::EarlierRun* foretold = nullptr);
+                const systemc::EarlierRun* earlier = nullptr);
 
   void put(std::uint64_t edge, const ControlWord& word, const array::RootBits& bits) override;
 
@@ -70,7 +70,7 @@ class PixelPipeline final : public sc_core::sc_module, public PixelWires, public
   const sc_core::sc_time period_;
   const unsigned latency_;
   bool requests_or_ = false;  ///< whether the last control word requests the global OR
-  std::optional<EarlierPicture> foretold_;
+  std::optional<EarlierPicture> earlier_picture_;
   std::vector<std::uint64_t> due_;  ///< edges at which to wake, the latest first
   sc_core::sc_event woken_{"woken"};
 

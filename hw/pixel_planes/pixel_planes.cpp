@@ -60,17 +60,17 @@ void check_fits(const isa::ArrayShape& program, const isa::ArrayShape& machine) 
 }  // namespace
 
 PixelPlanes::PixelPlanes(sc_core::sc_module_name name, const machines::Machine& machine, systemc::EvaluatorForm form,
-                         const systemc::EarlierRun* foretold)
+                         const systemc::EarlierRun* earlier)
     : sc_core::sc_module(name),
       machine_(machine),
-      foretold_(foretold == nullptr ? std::nullopt : std::optional(*foretold)),
+      earlier_(earlier == nullptr ? std::nullopt : std::optional(*earlier)),
       latency_(machines::evaluator_latency(machine)),
       clock_("clock", systemc::period_of(machine)),
       link_("link", static_cast<int>(machine.link.fifo_depth)),
       accounts_("accounts", static_cast<int>(latency_) + 2),
       host_("host", systemc::period_of(machine), machine.link),
       controller_("controller", systemc::period_of(machine), sequencer(machine), controller_figures(machine)),
-      pipeline_("pipeline", machine, form, foretold),
+      pipeline_("pipeline", machine, form, earlier),
       global_or_("global_or", plane_shape(machine), machines::own<Figures>(machine).or_fan_in),
       scan_out_("scan_out", systemc::period_of(machine), plane_shape(machine),
                 machines::own<Figures>(machine).scan_out_pixels, machines::own<Figures>(machine).scan_out_port) {
@@ -201,9 +201,9 @@ void PixelPlanes::draw(const isa::Program& program, systemc::RunListener& listen
 }
 
 void PixelPlanes::start(const isa::Program& program) {
-  if (foretold_) pipeline_.show(shown_field(program, machine_));
+  if (earlier_) pipeline_.show(shown_field(program, machine_));
   if (start_) return resume(program, *std::exchange(start_, std::nullopt));
-  if (foretold_) global_or_.set_answers(foretold_->answers);
+  if (earlier_) global_or_.set_answers(earlier_->answers);
   host_.load(link::frame_words(program, machine_.link.width));
   waiting_frames_.nb_write(true);
 }
@@ -211,11 +211,11 @@ void PixelPlanes::start(const isa::Program& program) {
 /// Starts at an instruction with idle wires between controller and pixels. The words that the whole machine would have
 /// there have passed before the window begins.
 void PixelPlanes::resume(const isa::Program& program, const Start& start) {
-  const array::PixelReplay fresh(foretold_->pixels, machine_.array.memory_bits, sequencer(machine_), machine_.alu_bits);
-  const array::PixelReplay replay = replay_until(program, foretold_->answers, start, fresh);
+  const array::PixelReplay fresh(earlier_->pixels, machine_.array.memory_bits, sequencer(machine_), machine_.alu_bits);
+  const array::PixelReplay replay = replay_until(program, earlier_->answers, start, fresh);
   pipeline_.resume(replay.pixels(), replay.tree());
   const auto first = static_cast<std::ptrdiff_t>(start.questions);
-  global_or_.set_answers({foretold_->answers.begin() + first, foretold_->answers.end()});
+  global_or_.set_answers({earlier_->answers.begin() + first, earlier_->answers.end()});
   link::FrameWords words = link::frame_words(program, machine_.link.width, start.ordinal + 1, start.end);
   for (std::size_t i = start.moment.words_read; i < start.moment.words_sent; ++i) link_.nb_write(words.words[i]);
   host_.resume(std::move(words), start.moment.words_sent, start.moment.clocks_left);
@@ -224,8 +224,8 @@ void PixelPlanes::resume(const isa::Program& program, const Start& start) {
 }
 
 std::uint64_t PixelPlanes::skip_to(const isa::Program& program, wave::Window window) {
-  if (!foretold_) return 0;
-  start_ = start_before(program, machine_, *foretold_, window);
+  if (!earlier_) return 0;
+  start_ = start_before(program, machine_, *earlier_, window);
   return start_ ? start_->moment.clock : 0;
 }
 
@@ -244,7 +244,7 @@ std::vector<wave::Tap> PixelPlanes::taps(const isa::Program& program, const wave
   add(scan_out_taps());
   for (std::size_t i = 0; i < request.pixels.size(); ++i) {
     const array::Place place = place_of(request.pixels[i], program);
-    const array::Place built = foretold_ ? array::Place{built_index(*foretold_, place), 0} : place;
+    const array::Place built = earlier_ ? array::Place{built_index(*earlier_, place), 0} : place;
     add(pixel_taps(request.pixels[i], {pipeline_, place, built, nullptr, trees}, program, request.tree_levels,
                    machine_.alu_bits));
   }
@@ -302,9 +302,9 @@ extern const Maker pixel_planes_maker{
     .make_stepped = [](const machines::Machine& machine) -> std::unique_ptr<ClockedMachine> {
       return std::make_unique<pixel_planes::PixelPlanes>("pixel_planes", machine, EvaluatorForm::stepped);
     },
-    .make_probed = [](const machines::Machine& machine, const EarlierRun& foretold,
+    .make_probed = [](const machines::Machine& machine, const EarlierRun& earlier,
                       EvaluatorForm form) -> std::unique_ptr<ClockedMachine> {
-      return std::make_unique<pixel_planes::PixelPlanes>("pixel_planes", machine, form, &foretold);
+      return std::make_unique<pixel_planes::PixelPlanes>("pixel_planes", machine, form, &earlier);
     }};
 
 }  // namespace csgsim::systemc

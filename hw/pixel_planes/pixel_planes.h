@@ -21,8 +21,8 @@
 #include "hw/pixel_planes/scan_out.h"
 #include "hw/systemc/clock.h"
 #include "hw/systemc/clocked_machine.h"
+#include "hw/systemc/earlier_run.h"
 #include "hw/systemc/evaluator_form.h"
-#include "hw/systemc/foretold.h"
 #include "hw/systemc/retirement.h"
 
 namespace csgsim::pixel_planes {
@@ -30,11 +30,11 @@ namespace csgsim::pixel_planes {
 /// The whole Pixel-planes machine.
 class PixelPlanes final : public sc_core::sc_module, public systemc::ClockedMachine {
  public:
-  /// If `foretold` is not null, only the pixels of that run are built. This supports Programs of one segment; the
+  /// If `earlier` is not null, only the pixels of that run are built. This supports Programs of one segment; the
   /// picture that a run reports is then meaningless.
   PixelPlanes(sc_core::sc_module_name name, const machines::Machine& machine,
               systemc::EvaluatorForm form = systemc::EvaluatorForm::worked_out,
-              const systemc::EarlierRun* foretold = nullptr);
+              const systemc::EarlierRun* earlier = nullptr);
 
   /// A frame begins with the clock in which the controller requests it and ends when its last step has been executed;
   /// then the picture of a Program with a displayed field is scanned out.
@@ -78,7 +78,7 @@ class PixelPlanes final : public sc_core::sc_module, public systemc::ClockedMach
   void on_done();
 
   const machines::Machine machine_;
-  const std::optional<systemc::EarlierRun> foretold_;
+  const std::optional<systemc::EarlierRun> earlier_;
   const unsigned latency_;
 
   systemc::Clock clock_;

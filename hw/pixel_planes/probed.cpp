@@ -32,23 +32,23 @@ void for_each_executed(const isa::Program& program, const std::vector<bool>& ans
 }  // namespace
 
 std::optional<Start> start_before(const isa::Program& program, const machines::Machine& machine,
-                                  const systemc::EarlierRun& foretold, wave::Window window) {
+                                  const systemc::EarlierRun& earlier, wave::Window window) {
   // One clock more than the pipeline, because the word that the pixels executed last is also traced.
   const std::uint64_t lead = machines::evaluator_latency(machine) + 2;
   std::optional<Start> start;
   std::uint64_t first = 0;  // ordinal of the segment's first instruction
   std::uint32_t segment_before = 0;
-  for_each_executed(program, foretold.answers, [&](std::uint32_t segment, std::uint32_t index, std::size_t questions) {
+  for_each_executed(program, earlier.answers, [&](std::uint32_t segment, std::uint32_t index, std::size_t questions) {
     if (segment != segment_before) first += program.segments[segment_before].instructions.size();
     segment_before = segment;
-    const std::uint64_t begin = foretold.timeline->issued[segment][index].begin;
+    const std::uint64_t begin = earlier.timeline->issued[segment][index].begin;
     const bool follows_squares = isa::pending_squares(program.segments[segment], index) != nullptr;
     if (begin + lead <= window.begin && !follows_squares)
       start = Start{segment, index, first + index, {}, questions, 0};
     if (start) start->end = first + index + 2 + machine.link.fifo_depth;
     return begin < window.end;
   });
-  if (start) start->moment = instruction_moment(program, machine, foretold.skips, start->segment, start->index);
+  if (start) start->moment = instruction_moment(program, machine, earlier.skips, start->segment, start->index);
   return start;
 }
 
@@ -86,10 +86,10 @@ array::Place place_of(wave::Pixel pixel, const isa::Program& program) {
   return {pixel.x - region.x, pixel.y - region.y};
 }
 
-std::uint32_t built_index(const systemc::EarlierRun& foretold, array::Place place) {
-  const auto found = std::find(foretold.pixels.begin(), foretold.pixels.end(), place);
-  if (found == foretold.pixels.end()) throw std::out_of_range("a probed pixel that is not built");
-  return static_cast<std::uint32_t>(std::distance(foretold.pixels.begin(), found));
+std::uint32_t built_index(const systemc::EarlierRun& earlier, array::Place place) {
+  const auto found = std::find(earlier.pixels.begin(), earlier.pixels.end(), place);
+  if (found == earlier.pixels.end()) throw std::out_of_range("a probed pixel that is not built");
+  return static_cast<std::uint32_t>(std::distance(earlier.pixels.begin(), found));
 }
 
 isa::Field shown_field(const isa::Program& program, const machines::Machine& machine) {

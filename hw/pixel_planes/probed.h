@@ -10,7 +10,7 @@
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
 #include "hw/pixel_planes/timing.h"
-#include "hw/systemc/foretold.h"
+#include "hw/systemc/earlier_run.h"
 #include "hw/wave/request.h"
 
 // Starts a machine of which only some pixels are built in the middle of a frame.
@@ -29,7 +29,7 @@ struct Start {
 /// The last instruction that begins at least a pipeline length before the window and has no squares directly before it;
 /// empty if there is none.
 std::optional<Start> start_before(const isa::Program& program, const machines::Machine& machine,
-                                  const systemc::EarlierRun& foretold, wave::Window window);
+                                  const systemc::EarlierRun& earlier, wave::Window window);
 
 /// The pixels after all instructions before `start` have been executed, starting from `fresh`. `answers`: as in
 /// EarlierRun.
@@ -40,7 +40,7 @@ array::PixelReplay replay_until(const isa::Program& program, const std::vector<b
 array::Place place_of(wave::Pixel pixel, const isa::Program& program);
 
 /// Index of a place among the pixels of the earlier run. Throws std::out_of_range if it is not among them.
-std::uint32_t built_index(const systemc::EarlierRun& foretold, array::Place place);
+std::uint32_t built_index(const systemc::EarlierRun& earlier, array::Place place);
 
 /// The field of pixel memory that the scan-out displays.
 isa::Field shown_field(const isa::Program& program, const machines::Machine& machine);

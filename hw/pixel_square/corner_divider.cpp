@@ -60,7 +60,7 @@ void CornerDivider::work() {
       continue;
     }
     take_model();
-    SteppedDatapath path(header_, memory_, machine_, far_planes_, callbacks());
+    SteppedDatapath path(header_, memory_, machine_, remote_planes_, callbacks());
     for (const std::size_t square : assigned_) divide(square, path);
     wait_spent();
     square_.reset();
@@ -75,7 +75,7 @@ void CornerDivider::take_model() {
   const division::DisplayModel model = division::from_link(receiver_.bytes(), byte_bits);
   header_ = model.header();
   memory_ = division::ModelMemory(model, figures_.record_bits);
-  far_planes_ = has_far_planes(receiver_.bytes().size(), model.planes.size(), memory_.plane_bits(), figures_);
+  remote_planes_ = has_remote_planes(receiver_.bytes().size(), model.planes.size(), memory_.plane_bits(), figures_);
   state_ = "testing";
   divider_.emplace(model);
   spend(model.nodes.size() * figures_.node_clocks);

@@ -69,7 +69,7 @@ class CornerDivider final : public sc_core::sc_module {
   division::ModelHeader header_;
   division::ModelMemory memory_;
   std::optional<division::Divider> divider_;  ///< set once the model has been received
-  bool far_planes_ = false;
+  bool remote_planes_ = false;
   isa::Region group_;                         ///< group that the list belongs to
   std::optional<division::Candidates> list_;  ///< survivors of the group, if they fit the list memory
   std::optional<std::size_t> square_;         ///< square in progress

@@ -9,16 +9,16 @@
 namespace csgsim::pixel_square {
 
 SteppedDatapath::SteppedDatapath(const division::ModelHeader& header, const division::ModelMemory& memory,
-                                 const machines::Machine& machine, bool far_planes, Callbacks callbacks)
+                                 const machines::Machine& machine, bool remote_planes, Callbacks callbacks)
     : Datapath(header),
       memory_(memory),
       machine_(machine),
       figures_(machines::own<Figures>(machine)),
-      far_planes_(far_planes),
+      remote_planes_(remote_planes),
       callbacks_(std::move(callbacks)) {}
 
 std::uint64_t SteppedDatapath::plane_clocks() const {
-  if (!far_planes_) return memory_.plane_words();
+  if (!remote_planes_) return memory_.plane_words();
   return machine_.link.latency +
          std::uint64_t{quotient_up(memory_.plane_bits(), machine_.link.width)} * machine_.link.word_clocks;
 }

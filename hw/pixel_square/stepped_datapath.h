@@ -23,9 +23,9 @@ class SteppedDatapath final : public division::Datapath {
     std::function<void(const isa::Instruction&)> store_command;  ///< writes a command to the store, word by word
   };
 
-  /// `far_planes`: whether the planes did not fit the divider's memory and are read from the host over the link.
+  /// `remote_planes`: whether the planes did not fit the divider's memory and are read from the host over the link.
   SteppedDatapath(const division::ModelHeader& header, const division::ModelMemory& memory,
-                  const machines::Machine& machine, bool far_planes, Callbacks callbacks);
+                  const machines::Machine& machine, bool remote_planes, Callbacks callbacks);
 
   void enter(Level level) { level_ = level; }
 
@@ -43,7 +43,7 @@ class SteppedDatapath final : public division::Datapath {
   const division::ModelMemory& memory_;
   const machines::Machine& machine_;
   const Figures& figures_;
-  const bool far_planes_;
+  const bool remote_planes_;
   const Callbacks callbacks_;
   Level level_ = Level::whole;
   std::uint64_t read_ = 0;  ///< clocks to read the records of the current test

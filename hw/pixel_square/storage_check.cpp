@@ -39,7 +39,8 @@ std::vector<division::Group> divider_groups(const isa::Program& program, const m
 
 }  // namespace
 
-bool has_far_planes(std::uint64_t model_bytes, std::uint64_t planes, std::uint64_t plane_bits, const Figures& figures) {
+bool has_remote_planes(std::uint64_t model_bytes, std::uint64_t planes, std::uint64_t plane_bits,
+                       const Figures& figures) {
   return byte_bits * model_bytes > figures.model_bits && planes > 0 && plane_bits > 0;
 }
 
@@ -48,7 +49,7 @@ void check_storage(const isa::Program& program, const machines::Machine& machine
   const division::ModelSizes sizes = division::sizes_of(program.display_model);
   const std::uint64_t plane_bits = 1 + 2 * std::uint64_t{sizes.slope} + sizes.constant;
   std::uint64_t kept = byte_bits * program.display_model.size();
-  if (has_far_planes(program.display_model.size(), sizes.planes, plane_bits, figures))
+  if (has_remote_planes(program.display_model.size(), sizes.planes, plane_bits, figures))
     kept -= std::min(kept, sizes.planes * plane_bits);
   if (kept > figures.model_bits) {
     throw InputError(

@@ -29,10 +29,10 @@ DivisionClocks::DivisionClocks(const isa::Program& program, const machines::Mach
   const division::ModelSizes sizes = division::sizes_of(program.display_model);
   const std::uint64_t port = figures_of(machine).record_bits;
   const std::uint64_t plane_bits = 1 + 2 * std::uint64_t{sizes.slope} + sizes.constant;
-  const bool is_far = has_far_planes(program.display_model.size(), sizes.planes, plane_bits, figures_of(machine));
+  const bool is_remote = has_remote_planes(program.display_model.size(), sizes.planes, plane_bits, figures_of(machine));
   const std::uint64_t plane =
-      is_far ? machine.link.latency + quotient_up(plane_bits, machine.link.width) * machine.link.word_clocks
-             : quotient_up(plane_bits, port);
+      is_remote ? machine.link.latency + quotient_up(plane_bits, machine.link.width) * machine.link.word_clocks
+                : quotient_up(plane_bits, port);
   nodes_ = sizes.nodes;
   primitive_ = quotient_up(64 + 2 * std::uint64_t{sizes.depth} + sizes.colour + sizes.halfspaces, port);
   halfspace_ = quotient_up(std::uint64_t{sizes.plane} + 1 + sizes.colour, port) + plane;

@@ -43,8 +43,8 @@ class PacketQueue final : public systemc::ClockedModule {
 
   PacketQueue(sc_core::sc_module_name name, const machines::Machine& machine, std::uint32_t chain);
 
-  /// Called when no mark is in the cells.
-  void clear() { marked_ = false; }
+  /// Forgets the previous mark, so that the next one enters without a distance. Called when no mark is in the cells.
+  void forget_mark() { marked_ = false; }
 
   /// Begins a frame with the next clock. All marks of the previous frame must have entered.
   void begin(const PictureLines& frame);

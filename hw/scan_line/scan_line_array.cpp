@@ -169,7 +169,7 @@ std::vector<systemc::RunReport> ScanLineArray::run_sequence(std::span<const isa:
 
 /// Requires that everything drawn has been shown.
 void ScanLineArray::clear(std::uint32_t pixels) {
-  for_each(queues_, [](PacketQueue& queue) { queue.clear(); });
+  for_each(queues_, [](PacketQueue& queue) { queue.forget_mark(); });
   for_each(chains_, [pixels](CellChain& chain) { chain.clear(pixels); });
 }
 

@@ -205,9 +205,8 @@ class ChainTiming {
   [[nodiscard]] std::uint64_t drain() const { return through_cells_ + pixels_; }
   /// Edge from which the next mark may enter.
   [[nodiscard]] Edge mark_from() const { return mark_from_; }
-  [[nodiscard]] Edge first_packet() const {
-    return first_packet_;
-  }  ///< edge at which the last beat of the first packet entered
+  /// Edge at which the last beat of the first packet entered.
+  [[nodiscard]] Edge first_packet() const { return first_packet_; }
   [[nodiscard]] const LineClocks& entry() const { return entry_; }
 
   /// Clocks of the link in a frame of `clocks` clocks.

@@ -7,8 +7,8 @@
 
 #include "hw/machines/kind.h"
 #include "hw/systemc/clocked_machine.h"
+#include "hw/systemc/earlier_run.h"
 #include "hw/systemc/evaluator_form.h"
-#include "hw/systemc/foretold.h"
 
 namespace csgsim::systemc {
 
@@ -19,7 +19,7 @@ struct Maker {
   /// Makes a machine with stepped multiplier trees; null if the kind has none.
   std::unique_ptr<ClockedMachine> (*make_stepped)(const machines::Machine& machine) = nullptr;
   /// Makes a machine with only the pixels of an earlier run; null if waves need the whole machine.
-  std::unique_ptr<ClockedMachine> (*make_probed)(const machines::Machine& machine, const EarlierRun& foretold,
+  std::unique_ptr<ClockedMachine> (*make_probed)(const machines::Machine& machine, const EarlierRun& earlier,
                                                  EvaluatorForm form) = nullptr;
 };
 

@@ -42,7 +42,8 @@ enum class Comparison : std::uint8_t { less, less_or_equal, equal };
 /// enable := enable and left ? right. Returns the number of pixels enabled afterwards.
 std::uint32_t compare_lanes(const Enabled& pixels, Comparison comparison, const Lanes& left, const Lanes& right);
 
-/// Writes the values of a constant block; it remains constant until its bounds are changed.
+/// Sets every value of a constant block to its bound. Values of constant blocks are otherwise undefined. The block
+/// counts as constant until its bounds are changed.
 void fill_block(Lanes& lanes, unsigned block);
 
 /// Recomputes the block's bounds from its values.

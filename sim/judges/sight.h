@@ -24,7 +24,7 @@ enum class Role : std::uint8_t {
 };
 
 /// A plane's approximate depth along the rays: c + a x + b y, with an error of at most `error` at any place of the
-/// picture. For an edge, it is instead a multiple of the value of the plane's equation, which is negative in the
+/// picture. For an edge, c + a x + b y is instead a positive multiple of normal . p + offset, so it is at most 0 in the
 /// positive half-space.
 struct SightPlane {
   double c = 0;

@@ -25,7 +25,7 @@ constexpr auto of_terminals = std::to_array<std::string_view>({"help", "dump-con
 void refuse_terminal_options(const Call& call) {
   for (const auto& [name, text] : call.options) {
     const bool is_of_terminals = std::ranges::find(of_terminals, name) != of_terminals.end();
-    if (is_of_terminals) throw session::UsageError("--" + name, "is for the command line only");
+    if (is_of_terminals) throw session::UsageError("--" + name, "only the command line has this option");
     const bool is_output = session::known_option(name).role == session::FileRole::output;
     if (is_output && text && is_standard_output(*text))
       throw session::UsageError("--" + name, "name a file; the call returns what the command line would print");

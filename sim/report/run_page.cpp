@@ -94,7 +94,7 @@ OwnerPicture owner_picture(const Json& data, const observe::Frame& frame, const 
       of_primitives.owner,
       most_expensive_first(data),
       {"Primitives, most expensive first",
-       {"primitive", "line", "clocks", "share", "pixels seen", "pieces", "instructions"},
+       {"primitive", "line:column", "clocks", "share", "pixels seen", "pieces", "instructions"},
        {}}};
   if (owners.primitive.size() > max_rows) {
     owners.prices.caption =
@@ -128,7 +128,7 @@ Drawing drawing_with_stories(const OwnerPicture& owners, const story::Subject& s
   return drawing;
 }
 
-/// The sentences in the stats: the bound and the knobs.
+/// The sentences in the stats: the bound and the advice.
 std::vector<Part> in_words(const Json& data) {
   std::vector<Part> parts = sentences(data, "/bound_by");
   for (Part& knob : sentences(data, "/knobs")) parts.push_back(std::move(knob));
@@ -136,7 +136,8 @@ std::vector<Part> in_words(const Json& data) {
 }
 
 Table dearest(const Json& data) {
-  Table table{"Most expensive primitives", {"primitive", "place", "clocks", "share", "pieces", "half-spaces"}, {}};
+  Table table{
+      "Most expensive primitives", {"primitive", "line:column", "clocks", "share", "pieces", "half-spaces"}, {}};
   const Json& rows = data["dearest"];
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::string at = "/dearest/" + std::to_string(i);

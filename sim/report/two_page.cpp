@@ -103,7 +103,8 @@ Drawing drawing_of(const ShownRun& run, std::span<const std::size_t> pixels) {
 Page two_page(const ShownRun& a, const ShownRun& b, const FirstDifference& first, const Context& context) {
   Difference difference =
       difference_of(a.drawn, b.drawn, "Pixels that differ in colour or primitive, over A in grey", "");
-  difference.picture.alt = grouped(difference.pixels) + " pixels differ between A and B";
+  difference.picture.alt =
+      grouped(difference.pixels) + (difference.pixels == 1 ? " pixel differs" : " pixels differ") + " between A and B";
   Page page;
   page.data = {{"a", without_wall_times(a.stats)}, {"b", without_wall_times(b.stats)}};
   page.data["difference"] = {{"pixels", difference.pixels}, {"first", nullptr}};

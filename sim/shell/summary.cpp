@@ -117,8 +117,9 @@ void print_prunings(const observe::Report& report) {
       text += fmt::format(" in {:.3g} ms of the host", static_cast<double>(pruning.nanoseconds) / 1e6);
     if (pruning.decided > 0) text += fmt::format(", which saves about {} instructions", grouped(pruning.saved));
     if (pruning.left > 0)
-      text += fmt::format("; left out {}, where the host would take longer than half of what it saves",
-                          grouped(pruning.left));
+      text +=
+          fmt::format("; left out {} whose test would take the host more than half of the time that its success saves",
+                      grouped(pruning.left));
     fmt::print("{:<20}{}\n", "pruning " + pruning.name, text);
   }
 }
@@ -206,7 +207,7 @@ void print_knobs(const observe::Report& report, const Advice& advice) {
   if (report.knobs.empty() && advice.commands.empty()) return;
   fmt::print("\n");
   for (const observe::Knob& knob : report.knobs)
-    print_line(&knob == &report.knobs.front() ? "knobs" : "", knob_text(knob));
+    print_line(&knob == &report.knobs.front() ? "advice" : "", knob_text(knob));
   for (const std::string& command : advice.commands) print_line("", command);
 }
 
@@ -247,7 +248,7 @@ void print_details(const observe::Report& report, const observe::Frame& picture,
   print_line("scan-conversions",
              fmt::format("{} rendered into Z1, {} classified against Z1, {}", grouped(compile.rendered),
                          grouped(compile.classified), counted(compile.depth_tests, "depth test")));
-  print_line("pixel operations", fmt::format("{} pixel clocks, {} at enabled pixels: utilization {:.2f} %",
+  print_line("pixel operations", fmt::format("{} in total, {} at enabled pixels: utilization {:.2f} %",
                                              quantity(static_cast<double>(total.pixel_operations), ""),
                                              quantity(static_cast<double>(total.enabled), ""),
                                              percent(total.enabled, total.pixel_operations)));

@@ -90,7 +90,7 @@ class Writer {
     const std::uint32_t owner = story_.owner;
     line("pixel {},{} shows {}{}", story_.x, story_.y, primitive_text(program_, owner), line_text(program_, owner));
     if (const std::optional<double> distance = distance_of(program_, story_.depth))
-      line("  depth     {} steps, {:.6g} model units from the eye", story_.depth, *distance);
+      line("  depth     {} steps, {:.6g} model units from the eye along the view axis", story_.depth, *distance);
     if (is_seen_through(story_)) line("  through   {}", through_text());
     line("  colour    {}", colour_text(program_, story_.colour));
     const auto seen = std::find_if(story_.attempts.rbegin(), story_.attempts.rend(),

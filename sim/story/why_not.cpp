@@ -31,7 +31,8 @@ bool is_drawn(const Subject& subject, const Story& story, std::uint32_t primitiv
          }) != nullptr;
 }
 
-/// The primitive as which this one is drawn: by the model's convex solids, or by the origin of its facets' colours.
+/// The primitive that is rendered for this one: itself, the first of its convex set, or the one that an instruction
+/// shading its facets names.
 std::uint32_t drawn_as(const Subject& subject, const Story& story, std::uint32_t primitive) {
   if (is_drawn(subject, story, primitive)) return primitive;
   if (subject.model != nullptr && is_drawn(subject, story, subject.model->set_of(primitive).front()))

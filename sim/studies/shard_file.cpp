@@ -86,8 +86,9 @@ std::vector<fs::path> shard_files(const fs::path& study, const std::optional<Sha
   }
   const bool is_new = shard && error == std::errc::no_such_file_or_directory;
   if (error && !is_new) {
-    throw InputError(fmt::format("{}: contains no shards of a study ({}); specify the folder given to them with -o",
-                                 study.native(), error.message()));
+    throw InputError(
+        fmt::format("{}: contains no shards of a study ({}); specify the folder that the runs with --shard had as -o",
+                    study.native(), error.message()));
   }
   std::sort(files.begin(), files.end());
   return files;

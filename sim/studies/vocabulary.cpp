@@ -118,8 +118,8 @@ constexpr report::PointColumn words[] = {
     {"colour_error", "colour error (of 255)"},
     {"depth_p999", "depth error, 99.9th percentile, model units"},
     {"depth_p999_steps", "depth error, 99.9th percentile, steps"},
-    {"facet_wrong", "pixels wrong for the curved surfaces"},
-    {"facet_depth_p999", "depth error for the curved surfaces, 99.9th percentile"},
+    {"facet_wrong", "wrong pixels against curved surfaces"},
+    {"facet_depth_p999", "depth error against curved surfaces, 99.9th percentile, model units"},
     {"picture_difference", "mean colour difference (of 255)"},
 };
 

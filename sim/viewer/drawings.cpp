@@ -19,10 +19,10 @@ namespace csgsim::viewer {
 
 namespace {
 
-constexpr std::size_t max_kept = 2;  ///< enough to compare two
+constexpr std::size_t max_kept = 2;  ///< maximum number of drawings kept; a comparison needs two
 
-std::optional<std::string> source_in(const Json& wish) {
-  const Json& text = member_in(wish, "source", Json::value_t::string, "a string");
+std::optional<std::string> source_in(const Json& request) {
+  const Json& text = member_in(request, "source", Json::value_t::string, "a string");
   return text.is_null() ? std::nullopt : std::optional(text.get<std::string>());
 }
 
@@ -31,7 +31,7 @@ void refuse_other_file(const std::string& machine, const Json& begun_with) {
   const std::string_view file = machines::file_of(machine);
   const std::string known = begun_with.is_string() ? begun_with.get<std::string>() : "";
   if (!file.empty() && file != machines::file_of(known))
-    throw WishError(fmt::format("machine: {} is a file; start csgsim view with --machine {}", file, file));
+    throw RequestError(fmt::format("machine: {} is a file; start csgsim view with --machine {}", file, file));
 }
 
 void add_words(std::vector<std::string>& words, const std::string& name, const Json& value) {
@@ -39,17 +39,17 @@ void add_words(std::vector<std::string>& words, const std::string& name, const J
     if (value.get<bool>()) words.push_back("--" + name);
     return;
   }
-  if (!value.is_string()) throw WishError(name + " must be a string");
+  if (!value.is_string()) throw RequestError(name + " must be a string");
   for (std::string& word : session::option_words(name, value.get<std::string>())) words.push_back(std::move(word));
 }
 
-std::size_t hash_of(const Json& wish, const std::string& text) {
+std::size_t hash_of(const Json& request, const std::string& text) {
   constexpr std::size_t factor = 31;
   const std::hash<std::string> hash;
-  return factor * hash(text_of(wish)) + hash(text);
+  return factor * hash(text_of(request)) + hash(text);
 }
 
-Json knob_of(const Json& wish, const char* name) { return object_in(wish, "knobs").value(name, Json()); }
+Json knob_of(const Json& request, const char* name) { return object_in(request, "knobs").value(name, Json()); }
 
 }  // namespace
 
@@ -57,49 +57,50 @@ Drawings::Drawings(Beginning beginning) : beginning_(std::move(beginning)) {
   static_cast<void>(read_regular_file(beginning_.model, read::model_file));
 }
 
-std::vector<std::string> Drawings::words_of(const Json& wish) const {
+std::vector<std::string> Drawings::words_of(const Json& request) const {
   std::vector<std::string> words{beginning_.model};
   words.insert(words.end(), beginning_.words.begin(), beginning_.words.end());
-  const Json wished = object_in(wish, "knobs");
-  for (const auto& [name, value] : wished.items()) {
-    if (std::ranges::find(knobs, name) == knobs.end()) throw WishError(fmt::format("there is no setting '{}'", name));
+  const Json given = object_in(request, "knobs");
+  for (const auto& [name, value] : given.items()) {
+    if (std::ranges::find(knobs, name) == knobs.end())
+      throw RequestError(fmt::format("there is no setting '{}'", name));
     if (name == "machine" && value.is_string())
       refuse_other_file(value.get<std::string>(), beginning_.knobs.value("machine", Json()));
     if (name != "set") {
       add_words(words, name, value);
       continue;
     }
-    if (!value.is_array()) throw WishError("set must be an array of strings");
+    if (!value.is_array()) throw RequestError("set must be an array of strings");
     for (const Json& one : value) add_words(words, name, one);
   }
   return words;
 }
 
-Drawings::ParsedWish Drawings::parse(const Json& request) const {
-  Json wish{{"knobs", object_in(request, "knobs")}};
+Drawings::ParsedRequest Drawings::parse(const Json& request) const {
+  Json used{{"knobs", object_in(request, "knobs")}};
   const std::optional<std::string> source = source_in(request);
-  if (source) wish["source"] = *source;
-  std::vector<std::string> words = words_of(wish);
+  if (source) used["source"] = *source;
+  std::vector<std::string> words = words_of(used);
   session::ModelRequest options = session::model_request_in(words);
   std::string text = source ? *source : read_regular_file(options.model, read::model_file);
-  return {std::move(wish), std::move(words), std::move(options), std::move(text)};
+  return {std::move(used), std::move(words), std::move(options), std::move(text)};
 }
 
 /// The model of the latest drawing if its file would be read the same way; otherwise reads it.
-session::ModelFile Drawings::model_of(const ParsedWish& parsed) const {
+session::ModelFile Drawings::model_of(const ParsedRequest& parsed) const {
   const std::shared_ptr<const Drawing> last = latest();
-  const auto is_same = [&](const char* name) { return knob_of(last->wish, name) == knob_of(parsed.wish, name); };
+  const auto is_same = [&](const char* name) { return knob_of(last->request, name) == knob_of(parsed.request, name); };
   const bool is_read = last != nullptr && last->text == parsed.text && is_same("snap") && is_same("set");
   return is_read ? session::ModelFile{last->model.tree, last->model.hash}
                  : session::read_model_text(parsed.options, parsed.text);
 }
 
-std::shared_ptr<Drawing> Drawings::evaluate(ParsedWish parsed) const {
+std::shared_ptr<Drawing> Drawings::evaluate(ParsedRequest parsed) const {
   const CollectedLines messages;
   const auto begin = std::chrono::steady_clock::now();
   machines::Machine machine = session::machine_of(parsed.options);
   session::CompiledModel model = session::compile_model(model_of(parsed), parsed.options, machine);
-  return std::make_shared<Drawing>(Drawing{.wish = std::move(parsed.wish),
+  return std::make_shared<Drawing>(Drawing{.request = std::move(parsed.request),
                                            .text = std::move(parsed.text),
                                            .options = std::move(parsed.options),
                                            .machine = std::move(machine),
@@ -120,9 +121,9 @@ std::shared_ptr<const Drawing> Drawings::latest() const {
   return kept_.empty() ? nullptr : kept_.front();
 }
 
-std::shared_ptr<Drawing> Drawings::find_kept(const ParsedWish& parsed) {
+std::shared_ptr<Drawing> Drawings::find_kept(const ParsedRequest& parsed) {
   const std::lock_guard lock(mutex_);
-  const auto is_same = [&](const auto& one) { return one->wish == parsed.wish && one->text == parsed.text; };
+  const auto is_same = [&](const auto& one) { return one->request == parsed.request && one->text == parsed.text; };
   const auto same = std::ranges::find_if(kept_, is_same);
   if (same == kept_.end()) return nullptr;
   std::rotate(kept_.begin(), same, same + 1);
@@ -135,30 +136,30 @@ void Drawings::keep(const std::shared_ptr<Drawing>& next) {
   if (kept_.size() > max_kept) kept_.pop_back();
 }
 
-std::shared_ptr<std::mutex> Drawings::find_turn(const ParsedWish& parsed) {
+std::shared_ptr<std::mutex> Drawings::find_turn(const ParsedRequest& parsed) {
   const std::lock_guard lock(mutex_);
   std::erase_if(turns_, [](const auto& one) { return one.second.expired(); });
-  std::weak_ptr<std::mutex>& turn = turns_[hash_of(parsed.wish, parsed.text)];
+  std::weak_ptr<std::mutex>& turn = turns_[hash_of(parsed.request, parsed.text)];
   std::shared_ptr<std::mutex> mine = turn.lock();
   if (!mine) turn = mine = std::make_shared<std::mutex>();
   return mine;
 }
 
-std::shared_ptr<Drawing> Drawings::compile(const Json& wish, Evaluation& evaluation) {
-  ParsedWish request = parse(wish);
-  if (std::shared_ptr<Drawing> same = find_kept(request)) return same;
-  const std::shared_ptr<std::mutex> turn = find_turn(request);
+std::shared_ptr<Drawing> Drawings::compile(const Json& request, Evaluation& evaluation) {
+  ParsedRequest parsed = parse(request);
+  if (std::shared_ptr<Drawing> same = find_kept(parsed)) return same;
+  const std::shared_ptr<std::mutex> turn = find_turn(parsed);
   const std::lock_guard waits(*turn);
-  if (std::shared_ptr<Drawing> same = find_kept(request)) return same;
+  if (std::shared_ptr<Drawing> same = find_kept(parsed)) return same;
   evaluation.begin(Stage::evaluating);
-  std::shared_ptr<Drawing> next = evaluate(std::move(request));
+  std::shared_ptr<Drawing> next = evaluate(std::move(parsed));
   evaluation.begin(Stage::drawing);
   keep(next);
   return next;
 }
 
-std::shared_ptr<Drawing> Drawings::draw(const Json& wish, Evaluation& evaluation) {
-  std::shared_ptr<Drawing> drawing = compile(wish, evaluation);
+std::shared_ptr<Drawing> Drawings::draw(const Json& request, Evaluation& evaluation) {
+  std::shared_ptr<Drawing> drawing = compile(request, evaluation);
   const std::lock_guard lock(drawing->found->mutex);
   std::optional<session::Drawn>& drawn = drawing->found->drawn;
   if (!drawn) drawn = session::draw(drawing->model.program, drawing->machine);

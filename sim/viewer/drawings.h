@@ -16,9 +16,9 @@
 #include "sim/session/run/run_request.h"
 #include "sim/viewer/evaluations.h"
 #include "sim/viewer/instants.h"
+#include "sim/viewer/json_request.h"
 #include "sim/viewer/lanes.h"
 #include "sim/viewer/trees.h"
-#include "sim/viewer/wish.h"
 
 namespace csgsim::viewer {
 
@@ -38,9 +38,9 @@ struct DrawingResults {
   std::shared_ptr<const Lanes> lanes{};  ///< lanes of the whole frame
 };
 
-/// The compiled model of a wish (wish.h). Its address is stable, and it is immutable except for `found`.
+/// The compiled model of a request (json_request.h). Its address is stable, and it is immutable except for `found`.
 struct Drawing {
-  Json wish;
+  Json request;
   std::string text;  ///< text of the model as it was read
   session::ModelRequest options;
   machines::Machine machine;
@@ -63,36 +63,36 @@ class Drawings {
 
   [[nodiscard]] const Beginning& beginning() const { return beginning_; }
 
-  /// Compiles the wish, or returns the existing drawing if none of its inputs has changed. Throws WishError,
+  /// Compiles the request, or returns the existing drawing if none of its inputs has changed. Throws RequestError,
   /// InputError, UsageError for invalid options, and Interrupted.
-  std::shared_ptr<Drawing> compile(const Json& wish, Evaluation& evaluation);
+  std::shared_ptr<Drawing> compile(const Json& request, Evaluation& evaluation);
   /// The same, and draws it.
-  std::shared_ptr<Drawing> draw(const Json& wish, Evaluation& evaluation);
+  std::shared_ptr<Drawing> draw(const Json& request, Evaluation& evaluation);
 
   /// The drawing requested last; null before the first.
   [[nodiscard]] std::shared_ptr<const Drawing> latest() const;
 
  private:
-  /// A wish, and the command line and model text that result from it.
-  struct ParsedWish {
-    Json wish;
+  /// A request of the page, and the command line and model text that result from it.
+  struct ParsedRequest {
+    Json request;
     std::vector<std::string> words;
     session::ModelRequest options;
     std::string text;  ///< text of the model
   };
 
-  [[nodiscard]] std::vector<std::string> words_of(const Json& wish) const;
-  [[nodiscard]] ParsedWish parse(const Json& request) const;
-  [[nodiscard]] session::ModelFile model_of(const ParsedWish& parsed) const;
-  [[nodiscard]] std::shared_ptr<Drawing> evaluate(ParsedWish parsed) const;
-  std::shared_ptr<Drawing> find_kept(const ParsedWish& parsed);
+  [[nodiscard]] std::vector<std::string> words_of(const Json& request) const;
+  [[nodiscard]] ParsedRequest parse(const Json& request) const;
+  [[nodiscard]] session::ModelFile model_of(const ParsedRequest& parsed) const;
+  [[nodiscard]] std::shared_ptr<Drawing> evaluate(ParsedRequest parsed) const;
+  std::shared_ptr<Drawing> find_kept(const ParsedRequest& parsed);
   void keep(const std::shared_ptr<Drawing>& next);
-  std::shared_ptr<std::mutex> find_turn(const ParsedWish& parsed);
+  std::shared_ptr<std::mutex> find_turn(const ParsedRequest& parsed);
 
   Beginning beginning_;
   mutable std::mutex mutex_;                                ///< protects the members below; never held for long
   std::vector<std::shared_ptr<Drawing>> kept_;              ///< the latest first
-  std::map<std::size_t, std::weak_ptr<std::mutex>> turns_;  ///< one per running evaluation, by a hash of the wish
+  std::map<std::size_t, std::weak_ptr<std::mutex>> turns_;  ///< one per running evaluation, by a hash of the request
                                                             ///< and the text
 };
 

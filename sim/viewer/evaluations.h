@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "hw/base/interruption.h"
-#include "sim/viewer/wish.h"
+#include "sim/viewer/json_request.h"
 
 namespace csgsim::viewer {
 

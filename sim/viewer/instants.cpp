@@ -156,9 +156,9 @@ nlohmann::ordered_json Instants::instruction_json(std::uint64_t number) const {
   return json;
 }
 
-std::uint64_t Instants::number_of(const InstantWish& wish) {
-  if (wish.primitive) return first_of(*wish.primitive);
-  return wish.clock ? clocks_.first_after(*wish.clock, 0) : std::min(wish.number, numbers_.count());
+std::uint64_t Instants::number_of(const InstantRequest& request) {
+  if (request.primitive) return first_of(*request.primitive);
+  return request.clock ? clocks_.first_after(*request.clock, 0) : std::min(request.number, numbers_.count());
 }
 
 /// Adds the clocks of issue, or the reason why the machine's kind does not provide them.
@@ -171,13 +171,13 @@ void Instants::put_clocks(engine::Place place, nlohmann::ordered_json& instant) 
   }
 }
 
-nlohmann::ordered_json Instants::at(const InstantWish& wish) {
-  const isa::Field field = field_named(wish.field);
-  go_to(number_of(wish));
+nlohmann::ordered_json Instants::at(const InstantRequest& request) {
+  const isa::Field field = field_named(request.field);
+  go_to(number_of(request));
   const std::uint64_t number = numbers_.of(run_->place());
   std::string scale;
   std::vector<std::uint8_t> pixels = pixels_of(field, scale);
-  if (wish.is_tinted) tint(pixels);
+  if (request.is_tinted) tint(pixels);
   nlohmann::ordered_json instant{{"number", number},
                                  {"count", numbers_.count()},
                                  {"picture", png_url(pixels, program_.shape.width, program_.shape.height)},

@@ -16,7 +16,7 @@
 namespace csgsim::viewer {
 
 /// A request for the state at an instant.
-struct InstantWish {
+struct InstantRequest {
   std::uint64_t number = 0;  ///< number of instructions before it
   std::string field;         ///< name of a field, or `E`; empty: the colour
   bool is_tinted = false;    ///< tint the enabled pixels
@@ -36,7 +36,7 @@ class Instants {
   /// Pixel memory at that instant as a picture, the next instruction (its purpose, its clocks of issue, its segment,
   /// the piece that it draws), and the instructions around it. If a skip passes the requested number, `number` of the
   /// result is the actual position. Throws InputError for an unknown field.
-  nlohmann::ordered_json at(const InstantWish& wish);
+  nlohmann::ordered_json at(const InstantRequest& request);
 
   /// Names of the available fields.
   [[nodiscard]] std::vector<std::string> fields() const;
@@ -45,7 +45,7 @@ class Instants {
   class Finished;
 
   void go_to(std::uint64_t number);
-  [[nodiscard]] std::uint64_t number_of(const InstantWish& wish);
+  [[nodiscard]] std::uint64_t number_of(const InstantRequest& request);
   [[nodiscard]] std::uint64_t first_of(std::uint64_t primitive) const;
   [[nodiscard]] isa::Field field_named(const std::string& name) const;
   [[nodiscard]] std::vector<std::uint8_t> pixels_of(isa::Field field, std::string& scale) const;

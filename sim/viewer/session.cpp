@@ -82,12 +82,12 @@ Reply json_reply(const Json& json, int status = 200) {
 
 /// Options of csgsim wave for pixel, window and tree levels. Each is one word, so that no text can act as another
 /// option.
-std::vector<std::string> probing_options(const Json& wish) {
+std::vector<std::string> probing_options(const Json& request) {
   std::vector<std::string> options;
   for (const char* const name : {"pixel", "window"}) {
-    if (wish.contains(name)) options.push_back(fmt::format("--{}={}", name, text_in(wish, name)));
+    if (request.contains(name)) options.push_back(fmt::format("--{}={}", name, text_in(request, name)));
   }
-  for (const std::string& probe : texts_in(wish, "probes")) options.push_back("--probe=" + probe);
+  for (const std::string& probe : texts_in(request, "probes")) options.push_back("--probe=" + probe);
   return options;
 }
 
@@ -132,8 +132,8 @@ Reply ended_reply(EndReason why, const std::string& model, std::chrono::millisec
 
 }  // namespace
 
-Json Session::draw(const Json& wish, Evaluation& evaluation) {
-  const std::shared_ptr<Drawing> held = drawings_.draw(wish, evaluation);
+Json Session::draw(const Json& request, Evaluation& evaluation) {
+  const std::shared_ptr<Drawing> held = drawings_.draw(request, evaluation);
   const Drawing& drawing = *held;
   const session::Drawn& done = *drawing.found->drawn;
   const report::Picture picture = report::picture_of(done.frame, drawing.model.program, "", "");
@@ -147,12 +147,12 @@ Json Session::draw(const Json& wish, Evaluation& evaluation) {
           {"seconds", {{"compiling", drawing.compiling}, {"running", done.seconds}}}};
 }
 
-Json Session::explain(const Json& wish, Evaluation& evaluation) {
-  const std::shared_ptr<Drawing> held = drawings_.compile(wish, evaluation);
+Json Session::explain(const Json& request, Evaluation& evaluation) {
+  const std::shared_ptr<Drawing> held = drawings_.compile(request, evaluation);
   const Drawing& drawing = *held;
   const isa::Program& program = drawing.model.program;
-  const session::Pixel pixel = session::pixel_named(program, text_in(wish, "pixel"), "pixel");
-  const std::string why_not = text_in(wish, "why_not");
+  const session::Pixel pixel = session::pixel_named(program, text_in(request, "pixel"), "pixel");
+  const std::string why_not = text_in(request, "why_not");
   std::optional<std::uint32_t> missed;
   if (!why_not.empty()) missed = session::primitive_named(program, why_not, "why not");
   return session::with_memory_for_picture(drawing.machine.array, [&]() -> Json {
@@ -162,14 +162,14 @@ Json Session::explain(const Json& wish, Evaluation& evaluation) {
   });
 }
 
-Json Session::instant(const Json& wish, Evaluation& evaluation) {
-  const std::shared_ptr<Drawing> held = drawings_.compile(wish, evaluation);
+Json Session::instant(const Json& request, Evaluation& evaluation) {
+  const std::shared_ptr<Drawing> held = drawings_.compile(request, evaluation);
   const Drawing& drawing = *held;
-  const InstantWish instant{.number = number_in(wish, "number").value_or(0),
-                            .field = text_in(wish, "field"),
-                            .is_tinted = flag_in(wish, "tinted"),
-                            .primitive = number_in(wish, "primitive"),
-                            .clock = number_in(wish, "clock")};
+  const InstantRequest instant{.number = number_in(request, "number").value_or(0),
+                               .field = text_in(request, "field"),
+                               .is_tinted = flag_in(request, "tinted"),
+                               .primitive = number_in(request, "primitive"),
+                               .clock = number_in(request, "clock")};
   const std::lock_guard lock(drawing.found->mutex);
   std::unique_ptr<Instants>& instants = drawing.found->instants;
   try {
@@ -185,8 +185,8 @@ Json Session::instant(const Json& wish, Evaluation& evaluation) {
   }
 }
 
-Json Session::tree(const Json& wish, Evaluation& evaluation) {
-  const std::shared_ptr<Drawing> drawing = drawings_.compile(wish, evaluation);
+Json Session::tree(const Json& request, Evaluation& evaluation) {
+  const std::shared_ptr<Drawing> drawing = drawings_.compile(request, evaluation);
   return {{"tree", tree_json(drawing->model.tree, *drawing->model.program.facts)}};
 }
 
@@ -195,14 +195,14 @@ std::string Session::record(const isa::Program& program, const std::vector<std::
   return options_.recorder(program, options);
 }
 
-std::shared_ptr<const Lanes> Session::find_lanes(const Drawing& drawing, const Json& wish) {
+std::shared_ptr<const Lanes> Session::find_lanes(const Drawing& drawing, const Json& request) {
   // Lanes without a pixel cover the whole frame and are recorded once.
-  const bool is_probed = wish.contains("pixel");
+  const bool is_probed = request.contains("pixel");
   if (!is_probed) {
     const std::lock_guard lock(drawing.found->mutex);
     if (drawing.found->lanes) return drawing.found->lanes;
   }
-  std::vector<std::string> options = probing_options(wish);
+  std::vector<std::string> options = probing_options(request);
   options.push_back("--lanes");
   auto lanes = std::make_shared<const Lanes>(record(drawing.model.program, options));
   if (is_probed) return lanes;
@@ -210,11 +210,11 @@ std::shared_ptr<const Lanes> Session::find_lanes(const Drawing& drawing, const J
   return drawing.found->lanes = std::move(lanes);
 }
 
-Json Session::lanes(const Json& wish, Evaluation& evaluation) {
-  const std::shared_ptr<Drawing> drawing = drawings_.compile(wish, evaluation);
-  const std::shared_ptr<const Lanes> lanes = find_lanes(*drawing, wish);
-  const std::uint64_t begin = number_in(wish, "begin").value_or(lanes->begin());
-  const std::uint64_t end = number_in(wish, "end").value_or(lanes->end());
+Json Session::lanes(const Json& request, Evaluation& evaluation) {
+  const std::shared_ptr<Drawing> drawing = drawings_.compile(request, evaluation);
+  const std::shared_ptr<const Lanes> lanes = find_lanes(*drawing, request);
+  const std::uint64_t begin = number_in(request, "begin").value_or(lanes->begin());
+  const std::uint64_t end = number_in(request, "end").value_or(lanes->end());
   return {{"first", lanes->begin()},
           {"last", lanes->end()},
           {"begin", begin},
@@ -222,13 +222,13 @@ Json Session::lanes(const Json& wish, Evaluation& evaluation) {
           {"lanes", lanes->between(begin, end)}};
 }
 
-Json Session::wave(const Json& wish, Evaluation& evaluation) {
-  const std::shared_ptr<Drawing> drawing = drawings_.compile(wish, evaluation);
-  return {{"wave", record(drawing->model.program, probing_options(wish))}};
+Json Session::wave(const Json& request, Evaluation& evaluation) {
+  const std::shared_ptr<Drawing> drawing = drawings_.compile(request, evaluation);
+  return {{"wave", record(drawing->model.program, probing_options(request))}};
 }
 
-Json Session::advice(const Json& wish, Evaluation& evaluation) {
-  const std::shared_ptr<Drawing> drawing = drawings_.draw(wish, evaluation);
+Json Session::advice(const Json& request, Evaluation& evaluation) {
+  const std::shared_ptr<Drawing> drawing = drawings_.draw(request, evaluation);
   const engine::RunResult& result = drawing->found->drawn->result;
   const session::Advice advice{
       .machine = drawing->options.machine, .is_asked = true, .ask = {}, .settings = [&](const engine::RunResult& of) {
@@ -238,22 +238,22 @@ Json Session::advice(const Json& wish, Evaluation& evaluation) {
   return {{"knobs", stats_of(drawing->model, drawing->machine, *drawing->found->drawn, turned).at("knobs")}};
 }
 
-Json Session::verdict(const Json& wish, Evaluation& evaluation) {
-  const std::shared_ptr<Drawing> drawing = drawings_.draw(wish, evaluation);
+Json Session::verdict(const Json& request, Evaluation& evaluation) {
+  const std::shared_ptr<Drawing> drawing = drawings_.draw(request, evaluation);
   Json accuracy;
   std::string text = session::verdict(drawing->model, drawing->options, drawing->found->drawn->frame, accuracy);
   return {{"accuracy", std::move(accuracy)}, {"text", std::move(text)}};
 }
 
-Json Session::two(const Json& wish, Evaluation& evaluation) {
-  const std::shared_ptr<Drawing> a = drawings_.draw(object_in(wish, "a"), evaluation);
-  const std::shared_ptr<Drawing> b = drawings_.draw(object_in(wish, "b"), evaluation);
+Json Session::two(const Json& request, Evaluation& evaluation) {
+  const std::shared_ptr<Drawing> a = drawings_.draw(object_in(request, "a"), evaluation);
+  const std::shared_ptr<Drawing> b = drawings_.draw(object_in(request, "b"), evaluation);
   return compare_drawings({a->model.program, a->found->drawn->frame}, {b->model.program, b->found->drawn->frame});
 }
 
 std::string Session::report() const {
   const std::shared_ptr<const Drawing> drawing = drawings_.latest();
-  if (drawing == nullptr || !is_drawn(*drawing)) throw WishError("nothing has been drawn yet");
+  if (drawing == nullptr || !is_drawn(*drawing)) throw RequestError("nothing has been drawn yet");
   const story::HalfspaceFinder finder = session::halfspaces_of(drawing->model, drawing->options, drawing->machine);
   return report::to_html(
       report::run_page(stats_of(drawing->model, drawing->machine, *drawing->found->drawn), drawing->found->drawn->frame,
@@ -282,7 +282,7 @@ Json Session::about() const {
 /// A question that the page sends by POST.
 struct Session::Question {
   std::string_view name;
-  Json (Session::*answer)(const Json& wish, Evaluation& evaluation);
+  Json (Session::*answer)(const Json& request, Evaluation& evaluation);
 };
 
 const Session::Question Session::questions[] = {
@@ -291,11 +291,11 @@ const Session::Question Session::questions[] = {
     {"advice", &Session::advice}, {"verdict", &Session::verdict}, {"two", &Session::two},
 };
 
-Reply Session::answer_post(const Request& request, std::string_view path) {
+Reply Session::answer_post(const Request& http, std::string_view path) {
   constexpr session::JsonLimits limits{.depth = 16, .values = 10'000};
-  const Json wish = session::parse_json(request.body, limits);
-  if (!wish.is_object()) throw WishError("a wish must be an object");
-  const std::string evaluation_name = text_in(wish, "evaluation");
+  const Json request = session::parse_json(http.body, limits);
+  if (!request.is_object()) throw RequestError("a request must be a JSON object");
+  const std::string evaluation_name = text_in(request, "evaluation");
   if (path == "progress") return json_reply(evaluations_.progress(evaluation_name));
   if (path == "cancel") {
     evaluations_.cancel(evaluation_name);
@@ -305,7 +305,7 @@ Reply Session::answer_post(const Request& request, std::string_view path) {
   if (question == std::end(questions)) return not_found_reply();
   Evaluation evaluation(evaluations_, evaluation_name);
   try {
-    return json_reply((this->*question->answer)(wish, evaluation));
+    return json_reply((this->*question->answer)(request, evaluation));
   } catch (const Interrupted&) {
     return ended_reply(evaluation.end_reason(), session::shown_name(drawings_.beginning().model),
                        evaluations_.time_limit());
@@ -327,7 +327,7 @@ Reply Session::answer(const Request& request, std::string_view path) {
     return json_reply({{"error", error.what()}}, 400);
   } catch (const session::JsonLimitError& error) {
     return json_reply({{"error", error.what()}}, 400);
-  } catch (const WishError& error) {
+  } catch (const RequestError& error) {
     return json_reply({{"error", error.what()}}, 400);
   } catch (const session::UsageError& error) {
     return json_reply({{"error", error.what()}}, 422);

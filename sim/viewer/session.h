@@ -15,8 +15,8 @@
 #include "sim/viewer/drawings.h"
 #include "sim/viewer/evaluations.h"
 #include "sim/viewer/http.h"
+#include "sim/viewer/json_request.h"
 #include "sim/viewer/recorded.h"
-#include "sim/viewer/wish.h"
 
 namespace csgsim::viewer {
 
@@ -27,7 +27,7 @@ struct SessionOptions {
   std::function<std::string(const isa::Program& program, std::span<const std::string> options)> recorder = record_wave;
 };
 
-/// Answers the page's questions about a model. A question is sent with a wish (wish.h), an object with
+/// Answers the page's questions about a model. A question is sent with a request, a JSON object with
 /// - `knobs`: texts by option name (knobs.h); an array of strings for `set`; true for flags;
 /// - `source`: the edited text of the model, instead of the text of its file;
 /// - `evaluation`: a name by which the question can be cancelled;
@@ -39,7 +39,7 @@ class Session {
   explicit Session(Beginning beginning, SessionOptions options = {})
       : options_(std::move(options)), drawings_(std::move(beginning)), evaluations_(options_.evaluation_time) {}
 
-  /// The questions, with the additional members of their wishes:
+  /// The questions, with the additional members of their requests:
   /// - `about`: the data that the page needs at its start;
   /// - `draw`: a picture, with the stats of csgsim render;
   /// - `explain`: the history of a pixel. Members: `pixel`, `x,y`, and `why_not`, a primitive as in --why-not;
@@ -51,7 +51,7 @@ class Session {
   /// - `wave`: a value change dump of such a window;
   /// - `advice`: possible changes and the frame time that each saves;
   /// - `verdict`: the number of wrong pixels;
-  /// - `two`: a comparison of two drawings (two.h). Members: `a` and `b`, wishes;
+  /// - `two`: a comparison of two drawings (two.h). Members: `a` and `b`, requests;
   /// - `report`: the page of csgsim render --report for the latest drawing;
   /// - `progress`: progress of the question with this `evaluation`, a name chosen by the page (evaluations.h);
   /// - `cancel`: cancels that question. Its answer has `cancelled`.
@@ -72,21 +72,21 @@ class Session {
   static const Question questions[];
 
   [[nodiscard]] Reply answer_request(const Request& request, std::string_view path);
-  [[nodiscard]] Reply answer_post(const Request& request, std::string_view path);
+  [[nodiscard]] Reply answer_post(const Request& http, std::string_view path);
   [[nodiscard]] Json about() const;
   [[nodiscard]] std::string report() const;
-  [[nodiscard]] Json draw(const Json& wish, Evaluation& evaluation);
-  [[nodiscard]] Json explain(const Json& wish, Evaluation& evaluation);
-  [[nodiscard]] Json instant(const Json& wish, Evaluation& evaluation);
-  [[nodiscard]] Json tree(const Json& wish, Evaluation& evaluation);
-  [[nodiscard]] Json lanes(const Json& wish, Evaluation& evaluation);
-  [[nodiscard]] Json wave(const Json& wish, Evaluation& evaluation);
-  [[nodiscard]] Json advice(const Json& wish, Evaluation& evaluation);
-  [[nodiscard]] Json verdict(const Json& wish, Evaluation& evaluation);
-  [[nodiscard]] Json two(const Json& wish, Evaluation& evaluation);
+  [[nodiscard]] Json draw(const Json& request, Evaluation& evaluation);
+  [[nodiscard]] Json explain(const Json& request, Evaluation& evaluation);
+  [[nodiscard]] Json instant(const Json& request, Evaluation& evaluation);
+  [[nodiscard]] Json tree(const Json& request, Evaluation& evaluation);
+  [[nodiscard]] Json lanes(const Json& request, Evaluation& evaluation);
+  [[nodiscard]] Json wave(const Json& request, Evaluation& evaluation);
+  [[nodiscard]] Json advice(const Json& request, Evaluation& evaluation);
+  [[nodiscard]] Json verdict(const Json& request, Evaluation& evaluation);
+  [[nodiscard]] Json two(const Json& request, Evaluation& evaluation);
 
   [[nodiscard]] std::string record(const isa::Program& program, const std::vector<std::string>& options);
-  [[nodiscard]] std::shared_ptr<const Lanes> find_lanes(const Drawing& drawing, const Json& wish);
+  [[nodiscard]] std::shared_ptr<const Lanes> find_lanes(const Drawing& drawing, const Json& request);
 
   SessionOptions options_;
   Drawings drawings_;

@@ -30,7 +30,7 @@ class ActiveTrees {
 
   /// The active tree of the surface of that piece in the segment, in the form of tree_json. The surface must be inside
   /// every operand at depth 0, or outside if it is `complemented`. Several primitives that are compared as one convex
-  /// solid share one row, that of the first. The array is empty if the surface is visible wherever it is drawn; the
+  /// solid share one row, that of the first. The array is empty if no other primitive removes any of the surface; the
   /// result is std::nullopt if it is not drawn in the segment.
   [[nodiscard]] std::optional<nlohmann::ordered_json> of(std::uint32_t piece, std::uint32_t segment);
 

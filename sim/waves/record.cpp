@@ -20,15 +20,15 @@ namespace csgsim::waves {
 namespace {
 
 /// The pixels of a Program of one segment, by their places in the array.
-systemc::EarlierRun foretold_of(const isa::Program& program, const Foreknowledge& known, const wave::Request& request) {
-  systemc::EarlierRun foretold{.pixels = {},
-                               .answers = known.answers,
-                               .skips = known.result.skips,
-                               .timeline = &known.timeline,
-                               .picture = known.picture};
+systemc::EarlierRun earlier_run(const isa::Program& program, const Foreknowledge& known, const wave::Request& request) {
+  systemc::EarlierRun earlier{.pixels = {},
+                              .answers = known.answers,
+                              .skips = known.result.skips,
+                              .timeline = &known.timeline,
+                              .picture = known.picture};
   const isa::Region& region = program.segments.front().region;
-  for (const wave::Pixel pixel : request.pixels) foretold.pixels.push_back({pixel.x - region.x, pixel.y - region.y});
-  return foretold;
+  for (const wave::Pixel pixel : request.pixels) earlier.pixels.push_back({pixel.x - region.x, pixel.y - region.y});
+  return earlier;
 }
 
 /// A listener that ignores all events.
@@ -62,7 +62,7 @@ Recording record(const isa::Program& program, const machines::Machine& machine, 
                                                                                       // the stop
   const bool probes = fidelity == Fidelity::probed && can_be_probed(program, machine, request);
   const std::unique_ptr<systemc::ClockedMachine> hardware =
-      probes ? kinds::make_probed_machine(machine, foretold_of(program, known, request), form)
+      probes ? kinds::make_probed_machine(machine, earlier_run(program, known, request), form)
              : kinds::make_clocked_machine(machine, form);
   const sc_core::sc_time period = systemc::period_of(machine);
   systemc::WaveRecorder recorder("wave", period);

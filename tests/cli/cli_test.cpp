@@ -255,7 +255,7 @@ TEST_CASE("the manual lists the machines briefly and gives the source of each pa
     CHECK(list.out.find(name) != std::string::npos);
   CHECK(run("manual").out.find("instructions") != std::string::npos);
   misused("manual instruction", "did you mean instructions?");
-  misused("manual scenes pixel-planes-4", "MACHINE: csgsim manual scenes accepts no machine");
+  misused("manual scenes pixel-planes-4", "NAME: csgsim manual scenes accepts no name");
   const Outcome outcome = succeeded(run("manual machines pixel-planes-4"));
   CHECK(outcome.out.find("alu.bits") != std::string::npos);
   CHECK(outcome.out.find("published") != std::string::npos);

@@ -40,7 +40,8 @@ TEST_CASE("explain names the owner and its line for a Program as for its model")
 TEST_CASE("explain accepts a point of the model in place of its pixel") {
   const Subject subject;
   const Outcome outcome = succeeded(run("explain " + subject.model + front + "--point 4.4,0,-2.6"));
-  CHECK(outcome.out.starts_with("point 4.4,0,-2.6 is 15.082 model units from the eye\npixel 4,2 shows p1 "));
+  CHECK(outcome.out.starts_with(
+      "point 4.4,0,-2.6 is 15.082 model units in front of the eye, along the view axis\npixel 4,2 shows p1 "));
 }
 
 TEST_CASE("explain says why a primitive is hidden that is named by index or name or line") {

@@ -49,7 +49,8 @@ TEST_CASE("render says which prunings were tried and which left out, and what th
   const Outcome paying = run(render);
   succeeded(paying);
   CHECK(paying.out.find("pruning separation") != std::string::npos);
-  CHECK(paying.out.find("where the host would take longer than half of what it saves") != std::string::npos);
+  CHECK(paying.out.find("whose test would take the host more than half of the time that its success saves") !=
+        std::string::npos);
   const nlohmann::json prunings = json(folder / "p.json")["prunings"];
   CHECK(prunings["separation"]["left"] > 0);
   CHECK(prunings["separation"]["tried"] == 0);

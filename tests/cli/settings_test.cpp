@@ -247,7 +247,7 @@ TEST_CASE("the command line overrides a settings file's table of the command and
   CHECK(value({"levels"}, "snap") == "true");
 }
 
-TEST_CASE("an option on the command line replaces the one that it excludes") {
+TEST_CASE("an option on the command line replaces a setting that excludes it") {
   const Folder folder;
   write(folder / "s.toml", "point = '0,0,0'\n");
   const std::string program = std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt";

@@ -96,7 +96,7 @@ void refuses_to_gather(const Words& words, const fs::path& where, const Words& t
 
 }  // namespace
 
-TEST_CASE("gather needs neither models nor machine files and equals a run of one process") {
+TEST_CASE("gather without the models equals a run of one process") {
   for (const std::string command : {"sweep", "accuracy", "compare"}) {
     CAPTURE(command);
     const Folder folder;

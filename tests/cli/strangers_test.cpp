@@ -127,7 +127,7 @@ TEST_CASE("a stats file cannot name a settings file or an output") {
         "[render]\noutput = 'home.png'\nstats = 'any_name'\nreport = 'x.html'\n[run]\ncheckpoint = 'bashrc'\n");
   for (const std::string name : {"home.png", "any_name", "x.html", "bashrc"}) write(stats.folder / name, "precious");
   stats.set_option("config", "evil.toml");
-  stats.refuses("'config' is not an option of csgsim render that stats record");
+  stats.refuses("'config' is not an option that csgsim render records in a stats file");
   stats.change([](Json& json) {
     for (const char* const option : {"output", "depth", "owner", "stats", "report"})
       json["configuration"]["options"][option] = "home.png";

@@ -14,7 +14,7 @@ emit::Options with_strategy(emit::Strategy strategy, unsigned stack_bits = emit:
   return options;
 }
 
-/// Weighed prices, from a host for which everything pays to one for which nothing does.
+/// Weighed prices, from a host for which every test is worth its time to one for which none is.
 std::vector<csg::Prices> weighed_prices() {
   std::vector<csg::Prices> all;
   for (const double of_host : {0.0, 10.0, 100.0, 1e6}) {

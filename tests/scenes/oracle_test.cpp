@@ -65,8 +65,8 @@ testing::RayEffects effects_of(const testing::SceneFile& file, const testing::Dr
   return effects;
 }
 
-/// Tolerance for rounding in levels: one for each blended layer and each reflection (host/effects/layers.h, mirrors.h),
-/// one for the mean of samples, and one half.
+/// Tolerance for rounding in levels: one for each blended layer and each reflection (host/effects/layers.h,
+/// mirrors.cpp), one for the mean of samples, and one half.
 double bound_of(const testing::RayEffects& effects, std::size_t samples) {
   const bool blends = std::any_of(effects.opacity.begin(), effects.opacity.end(), [](double one) { return one < 1; });
   return 0.51 + (blends ? effects.layers : 0) + effects.reflections * (blends ? effects.layers : 1.0) +

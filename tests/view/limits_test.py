@@ -175,14 +175,14 @@ class Evaluation(unittest.TestCase):
         self.addCleanup(server.stop)
         return server
 
-    def begun(self, server, wish):
+    def begun(self, server, request):
         """Starts a thread that requests an evaluation; returns it and its answers once OpenSCAD has started."""
         answers = []
 
         def ask():
             begin = time.monotonic()
             with contextlib.suppress(OSError, http.client.HTTPException):
-                answers.append((*server.post("draw", wish), time.monotonic() - begin))
+                answers.append((*server.post("draw", request), time.monotonic() - begin))
 
         thread = threading.Thread(target=ask)
         thread.start()
@@ -206,9 +206,9 @@ class Evaluation(unittest.TestCase):
         server = self.serve("--evaluation-time", "3")
         self.assertEqual(server.post("draw", {})[0], 200)
         thread, answers = self.begun(server, self.ENDLESS)
-        for question, wish in (("draw", {}), ("explain", {"pixel": "16,12"}), ("instant", {"number": 3}), ("tree", {}), ("draw", self.CUBE),
+        for question, request in (("draw", {}), ("explain", {"pixel": "16,12"}), ("instant", {"number": 3}), ("tree", {}), ("draw", self.CUBE),
                                ("draw", {"knobs": {"camera": "3,-10,9,0,0,2"}})):
-            status, answer = server.post(question, wish)
+            status, answer = server.post(question, request)
             self.assertEqual(status, 200, answer)
         self.assertTrue(thread.is_alive())
         thread.join()

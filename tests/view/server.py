@@ -91,7 +91,7 @@ class Server:
     def get(self, name):
         return self.ask("GET", f"/{self.token}/{name}")
 
-    def post(self, name, wish):
+    def post(self, name, request):
         """Posts a request; returns status and JSON."""
-        status, _, body = self.ask("POST", f"/{self.token}/{name}", json.dumps(wish))
+        status, _, body = self.ask("POST", f"/{self.token}/{name}", json.dumps(request))
         return status, json.loads(body)

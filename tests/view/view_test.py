@@ -199,8 +199,8 @@ class Answers(unittest.TestCase):
         (folder / "whole.scad").write_text("use <part.scad>\npart();\n")
         server = Server(CSGSIM, str(folder / "whole.scad"), "--size", "32x24")
         try:
-            for wish, count in (({}, 1), ({"source": "use <part.scad>\npart(); translate([3, 0, 0]) part();\n"}, 2)):
-                status, answer = server.post("draw", wish)
+            for request, count in (({}, 1), ({"source": "use <part.scad>\npart(); translate([3, 0, 0]) part();\n"}, 2)):
+                status, answer = server.post("draw", request)
                 self.assertEqual((status, answer.get("stats", answer).get("model", {}).get("primitives")), (200, count), answer)
             status, answer = server.post("draw", {"source": "use <part.scad>\npart(;\n"})
             self.assertEqual(status, 422)

@@ -21,7 +21,7 @@ from web_page import Answering  # noqa: E402
 CARBURETTOR = {"camera": "220,-255,135,2,0,5"}
 FIGURE = {"camera": "42,-38,41,10,5.5,2"}
 SHADOWS = ["effects.shadows.on=true", "effects.depth_cue.on=true"]
-WISHES = [
+REQUESTS = [
     ("thesis_fig_2_3", FIGURE),
     ("carburettor", CARBURETTOR),
     ("carburettor", {**CARBURETTOR, "set": SHADOWS, "memory-bits": "300", "size": "256x256"}),
@@ -72,30 +72,30 @@ class Session(unittest.TestCase):
         self.assertEqual(answering.begun[0], 200, answering.begun)
         return server, answering
 
-    def check_same(self, both, question, wish):
-        (status, expected), (other, told) = (one.post(question, wish) for one in both)
+    def check_same(self, both, question, request):
+        (status, expected), (other, told) = (one.post(question, request) for one in both)
         self.assertEqual((other, without(told, "picture", "seconds")), (status, without(expected, "picture", "seconds")), question)
         return told
 
     def test_pictures_counts_and_stories_equal_those_of_the_native_program(self):
-        for model, knobs in WISHES:
+        for model, knobs in REQUESTS:
             with self.subTest(model=model, knobs=knobs):
                 both = self.both(model + ".csg")
-                wish = {"knobs": knobs}
-                drawn = self.check_same(both, "draw", wish)
+                request = {"knobs": knobs}
+                drawn = self.check_same(both, "draw", request)
                 self.assertEqual(pixels_of(drawn["picture"]), rendered(drawn["command"]))
                 at = f"{drawn['width'] // 2},{drawn['height'] // 2}"
-                self.assertGreater(len(self.check_same(both, "explain", {**wish, "pixel": at, "why_not": "p1"})["text"]), 100)
+                self.assertGreater(len(self.check_same(both, "explain", {**request, "pixel": at, "why_not": "p1"})["text"]), 100)
 
     def test_instants_trees_verdicts_and_comparisons_equal_those_of_the_native_program(self):
         both = self.both("carburettor.csg")
-        wish = {"knobs": {**CARBURETTOR, "size": "128x128"}}
+        request = {"knobs": {**CARBURETTOR, "size": "128x128"}}
         for number in (0, 100, 5000, 10 ** 9):
-            self.check_same(both, "instant", {**wish, "number": number, "field": "Z1", "tinted": True})
-        self.check_same(both, "instant", {**wish, "primitive": 3, "field": "", "tinted": False})
+            self.check_same(both, "instant", {**request, "number": number, "field": "Z1", "tinted": True})
+        self.check_same(both, "instant", {**request, "primitive": 3, "field": "", "tinted": False})
         for question in ("tree", "verdict", "advice"):
-            self.check_same(both, question, wish)
-        self.check_same(both, "two", {"a": wish, "b": {"knobs": {**wish["knobs"], "z-bits": "8"}}})
+            self.check_same(both, question, request)
+        self.check_same(both, "two", {"a": request, "b": {"knobs": {**request["knobs"], "z-bits": "8"}}})
 
     def test_draws_an_edited_source_and_places_errors(self):
         both = self.both("thesis_fig_2_3.csg")
@@ -109,9 +109,9 @@ class Session(unittest.TestCase):
 
     def test_rejects_missing_features_and_names_an_alternative(self):
         _, answering = self.both("thesis_fig_2_3.csg")
-        for question, wish, told in (("lanes", {}, "csgsim view"), ("wave", {"pixel": "1,1", "window": "i0:i4"}, "csgsim view"),
+        for question, request, told in (("lanes", {}, "csgsim view"), ("wave", {"pixel": "1,1", "window": "i0:i4"}, "csgsim view"),
                                      ("draw", {"source": 'text(text="A");'}, "text()"), ("draw", {"source": 'import(file="a.stl");'}, "a.stl")):
-            status, answer = answering.post(question, {"knobs": {}, **wish})
+            status, answer = answering.post(question, {"knobs": {}, **request})
             self.assertEqual(status, 422, answer)
             self.assertIn(told, answer["error"])
         scad = Answering(SITE, "part.scad", "cube(3);")

@@ -16,20 +16,20 @@ from web_page import StaticServer  # noqa: E402
 
 TURN = """(async () => {
   const {ask} = await import('./asking.js');
-  const wishes = WISHES;
-  const draw = async wish => {
-    const {isGood, answer} = await ask('draw', wish);
+  const requests = REQUESTS;
+  const draw = async request => {
+    const {isGood, answer} = await ask('draw', request);
     if (!isGood) throw new Error(answer.error);
     const picture = document.getElementById('picture');
     picture.src = answer.picture;
     await picture.decode();
     return answer.seconds;
   };
-  await draw(wishes[0]);
+  await draw(requests[0]);
   const begin = performance.now();
   const parts = {compiling: 0, running: 0};
-  for (const wish of wishes.slice(1)) {
-    const seconds = await draw(wish);
+  for (const request of requests.slice(1)) {
+    const seconds = await draw(request);
     for (const part in parts) parts[part] += seconds[part];
   }
   return {whole: (performance.now() - begin) / 1000, ...parts};
@@ -45,8 +45,8 @@ def main():
             page.send("Page.navigate", url=f"{server.address}?model={model}.csg&size=64x64")
             while not page.evaluate("window.isAtRest && window.isAtRest()"):
                 pass
-            wishes = [{"knobs": knobs | {"size": "512x512", "camera": turned(camera, 3 * number)}} for number in range(PICTURES + 1)]
-            took = page.evaluate(TURN.replace("WISHES", json.dumps(wishes)))
+            requests = [{"knobs": knobs | {"size": "512x512", "camera": turned(camera, 3 * number)}} for number in range(PICTURES + 1)]
+            took = page.evaluate(TURN.replace("REQUESTS", json.dumps(requests)))
             shares = " | ".join(f"{100 * took[part] / took['whole']:.0f} %" for part in ("compiling", "running"))
             print(f"| {model} | {knobs.get('machine', 'pixel-planes-4')} | {PICTURES / took['whole']:.1f} | {shares} |")
     finally:

@@ -28,9 +28,9 @@ class Answering:
         self.process.stdin.flush()
         return json.loads(self.process.stdout.readline())
 
-    def post(self, question, wish):
+    def post(self, question, request):
         """Sends a request; returns status and JSON, like the server of csgsim view."""
-        status, body = self.send({"question": question, "wish": wish})
+        status, body = self.send({"question": question, "request": request})
         return status, json.loads(body)
 
     def stop(self):

@@ -129,11 +129,13 @@ void print_bill(const Bill& bill) {
   print_line("all instructions", bill.all.drawn.stats.total);
   fmt::print("  {:<16}{:>14}  including the link, the controller and the machine's other work\n", "frame",
              grouped(bill.all.drawn.result.clocks));
-  fmt::print("  {:<16}{:>14}  {} of {} bits per pixel\n", "without any", grouped(bill.none.drawn.result.clocks),
+  fmt::print("  {:<16}{:>14}  {} of {} bits per pixel\n", "no effects", grouped(bill.none.drawn.result.clocks),
              observe::used_memory_bits(bill.none.program), observe::used_memory_bits(bill.all.program));
   fmt::print(
-      "clocks, instructions and pixel operations: charged in the frame; alone: clocks it adds to a frame without\n"
-      "effects; together: clocks that the frame with all effects saves without it\n");
+      "clocks, instructions and pixel operations: charged to the effect in the frame; alone: clocks that the effect\n"
+      "adds to a frame without effects; together, bits, wall s: clocks, memory bits per pixel and seconds of "
+      "compiling\n"
+      "and simulating that the frame with all effects saves without the effect\n");
 }
 
 nlohmann::ordered_json cost_json(const observe::Cost& cost) {

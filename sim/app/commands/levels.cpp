@@ -40,7 +40,7 @@ void compare_levels(const Options& options) {
   const isa::Program program = compile_model(options.model, machine).program;
   const machines::Size picture = machine.picture;
   fmt::print("{} at {} x {}\n{:<12}{:>12}{:>12}{:>16}{:>20}  {}\n", printable(shown_name(options.model.model)),
-             picture.width, picture.height, "level", "clocks", "wall s", "clocks/s", "times " + levels.front(),
+             picture.width, picture.height, "level", "clocks", "wall s", "clocks/s", "wall / " + levels.front(),
              "picture, depth, owner, counts");
   std::optional<Drawn> first;
   for (const std::string& level : levels) {

@@ -78,7 +78,7 @@ void print_described(const Options& options, const std::vector<std::string_view>
   }
   const std::vector<std::string> names =
       options.machines == "all" ? std::vector<std::string>(all.begin(), all.end()) : parse_words(options.machines);
-  for (const std::string& name : names) print_parameters_of(for_option("MACHINE", [&] { return load(name); }));
+  for (const std::string& name : names) print_parameters_of(for_option("NAME", [&] { return load(name); }));
 }
 
 void print_processors(const Options& options) {
@@ -146,9 +146,9 @@ void run(const Options& options) {
   const bool is_of_machines = topic->print == print_machines;
   const bool names_some = is_of_machines || topic->print == print_processors || topic->print == print_processes;
   if ((!options.machines.empty() && !names_some) || (!options.sets.empty() && !is_of_machines))
-    throw UsageError("MACHINE", "csgsim manual " + options.topic + " accepts no machine; leave it out");
+    throw UsageError("NAME", "csgsim manual " + options.topic + " accepts no name and no --set; leave them out");
   if (is_of_machines && !options.machines.empty() && options.machines != "all")
-    for_option("MACHINE", [&] { check_machines(options.machines); });
+    for_option("NAME", [&] { check_machines(options.machines); });
   topic->print(options);
 }
 
@@ -164,7 +164,7 @@ void add_manual(CommandLine& line) {
   names.reserve(topics.size());
   for (const Topic& topic : topics) names.emplace_back(topic.name);
   command.option("TOPIC", options->topic, "What to print").one_of(names, "topic");
-  command.option("MACHINE", options->machines,
+  command.option("NAME", options->machines,
                  "Comma-separated machines, processors or processes, by name or .toml file; all: every built-in one");
   add_parameter_sets(command, options->sets, "the machine, or of those that have it");
   command.runs([options] { run(*options); });

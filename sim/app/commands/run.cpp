@@ -13,7 +13,7 @@ namespace {
 void add_run(CommandLine& line) {
   const auto options = std::make_shared<ProgramRequest>();
   Command& command =
-      line.add("run", run_group, "Run a Program file, with the picture and counts of csgsim render",
+      line.add("run", run_group, "Run a Program file and write the picture and counts as csgsim render does",
                "Example:\n  csgsim run traces/carburettor.csgt -o carburettor.png --stats carburettor.json\n"
                "  csgsim run traces/carburettor.csgt -o carburettor.png --checkpoint run.csgs --checkpoint-every 500\n"
                "  csgsim run traces/carburettor.csgt -o carburettor.png --resume run.csgs");

@@ -164,9 +164,11 @@ void ModelRequest::add_to(OptionList& options, const std::string& what) {
               "How pixels are classified; bits uses --stack-bits, auto chooses the fastest that fits the memory")
       .one_of(strategy_names());
   options
-      .option("--stack-bits", stack_bits,
-              "Bits of --strategy bits, numbered as in the thesis: with 3, a primitive's depth is tested once per "
-              "product; with 4, products are summed; each further bit stores the results of one more level of the tree")
+      .option(
+          "--stack-bits", stack_bits,
+          "Bits of --strategy bits, numbered as in the thesis: with 3, a primitive's depth is tested once per "
+          "product; with 4, products are summed; each further bit stores the results of one more level of the tree; "
+          "docs/accuracy.md#strategies explains them")
       .between(emit::min_stack_bits, max_stack_bits);
   options
       .option(

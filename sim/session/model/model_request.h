@@ -70,7 +70,8 @@ struct ModelRequest {
 
   void add_to(OptionList& options,
               const std::string& what =
-                  "The model: OpenSCAD's export .csg (- reads standard input), a source .scad, or commands .jan");
+                  "The model: a .csg file exported by OpenSCAD (- reads it from standard input), an OpenSCAD source, "
+                  ".scad, or a file of the thesis's modelling commands, .jan");
 
   /// Everything visible but the model's solids; read once. Throws InputError, or UsageError for an invalid --set.
   [[nodiscard]] const scene::Scene& scene() const { return loaded_scene().scene; }

@@ -150,7 +150,8 @@ class OptionList {
   /// Appends a text to the given texts of the option with that key. Throws UsageError for an unknown key and suggests
   /// the nearest.
   void give(std::string_view key, const std::string& text);
-  void give_flag(std::string_view key);  ///< throws UsageError also for an option that needs a value
+  /// Sets the flag with that key. Throws UsageError for an unknown key, and for an option that needs a value.
+  void give_flag(std::string_view key);
   void give_operand(const std::string& text);
 
   /// Gives the options and operands in the result of words(). Throws UsageError.

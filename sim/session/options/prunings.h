@@ -10,7 +10,7 @@
 
 namespace csgsim::session {
 
-/// The selection of all prunings, each applied where it pays (csg::Prices).
+/// The selection of all prunings, each applied where it is worth its time (csg::Prices).
 inline constexpr std::string_view all_that_pay = "auto";
 
 /// Parses a selection of prunings: `auto`, `all`, `none`, those to apply (`space+hidden`), or those to leave out

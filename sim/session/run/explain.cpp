@@ -90,7 +90,9 @@ Seen seen_at(const std::string& text, const view::View& view) {
 }
 
 void add_point(const std::string& point, double distance, story::Answer& answer) {
-  answer.text = fmt::format("point {} is {:.6g} model units from the eye\n", point, distance) + answer.text;
+  answer.text =
+      fmt::format("point {} is {:.6g} model units in front of the eye, along the view axis\n", point, distance) +
+      answer.text;
   answer.json["point_distance"] = distance;
 }
 

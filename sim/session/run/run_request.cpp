@@ -74,9 +74,9 @@ void RunRequest::add_to(OptionList& options) {
               "even behind transparent ones")
       .one_of({"nearest", "opaque"}, "surface");
   options
-      .option(
-          "--level", level,
-          "functional (fast), cycle (SystemC, every clock) or reference (bit-serial, slow); all give the same results")
+      .option("--level", level,
+              "functional (fast), cycle (SystemC, every clock) or reference (pixel by pixel, slow); all give the same "
+              "results")
       .one_of(level_names());
   options
       .option("--evaluator", evaluator,

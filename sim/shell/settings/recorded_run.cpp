@@ -116,7 +116,7 @@ const SettableOption& option_named(const RecordedRun& run, std::string_view name
   if (found != options.end()) return *found;
   std::vector<std::string_view> known;
   for (const SettableOption& option : options) known.push_back(option.name);
-  throw InputError(fmt::format("{}: '{}' is not an option of csgsim {} that stats record; the nearest is '{}'",
+  throw InputError(fmt::format("{}: '{}' is not an option that csgsim {} records in a stats file; the nearest is '{}'",
                                run.file, printable(name), recorded_command(run), nearest(name, known)));
 }
 

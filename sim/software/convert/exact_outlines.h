@@ -22,7 +22,9 @@ namespace csgsim::software::convert {
 enum class Facing : std::uint8_t {
   back,   ///< the solid is in front of the plane
   front,  ///< the solid is behind the plane
-  sum,    ///< sum of fronts and reversed backs; the remainder has the solid on one side only
+  /// Both: sides of touching front and back faces are opposite and cancel. The remaining sides are the outline of the
+  /// faces with the solid on one side only.
+  sum,
 };
 
 /// The outlines of fragments on exact points, and of whole bodies on their vertices. All decisions are exact, so the
@@ -51,7 +53,7 @@ class ExactOutlines {
   void add_whole(const std::vector<bool>& whole);
 
   [[nodiscard]] const std::vector<Plane>& outlines() const { return outlines_; }
-  [[nodiscard]] std::size_t points() const { return vertices_.size(); }
+  [[nodiscard]] std::size_t point_count() const { return vertices_.size(); }
 
   /// Position in model space; the vertex of a body if the point represents one.
   [[nodiscard]] glm::dvec3 place(std::uint32_t point) const;

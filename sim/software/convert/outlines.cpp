@@ -31,8 +31,8 @@ constexpr double shortest_edge = 0x1p-48;
 class Rounding {
  public:
   Rounding(const Bodies& bodies, const ExactOutlines& exact)
-      : exact_(exact), table_(bodies.reference, bodies.tolerance), numbers_(exact.points(), none) {
-    std::vector<bool> is_used(exact.points(), false);
+      : exact_(exact), table_(bodies.reference, bodies.tolerance), numbers_(exact.point_count(), none) {
+    std::vector<bool> is_used(exact.point_count(), false);
     for (const ExactOutlines::Plane& outline : exact.outlines())
       for (const Side& side : outline.sides) is_used[side[0]] = is_used[side[1]] = true;
     // Vertices of primitives are added first, so that nearby points take their coordinates.

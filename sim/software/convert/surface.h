@@ -30,9 +30,8 @@ struct Measures {
   double area = 0;           ///< square model units
   std::int64_t euler = 0;    ///< points - edges + triangles
   std::uint64_t shells = 0;  ///< number of parts connected by edges
-  [[nodiscard]] std::int64_t genus() const {
-    return static_cast<std::int64_t>(shells) - euler / 2;
-  }  ///< total of all shells
+  /// Sum of the genera of all shells.
+  [[nodiscard]] std::int64_t genus() const { return static_cast<std::int64_t>(shells) - euler / 2; }
 };
 
 Measures measure(const Surface& surface);

@@ -42,7 +42,7 @@ Displayed displayed(const DisplaySubject& subject, const Draw& draw) {
   result.counts.words.pixels = 2 * subject.pixels();
   draw(seen, ledger, result);
   result.drawing_seconds = seconds_since(begin);
-  ledger.add_counts(result.counts);
+  ledger.store_counts(result.counts);
   return result;
 }
 

@@ -77,8 +77,9 @@ class Ledger {
  public:
   Count& operator[](Phase phase) { return counts_[static_cast<std::size_t>(phase)]; }
 
-  /// Sums up the counts of all phases.
-  void add_counts(DisplayCounts& counts) const {
+  /// Sets the operations of each phase, and the sum of the phases' classification counts. Their words, pruned nodes and
+  /// traversals are not summed.
+  void store_counts(DisplayCounts& counts) const {
     counts.csg = {};
     for (std::size_t phase = 0; phase < phases; ++phase) {
       const Counts one = counts_[phase].counts_so_far();

@@ -19,7 +19,7 @@ namespace {
 /// A facet in a row, where its depth is a linear function of the column.
 struct ActiveFacet {
   const ScreenFacet* facet = nullptr;
-  std::int64_t at_start = 0;  ///< value at column 0 of the row
+  std::int64_t at_start = 0;  ///< depth at column 0 of the row, with fraction bits
 
   [[nodiscard]] std::int64_t value(std::int32_t column) const { return at_start + facet->depth.a * column; }
 };
@@ -34,7 +34,7 @@ enum class Presence : std::uint8_t {
 /// A facet over a span.
 struct OverSpan {
   Presence presence = Presence::somewhere;
-  std::int64_t left = 0;  ///< values at the ends; both 0 if the depth is 0 throughout
+  std::int64_t left = 0;  ///< depths at the ends, with fraction bits; both 0 if the depth step is 0 throughout
   std::int64_t right = 0;
 };
 

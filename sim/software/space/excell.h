@@ -130,8 +130,11 @@ class ExcellCells {
   [[nodiscard]] facet::Box box_of(std::uint32_t prefix, unsigned level) const;
 
   void add_part_of(const Range& asked, std::vector<SpacePart>& parts) const;
+  /// Adds the facet to each cell of the range that it touches.
   void insert(Range range, std::uint32_t facet);
+  /// Adds the facet to the cell of this range; divides the cell if it is full.
   void put(const Range& range, std::uint32_t facet);
+  /// Divides the cell into two, and doubles its directory if necessary.
   void halve(const Range& range);
   std::uint32_t add_part(const Range& range, std::uint32_t bucket);
 

@@ -106,7 +106,7 @@ class Tracer {
     pixel.seen = hit.seen;
     pixel.mirrored.clear();
     pixel.surface = {};
-    // A precomputed colour per facet is read and written.
+    // The facet's precomputed colour is read, and written to the pixel.
     meters_.shading(Operation::load_long, 2);
     meters_.shading(Operation::store_long);
     meters_.shading(Operation::branch_taken);

@@ -47,7 +47,7 @@ class BitParallel {
     return (work_[0] & 1U) != 0;
   }
 
-  [[nodiscard]] std::uint64_t words() const { return tree_.words_of_memory() + states_.words() + work_.size(); }
+  [[nodiscard]] std::uint64_t words() const { return tree_.words_of_memory() + states_.word_count() + work_.size(); }
 
  private:
   DevelopedTree tree_;

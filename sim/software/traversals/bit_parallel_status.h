@@ -53,7 +53,7 @@ class BitParallelStatus {
 
   /// The number of stored words halves from level to level.
   [[nodiscard]] std::uint64_t words() const {
-    return tree_.words_of_memory() + states_.words() + 2 * std::uint64_t{tree_.words()};
+    return tree_.words_of_memory() + states_.word_count() + 2 * std::uint64_t{tree_.words()};
   }
 
  private:

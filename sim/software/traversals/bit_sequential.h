@@ -76,7 +76,7 @@ class BitSequential {
     return stack_.get(0, count) != 0;
   }
 
-  [[nodiscard]] std::uint64_t words() const { return steps_.size() + states_.words() + stack_.words(); }
+  [[nodiscard]] std::uint64_t words() const { return steps_.size() + states_.word_count() + stack_.word_count(); }
 
  private:
   /// A leaf, or an operator if it has no primitive.

@@ -49,7 +49,7 @@ class BitString {
     word = value != 0 ? word | mask : word & ~mask;
   }
 
-  [[nodiscard]] std::uint64_t words() const { return words_.size(); }
+  [[nodiscard]] std::uint64_t word_count() const { return words_.size(); }
   [[nodiscard]] std::span<const std::uint32_t> as_words() const { return words_; }
 
  private:

@@ -11,7 +11,7 @@
 
 namespace csgsim::software {
 
-/// Builds a tree from nodes added in order.
+/// Builds a tree bottom-up: children are added before their parents.
 class Builder {
  public:
   explicit Builder(std::size_t primitives) { tree_.leaf_of.assign(primitives, model::no_index); }

@@ -83,8 +83,10 @@ class Accuracy : public StudyOf<Measurement> {
     command.option("--views", options_.views, "Number of views per point: the camera rotated about the vertical axis")
         .between(1, 64);
     command
-        .option("--knobs", options_.knobs,
-                "Settings to vary; together varies z-bits and fraction-bits at the same time; default: all")
+        .option(
+            "--knobs", options_.knobs,
+            "Settings to vary, separated by commas; `together` is z-bits and fraction-bits at the same time; default: "
+            "all")
         .list_of(knob_names(), "setting");
     command
         .option("--tolerances", options_.tolerances,

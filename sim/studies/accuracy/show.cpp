@@ -31,7 +31,7 @@ void print_row(const Measurement& row) {
 
 void print_table(std::span<const Measurement> rows, unsigned views) {
   fmt::print("{:<14}{:>12}{:>12}{:>9}{:>8}{:>9}{:>9}{:>13}{:>10}{:>11}{:>13}{:>9}\n", "knob", "value", "clocks",
-             "planes", "bits", "wrong", "unexpl.", "depth p99.9", "in steps", "facet diff", "facet p99.9", "colour");
+             "planes", "bits", "wrong", "unexpl.", "depth p99.9", "in steps", "vs. curved", "curved p99.9", "colour");
   for (const Measurement& row : rows) print_row(row);
   if (views > 1)
     fmt::print(
@@ -53,7 +53,7 @@ void print_front(std::span<const Measurement> rows) {
 
 void print_equal(std::span<const Measurement> rows) {
   for (const EqualFacets& one : equally_accurate_facets(rows)) {
-    fmt::print("\n{} curves: {} clocks, {} wrong for the curved surfaces\n", one.curved.value,
+    fmt::print("\n{} curves: {} clocks, {} wrong against curved surfaces\n", one.curved.value,
                grouped(one.curved.clocks), session::counted(one.curved.facet_wrong, "pixel"));
     fmt::print(
         "{}: {} {}, {} clocks (factor {:.3g}), {} wrong\n",
@@ -78,8 +78,8 @@ struct KnobPlot {
 constexpr KnobPlot knob_plots[] = {
     {"z-bits", "depth bits", plots::Scale::linear},
     {"fraction-bits", "fraction bits of the coefficients", plots::Scale::linear},
-    {"edge-on", "edge-on fraction", plots::Scale::logarithmic},
-    {"size", "picture size", plots::Scale::logarithmic},
+    {"edge-on", "edge-on fraction, pixels", plots::Scale::logarithmic},
+    {"size", "picture size, pixels", plots::Scale::logarithmic},
     {"fn", "fragments per circle, $fn", plots::Scale::logarithmic, true},
     {"tolerance", "faceting tolerance, model units", plots::Scale::logarithmic, true, false},
 };
@@ -143,12 +143,12 @@ plots::Plot front_plot(std::span<const Measurement> together, const MeasuredMode
   return {"pareto", std::move(chart)};
 }
 
-/// Facets of every number and curved surfaces: clocks against pixels wrong for the curved surfaces.
+/// Facets of every number and curved surfaces: clocks against wrong pixels, both relative to the curved surfaces.
 plots::Plot curves_plot(std::span<const Measurement> rows, const MeasuredModel& model) {
   plots::Chart chart{
       model.model + ": facets and curved surfaces",
       {sum_title("clocks", model.views), plots::Scale::logarithmic, {}, false, true},
-      {{sum_title("pixels wrong for the curved surfaces", model.views), plots::Scale::logarithmic, {}, false, true}},
+      {{sum_title("wrong pixels against curved surfaces", model.views), plots::Scale::logarithmic, {}, false, true}},
       {{"facets, by tolerance"}, {"facets, by $fn"}, {"facets, as modelled", 0, plots::Trace::marks}},
       accuracy_table};
   for (const Measurement& row : rows) {

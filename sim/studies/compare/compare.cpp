@@ -76,7 +76,7 @@ std::vector<Named> named_machines(const Options& options) {
   return machines;
 }
 
-/// The machine's own picture, on the machine as described and with one parameter after another made ideal.
+/// The points of --ideal: the machine's picture, on the machine as described and with each parameter made ideal.
 std::vector<ComparisonPoint> ideal_points(const Named& machine) {
   const machines::Size& picture = machine.machine.picture;
   std::vector<ComparisonPoint> points{{machine.name, picture.width, picture.height, 0}};
@@ -87,7 +87,7 @@ std::vector<ComparisonPoint> ideal_points(const Named& machine) {
   return points;
 }
 
-/// The machine's own picture, the same with every number of fragments, and pictures of every size.
+/// The points of a machine: its picture with the model's own facets and with each of --fragments, and each of --sides.
 std::vector<ComparisonPoint> points_of(const Options& options, const Named& machine) {
   if (options.ideal) return ideal_points(machine);
   const machines::Size& picture = machine.machine.picture;
@@ -214,12 +214,13 @@ class Compare : public StudyOf<ComparisonRow> {
     command.option("--machines", options_.machines, "Machines to compare, as names or .toml files separated by commas")
         .check(session::is_read_by(session::check_machines));
     command
-        .option(
-            "--fragments", options_.fragments,
-            "Numbers: values of $fn for all curved solids; they vary the number of half-spaces at one picture size; "
-            "none for the model's own only")
+        .option("--fragments", options_.fragments,
+                "Values of $fn for all curved solids, separated by commas, which vary the number of half-spaces at one "
+                "picture size; `none`: only the model's own")
         .check(session::is_read_by(fragments_of));
-    command.option("--sides", options_.sides, "Numbers: sides of square pictures in pixels; none for one size only")
+    command
+        .option("--sides", options_.sides,
+                "Sides of square pictures in pixels, separated by commas; `none`: only one size")
         .check(session::is_read_by(sides_of));
     command.flag(
         "--ideal", options_.ideal,
@@ -228,7 +229,7 @@ class Compare : public StudyOf<ComparisonRow> {
     command
         .option("--with", options_.with,
                 "Software to compare with, as PROCESSOR:METHOD separated by commas, such as mc68000:status/one-list "
-                "(csgsim manual methods, processors; this-computer is measured); none for machines only")
+                "(csgsim manual methods, processors; this-computer is measured); `none`: no software")
         .check(session::is_read_by(software_of))
         .excludes("--ideal");
   }
@@ -281,7 +282,7 @@ class Compare : public StudyOf<ComparisonRow> {
 
   [[nodiscard]] std::vector<report::Section> sections(const report::Json& data) const override {
     if (!options_.ideal) return {};
-    return {{"Idealisations", {worth_table(data)}}};
+    return {{"Idealizations", {worth_table(data)}}};
   }
 
   void refuse() const override {

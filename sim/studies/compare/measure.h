@@ -142,7 +142,7 @@ ComparisonRow measure(const ComparisonJob& job, const model::Tree& tree);
 
 /// Plots of the time between frames, the drawing time and the memory of each machine, and of these times against
 /// half-spaces and pixels with a line per machine, as far as these vary. All rows belong to one model. `base` is the
-/// picture size at which half-spaces vary.
+/// picture size of the plots by machine and by half-spaces.
 std::vector<plots::Plot> plots_of_comparison(std::span<const ComparisonRow> rows, const machines::Size& base,
                                              const std::string& model);
 

@@ -110,8 +110,8 @@ void print_compare_words(std::span<const ComparisonRow> rows) {
   print_bounds(own);
   if (!own.front()->dearest.empty()) print_dearest(own);
   const ComparisonRow& fastest = **std::ranges::max_element(own, {}, &ComparisonRow::frames_per_second);
-  fmt::print("\n{:<18}fastest of the machines as described: {}, {} frames/s\n", "knobs", fastest.point.machine,
-             observe::rate_text(fastest.frames_per_second));
+  fmt::print("\n{:<18}fastest of the machines as described, without their hosts: {}, {} frames/s\n", "advice",
+             fastest.point.machine, observe::rate_text(fastest.frames_per_second));
   for (const ComparisonRow* row : own) {
     print_facets(rows, *row);
     print_ideal(rows, *row);

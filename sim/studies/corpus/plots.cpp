@@ -68,10 +68,10 @@ std::vector<CorpusPlot> kinds_of_plot() {
                return against_halfspaces(rows, machine, &CorpusRow::clocks);
              }}}},
           {"corpus_frames",
-           "Share of models drawn at least as fast",
+           "Share of models drawn at this frame rate or faster",
            {"frames/s", logarithmic},
            plots::Trace::steps,
-           {{{"share of the models, %", linear}, share_as_fast}}}};
+           {{{"share of the models that the machine draws, %", linear}, share_as_fast}}}};
 }
 
 }  // namespace

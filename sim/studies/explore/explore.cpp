@@ -101,7 +101,7 @@ class Explore : public StudyOf<ExploreRow> {
   /// Neighbours of designs on the front of all models (or of the only model).
   std::vector<PointRequest> more() override {
     const std::size_t before = grid_->designs().size();
-    const std::size_t found = before - asked_first_;
+    const std::size_t found = before - first_designs_;
     if (found >= options_.search || groups_.empty()) return {};
     const ExploreGroup& group = groups_.back().group;
     std::vector<std::size_t> front;
@@ -182,7 +182,7 @@ class Explore : public StudyOf<ExploreRow> {
         requested.push_back({point_cells<ExploreRow>(points_.back()), jobs_.back().inputs});
       }
     }
-    if (first == 0) asked_first_ = grid_->designs().size();
+    if (first == 0) first_designs_ = grid_->designs().size();
     return requested;
   }
 
@@ -265,7 +265,7 @@ class Explore : public StudyOf<ExploreRow> {
   const session::OptionList* command_ = nullptr;
   std::optional<process::Process> process_;
   std::optional<DesignGrid> grid_;
-  std::size_t asked_first_ = 0;  ///< number of designs before the search
+  std::size_t first_designs_ = 0;  ///< number of designs before the search
   JobMaker maker_;
   std::vector<DesignPoint> points_;
   std::vector<std::size_t> design_of_point_;  ///< index in the grid

@@ -69,10 +69,11 @@ void print_front(std::span<const ExploreRow> rows, const DesignNames& names, con
 std::string group_text(const ExploreGroup& group) {
   const auto on_front = static_cast<std::uint64_t>(std::ranges::count(group.front, true));
   std::string text =
-      fmt::format("{}: {} on the front of {}", group.model.empty() ? "All models" : group.model, grouped(on_front),
+      fmt::format("{}: {} of {} on the front", group.model.empty() ? "All models" : group.model, grouped(on_front),
                   session::counted(group.values.size() + group.refused + group.unpriced, "design"));
   if (group.refused > 0) text += fmt::format("; {} cannot be drawn", grouped(group.refused));
-  if (group.unpriced > 0) text += fmt::format("; {} omitted for lack of a price on an axis", grouped(group.unpriced));
+  if (group.unpriced > 0)
+    text += fmt::format("; {} omitted because an axis has no value for them", grouped(group.unpriced));
   return text;
 }
 

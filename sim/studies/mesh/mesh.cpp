@@ -54,7 +54,9 @@ class Mesh : public StudyOf<MeshRow> {
         .check(session::is_read_by(parse_tolerances));
     command
         .option("--flatness", flatness_,
-                "Flatness tests, separated by commas: plane (the thesis's), or sides, which tests the sides too")
+                "Flatness tests, separated by commas: plane (the thesis's; distances from a plane) or sides (also "
+                "distances "
+                "of the sides from straight lines)")
         .words(flatnesses, session::is_read_by(parse_flatness));
     command
         .option("--repairs", repairs_,

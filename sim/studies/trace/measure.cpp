@@ -94,7 +94,7 @@ void copy_counts(const software::TraceCounts& counts, TraceRow& row) {
 
 void draw(const TraceSubject& subject, TraceRow& row) {
   const software::TraceScene& scene = subject.scene();
-  row.primitives = subject.primitives();
+  row.primitives = subject.primitive_count();
   row.halfspaces = scene.geometry().halfspaces();
   row.polygons = scene.facets().polygons();
   row.loose_facets = scene.loose();

@@ -159,7 +159,7 @@ class TraceSubject {
   TraceSubject& operator=(const TraceSubject&) = delete;
 
   [[nodiscard]] const software::TraceScene& scene() const { return scene_; }
-  [[nodiscard]] std::size_t primitives() const { return model_.primitives.size(); }
+  [[nodiscard]] std::size_t primitive_count() const { return model_.primitives.size(); }
   /// Throws InputError if the point's item buffer is filled by list priority, which cannot draw the model.
   [[nodiscard]] software::TraceOptions options_of(const TracePoint& point) const;
   /// Number of pixels for which list priority differs from the machines.

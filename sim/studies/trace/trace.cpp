@@ -91,8 +91,9 @@ class Trace : public StudyOf<TraceRow> {
     command
         .option(
             "--item-buffer", item_buffer_,
-            "Replacements of primary rays, separated by commas: none (without), or a projective pass, list priority "
-            "with a depth buffer or lists of all depths")
+            "How the facets that primary rays hit are found, separated by commas: by casting the rays (`without`), or "
+            "by drawing the facets by list priority with a depth buffer (`list-priority`) or with lists of all depths "
+            "(`depth-lists`)")
         .words(item_names, session::is_read_by(items_in));
     command
         .option("--mailboxes", mailboxes_,

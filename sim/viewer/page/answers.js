@@ -1,9 +1,9 @@
 // Requests to csgsim view, which serves the page. The page without a server has its own file of this name
 // (sim/web/page).
 
-// Answers a question (sim/viewer/session.h) with its wish, as {isGood, answer}.
-export const answerTo = async (question, wish) => {
-  const reply = await fetch(question, {method: 'POST', headers: {'Content-Type': 'application/json'}, body: JSON.stringify(wish)});
+// Answers a question (sim/viewer/session.h) with its request, as {isGood, answer}.
+export const answerTo = async (question, request) => {
+  const reply = await fetch(question, {method: 'POST', headers: {'Content-Type': 'application/json'}, body: JSON.stringify(request)});
   return {isGood: reply.ok, answer: await reply.json()};
 };
 

@@ -1,4 +1,4 @@
-// The page's current wish, and how requests for it are sent to csgsim.
+// The page's current request, and how requests are sent to csgsim.
 import {byId} from './dom.js';
 import {forgetFault, markFault} from './source.js';
 
@@ -8,7 +8,7 @@ export const now = {about: null, camera: null, first: null, drawn: null, edited:
 export const named = ['machine', 'strategy', 'memory-bits', 'z-bits', 'projection', 'size'];
 export const flags = ['view-all', 'snap'];
 
-export const wish = () => {
+export const currentRequest = () => {
   const knobs = {};
   for (const name of now.about.names) {
     if (name === 'camera') {
@@ -25,8 +25,8 @@ export const wish = () => {
   return now.edited ? {knobs, source: byId('source').value} : {knobs};
 };
 
-// The wish of the visible picture. It is older than wish() while the next picture is evaluated, or if that fails.
-export const shownWish = () => now.drawn ? now.drawn.wish : wish();
+// The request of the visible picture. It is older than currentRequest() while the next picture is evaluated, or if that fails.
+export const shownRequest = () => now.drawn ? now.drawn.request : currentRequest();
 
 export {answerTo as ask} from './answers.js';
 
@@ -44,13 +44,13 @@ const works = [];
 // Runs the work one request at a time. Of the requests made during a run, only the last is run afterwards.
 export const lastOf = work => {
   let isBusy = false;
-  let isWished = false;
+  let isRequested = false;
   const run = async () => {
-    isWished = true;
+    isRequested = true;
     if (isBusy) return;
     isBusy = true;
-    while (isWished) {
-      isWished = false;
+    while (isRequested) {
+      isRequested = false;
       try {
         await work();
       } catch (error) {

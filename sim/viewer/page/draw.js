@@ -1,6 +1,6 @@
 // Draws the picture and shows its counts.
 import {byId, grouped, make} from './dom.js';
-import {ask, lastOf, now, showError, wish} from './asking.js';
+import {ask, currentRequest, lastOf, now, showError} from './asking.js';
 import {cameraOf} from './camera.js';
 import {lookAtInstant} from './time.js';
 import {compareTwo} from './two.js';
@@ -46,7 +46,7 @@ const show = (answer, request) => {
     forgetAnswers();
     forgetLanes();
   }
-  now.drawn = {...answer, as, wish: request};
+  now.drawn = {...answer, as, request};
   byId('picture').src = answer.picture;
   byId('error').hidden = true;
   forgetFault();
@@ -62,10 +62,10 @@ const show = (answer, request) => {
 };
 
 export const draw = lastOf(async () => {
-  const request = wish();
+  const request = currentRequest();
   const {isGood, answer} = await watched(request.source, evaluation => ask('draw', {...request, evaluation}));
   // Cancelled because the text has changed: the new text is drawn next.
-  const isOld = answer.cancelled && request.source !== wish().source;
+  const isOld = answer.cancelled && request.source !== currentRequest().source;
   if (isGood) show(answer, request);
   else if (!isOld) showError(answer);
   window.drawnPictures = (window.drawnPictures || 0) + 1;

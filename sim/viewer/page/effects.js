@@ -28,7 +28,7 @@ const inputOf = (effect, key) => {
 const fieldsOf = effect => {
   const fields = make('fieldset', {}, make('legend', {}, effect.name.replace(/_/g, ' ')), make('p', {class: 'note'}, effect.meaning));
   if (!effect.is_list) {
-    const isOn = make('select', {'data-key': effect.key + '.on'}, ...[['', 'if the model requests it'], ['true', 'on'], ['false', 'off']].map(([value, text]) => make('option', {value}, text)));
+    const isOn = make('select', {'data-key': effect.key + '.on'}, ...[['', 'if a key is set or the model requests it'], ['true', 'on'], ['false', 'off']].map(([value, text]) => make('option', {value}, text)));
     isOn.addEventListener('change', () => put(effect.key + '.on', isOn.value));
     fields.append(make('label', {}, 'drawn', isOn));
   }

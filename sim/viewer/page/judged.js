@@ -1,11 +1,11 @@
 // Results that need more time than a picture, computed on request.
 import {byId, make} from './dom.js';
-import {ask, lastOf, now, shownWish} from './asking.js';
+import {ask, lastOf, now, shownRequest} from './asking.js';
 
 const advise = lastOf(async () => {
   byId('advice').replaceChildren(make('li', {}, 'trying changes …'));
   const {as} = now.drawn;
-  const {isGood, answer} = await ask('advice', shownWish());
+  const {isGood, answer} = await ask('advice', shownRequest());
   if (as !== now.drawn.as) return;
   const rows = isGood ? answer.knobs.map(knob => make('li', {}, make('strong', {}, knob.option), ': ' + knob.worth)) : [make('li', {}, answer.error)];
   byId('advice').replaceChildren(...(rows.length ? rows : [make('li', {}, 'none of the tried changes helps')]));
@@ -14,7 +14,7 @@ const advise = lastOf(async () => {
 const judge = lastOf(async () => {
   byId('verdict').textContent = 'computing the exact picture …';
   const {as} = now.drawn;
-  const {isGood, answer} = await ask('verdict', shownWish());
+  const {isGood, answer} = await ask('verdict', shownRequest());
   if (as !== now.drawn.as) return;
   byId('verdict').textContent = isGood ? answer.text.replace(/^accuracy +/, '') : answer.error;
   byId('verdict').dataset.wrong = isGood ? answer.accuracy.wrong : '';

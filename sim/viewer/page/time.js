@@ -1,6 +1,6 @@
 // Pixel memory before an instruction.
 import {button, byId, grouped, make} from './dom.js';
-import {ask, lastOf, now, shownWish} from './asking.js';
+import {ask, lastOf, now, shownRequest} from './asking.js';
 import {lineAtCursor, lineIn, showLine} from './source.js';
 import {markTree} from './trees.js';
 import {lookAtClocks} from './wires.js';
@@ -47,7 +47,7 @@ const showInstant = (answer, request) => {
 };
 
 export const lookAtInstant = lastOf(async () => {
-  const request = {...shownWish(), number: Number(byId('instant').value), field: byId('field').value, tinted: byId('tinted').checked, ...now.elsewhere};
+  const request = {...shownRequest(), number: Number(byId('instant').value), field: byId('field').value, tinted: byId('tinted').checked, ...now.elsewhere};
   now.elsewhere = undefined;
   const {isGood, answer} = await ask('instant', request);
   if (isGood) showInstant(answer, request);

@@ -1,6 +1,6 @@
 // The model's tree, and the active tree that a surface is compared with.
 import {button, byId, make} from './dom.js';
-import {ask, lastOf, now, shownWish} from './asking.js';
+import {ask, lastOf, now, shownRequest} from './asking.js';
 import {goToPrimitive} from './time.js';
 
 const rowOf = row => {
@@ -14,10 +14,10 @@ const rowOf = row => {
 
 export const showTree = lastOf(async () => {
   // The tree does not depend on the camera.
-  const {knobs, source} = shownWish();
+  const {knobs, source} = shownRequest();
   const key = JSON.stringify([source, knobs.set, knobs.snap]);
   if (key === now.treeOf) return;
-  const {isGood, answer} = await ask('tree', shownWish());
+  const {isGood, answer} = await ask('tree', shownRequest());
   if (!isGood) return;
   now.treeOf = key;
   byId('tree').replaceChildren(...answer.tree.map(rowOf));
@@ -28,7 +28,7 @@ export const showTree = lastOf(async () => {
 export const markTree = (next, active) => {
   now.active = active;
   for (const row of document.querySelectorAll('#tree [data-primitive], #active [data-primitive]')) row.removeAttribute('aria-current');
-  byId('active-of').textContent = next && active ? 'Active tree of ' + next.serves.replace(/^[a-z ]+ /, '') + (active.length ? '' : ': empty, the surface is visible wherever it is drawn') : '';
+  byId('active-of').textContent = next && active ? 'Active tree of ' + next.serves.replace(/^[a-z ]+ /, '') + (active.length ? '' : ': empty, so no other primitive removes any of this surface') : '';
   byId('active').replaceChildren(...(active || []).map(rowOf));
   if (!next) return;
   const mark = (list, primitive, what) => {

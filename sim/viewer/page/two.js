@@ -1,11 +1,11 @@
 // Comparison of two drawings.
 import {byId, grouped} from './dom.js';
-import {ask, lastOf, now, shownWish} from './asking.js';
+import {ask, lastOf, now, shownRequest} from './asking.js';
 import {showCounts} from './draw.js';
 
 export const compareTwo = lastOf(async () => {
   if (!now.kept) return;
-  const {isGood, answer} = await ask('two', {a: now.kept.wish, b: shownWish()});
+  const {isGood, answer} = await ask('two', {a: now.kept.request, b: shownRequest()});
   if (!isGood) {
     byId('differs').textContent = answer.error;
     return;
@@ -20,7 +20,7 @@ export const compareTwo = lastOf(async () => {
 export const setUpTwo = () => {
   byId('keep').addEventListener('click', () => {
     if (!now.drawn) return;
-    now.kept = {wish: shownWish(), drawn: now.drawn};
+    now.kept = {request: shownRequest(), drawn: now.drawn};
     byId('a').src = now.drawn.picture;
     byId('kept').textContent = now.drawn.command;
     byId('two').hidden = false;

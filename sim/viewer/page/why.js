@@ -1,19 +1,19 @@
 // Explains what a pixel shows.
 import {button, byId, make, tell} from './dom.js';
-import {ask, now, shownWish} from './asking.js';
+import {ask, now, shownRequest} from './asking.js';
 import {goTo} from './time.js';
 
 const showEvents = events => {
   byId('events').replaceChildren(...events.map(event => {
     const whose = event.primitive ? ' p' + event.primitive.index + ' ' + event.primitive.name : '';
-    const label = 'i' + event.first + (event.last > event.first ? '–i' + event.last : '') + '  ' + event.what.replace(/_/g, ' ') + whose + (event.enabled[1] ? '' : ': disabled');
+    const label = 'i' + event.first + (event.last > event.first ? '–i' + event.last : '') + '  ' + event.what.replace(/_/g, ' ') + whose + (event.enabled[1] ? '' : ': the pixel is then disabled');
     return make('li', {}, button(label, () => goTo(event.last + 1)));
   }));
   byId('events').hidden = events.length === 0;
 };
 
 const explain = async () => {
-  const answer = await ask('explain', {...shownWish(), pixel: byId('pixel').value.trim(), why_not: byId('why-not').value.trim()});
+  const answer = await ask('explain', {...shownRequest(), pixel: byId('pixel').value.trim(), why_not: byId('why-not').value.trim()});
   const story = byId('story');
   story.hidden = false;
   if (!answer.isGood) {

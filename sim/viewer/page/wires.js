@@ -1,6 +1,6 @@
 // Activities of the machine's units, clock by clock, and waveforms.
 import {byId, grouped} from './dom.js';
-import {ask, lastOf, now, shownWish} from './asking.js';
+import {ask, lastOf, now, shownRequest} from './asking.js';
 import {Lanes} from './lanes.js';
 import {goToClock} from './time.js';
 
@@ -20,7 +20,7 @@ const look = lastOf(async () => {
   const isNew = now.lanesOf !== as;
   if (isNew) tellWires('recording, clock by clock …');
   const begun = performance.now();
-  const {isGood, answer} = await ask('lanes', {...shownWish(), ...request});
+  const {isGood, answer} = await ask('lanes', {...shownRequest(), ...request});
   if (request !== now.wires || as !== now.drawn.as) return;
   if (!isGood) return tellWires(answer.error);
   if (isNew) tellWires('recorded in ' + ((performance.now() - begun) / 1000).toFixed(1) + ' s: ' + grouped(answer.last - answer.first) + ' clocks');
@@ -50,14 +50,14 @@ export const lookAtClocks = clocks => {
 const saveWave = lastOf(async () => {
   const request = probing();
   tellWires('recording …');
-  const {isGood, answer} = await ask('wave', {...shownWish(), ...request});
+  const {isGood, answer} = await ask('wave', {...shownRequest(), ...request});
   if (!isGood) return tellWires(answer.error);
   const link = document.createElement('a');
   link.href = URL.createObjectURL(new Blob([answer.wave], {type: 'text/plain'}));
   link.download = 'wave_' + request.window.replace(/[^\w]/g, '_') + '.vcd';
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 10000);
-  tellWires(link.download + ' is saved; open it with gtkwave or Surfer. Same as ' + now.drawn.command.replace(/^csgsim render/, 'csgsim wave') + ' --pixel ' + request.pixel + ' --window ' + request.window + ' -o wave.vcd');
+  tellWires(link.download + ' is saved; open it with gtkwave or Surfer. This command writes the same: ' + now.drawn.command.replace(/^csgsim render/, 'csgsim wave') + ' --pixel ' + request.pixel + request.probes.map(each => ' --probe ' + each).join('') + ' --window ' + request.window + ' -o wave.vcd');
   window.savedWave = answer.wave;
   window.savedWaves = (window.savedWaves || 0) + 1;
 });

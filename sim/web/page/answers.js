@@ -26,8 +26,8 @@ const post = message => new Promise((resolve, reject) => {
   worker.postMessage({number: count, ...message});
 });
 
-export const answerTo = async (question, wish) => {
-  const {isGood, body} = await post({question, wish: JSON.stringify(wish)});
+export const answerTo = async (question, request) => {
+  const {isGood, body} = await post({question, request: JSON.stringify(request)});
   return {isGood, answer: JSON.parse(body)};
 };
 

@@ -13,9 +13,9 @@ export class Program {
   }
 
   // Returns the status of a question, as in HTTP, and the text of its answer.
-  answer(question, wish = '') {
+  answer(question, request = '') {
     try {
-      return this.call('answer', question, wish);
+      return this.call('answer', question, request);
     } catch (error) {
       // The memory is no longer reliable.
       this.start();

@@ -1,5 +1,5 @@
 // Runs csgsim.wasm in a worker, so that the page stays responsive. Requests {number, begin: [name, text, knobs]} or
-// {number, question, wish} are answered by {number, status, body}, one after another.
+// {number, question, request} are answered by {number, status, body}, one after another.
 import {Program} from './program.js';
 
 const compiled = async () => {
@@ -12,10 +12,10 @@ const compiled = async () => {
 
 const program = compiled().then(module => new Program(module));
 
-self.onmessage = async ({data: {number, begin, question, wish}}) => {
+self.onmessage = async ({data: {number, begin, question, request}}) => {
   try {
     const ready = await program;
-    self.postMessage({number, ...(begin ? ready.begin(...begin) : ready.answer(question, wish))});
+    self.postMessage({number, ...(begin ? ready.begin(...begin) : ready.answer(question, request))});
   } catch (error) {
     self.postMessage({number, status: 500, body: JSON.stringify({error: error.message})});
   }

@@ -24,7 +24,7 @@ std::pair<std::string, std::string> parted(std::size_t length) {
 }
 
 int answered(const std::string& path, std::string body) {
-  if (!session) throw viewer::WishError("no model has been opened");
+  if (!session) throw viewer::RequestError("no model has been opened");
   const bool is_got = path == "about" || path == "report";
   viewer::Reply reply = session->answer({.method = is_got ? "GET" : "POST", .body = std::move(body)}, path);
   output = std::move(reply.body);
@@ -79,7 +79,7 @@ int csgsim_begin(std::size_t name_length) {
   });
 }
 
-/// Answers a question as Session::answer does: its name, and a wish as JSON.
+/// Answers a question as Session::answer does: its name, and a request as JSON.
 int csgsim_answer(std::size_t path_length) {
   return csgsim::web::status_of([&] {
     auto [path, body] = csgsim::web::parted(path_length);

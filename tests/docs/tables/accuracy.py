@@ -107,4 +107,4 @@ def levels(figures):
         cells = line.split()
         if cells and cells[0] in ("functional", "cycle", "reference"):
             rows.append((*cells[:4], "" if cells[0] == "functional" else cells[-1]))
-    return ruled(("level", "clocks", "wall s", "times functional", "results"), rows)
+    return ruled(("level", "clocks", "wall s", "wall / functional", "results"), rows)

@@ -92,11 +92,11 @@ TEST_CASE("PairTable counts no search of an earlier frame and estimates as a new
   CHECK(pairs.price(0, 1, prices) == prices.support);
 }
 
-TEST_CASE("a test pays up to half of the instructions that its success saves") {
+TEST_CASE("a test is worthwhile if it takes at most half of the time its success saves") {
   const csg::Prices all{.instruction = 100};
-  CHECK(all.pays(1, 1e9));
+  CHECK(all.is_worthwhile(1, 1e9));
   const csg::Prices weighed{.are_weighed = true, .instruction = 100};
-  CHECK(weighed.pays(4, 200));
-  CHECK(!weighed.pays(4, 200.1));
-  CHECK(weighed.pays(0, 0));
+  CHECK(weighed.is_worthwhile(4, 200));
+  CHECK(!weighed.is_worthwhile(4, 200.1));
+  CHECK(weighed.is_worthwhile(0, 0));
 }

@@ -253,5 +253,5 @@ TEST_CASE("more mirrors than can be drawn are an error") {
   const std::string message = testing::error_of([&] {
     (void)testing::compile_text(all, view_of_room(64, 56, view::Projection::orthographic, to_depth(1), all));
   });
-  CHECK_MESSAGE(message.find("more than 256 mirrors are visible") != message.npos, message);
+  CHECK_MESSAGE(message.find("more than 256 reflections must be drawn") != message.npos, message);
 }

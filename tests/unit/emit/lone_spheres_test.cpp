@@ -151,7 +151,7 @@ TEST_CASE("spheres without comparisons match their formula for every kind of reg
   CHECK((!testing::draws_usual_cases() || fewer_edges > 50));
 }
 
-TEST_CASE("the root of lone spheres shares bits unless a sphere is cut by another") {
+TEST_CASE("lone spheres need no root field unless one cuts another or colours have a field") {
   testing::Setup setup = setup_of({0, 0.04, 60}, 64, 64);
   const std::vector<Ball> balls{{{0, 0, 0}, 6}, {{2, 1, 3}, 4}};
   const isa::Program alone = testing::compile_text(text_of(balls), setup).program;

@@ -260,7 +260,7 @@ TEST_CASE("each recipe has the operations listed in docs/host.md") {
   }
 }
 
-TEST_CASE("each recipe is counted by the preparation member of the same name") {
+TEST_CASE("each recipe is counted by its own member of the preparation") {
   isa::Preparation preparation{.planes = 1,
                                .points = 2,
                                .colours = 3,

@@ -48,7 +48,7 @@ TEST_CASE("every opcode has a meaning") {
   for (const OpcodeInfo& row : opcode_table) CHECK_FALSE(row.meaning.empty());
 }
 
-TEST_CASE("operand lists have no gaps and begin with the field used with F or a constant") {
+TEST_CASE("operand lists have no gaps; a constant's target is first, F first or second") {
   for (const OpcodeInfo& row : opcode_table) {
     CAPTURE(row.name);
     const auto none = std::find(row.operands.begin(), row.operands.end(), OperandKind::none);

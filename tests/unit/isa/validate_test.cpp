@@ -97,7 +97,8 @@ TEST_CASE("operands of copy and comparisons must be equally wide") {
 TEST_CASE("an addend must be no wider than its target and must not overlap it") {
   CHECK(refusal_of(on(Opcode::add, {0, 8}, {8, 8})).empty());
   CHECK(refusal_of(on(Opcode::add, {40, 32}, {39, 1})).empty());
-  CHECK(refusal_of(on(Opcode::add, {0, 8}, {20, 9})) == "add: field [20+:9] is wider than [0+:8]; make it no wider");
+  CHECK(refusal_of(on(Opcode::add, {0, 8}, {20, 9})) ==
+        "add: field [20+:9] is wider than field [0+:8]; make it at most as wide");
   CHECK(contains(refusal_of(on(Opcode::add, {0, 8}, {7, 1})), "overlap"));
   CHECK(contains(refusal_of(on(Opcode::add, {0, 8}, {0, 8})), "overlap"));
   CHECK(contains(refusal_of(on(Opcode::add, {0, 8})), "0 bits wide"));

@@ -214,9 +214,10 @@ TEST_CASE("global_or.present accepts only 0 and 1") {
 TEST_CASE("rejects an unknown machine and suggests the nearest name") {
   CHECK_THROWS_WITH_AS(
       kinds::load("pixel-plane-4"),
-      fmt::format("there is no machine 'pixel-plane-4'; did you mean pixel-planes-4? The machines are {}, or a file, "
-                  "whose name ends in .toml",
-                  fmt::join(kinds::built_in_names(), ", "))
+      fmt::format(
+          "there is no machine 'pixel-plane-4'; did you mean pixel-planes-4? The machines are {}; the name of a "
+          "machine file must end in .toml",
+          fmt::join(kinds::built_in_names(), ", "))
           .c_str(),
       InputError);
   CHECK_THROWS_WITH_AS(kinds::load("none/such.toml"),

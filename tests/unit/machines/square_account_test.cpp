@@ -119,7 +119,7 @@ TEST_CASE("the account lists processors and the ring instead of the host on a ri
   CHECK(parts[4].starts_with("frame buffer: "));
 }
 
-TEST_CASE("the first of several equally busy parts is reported to bound the frame") {
+TEST_CASE("of several equally busy parts the first is the one that limits the frame") {
   SquareAccount counted;
   counted.host = working(5, 90);
   counted.renderers = {working(10), working(30), working(20), working(30)};

@@ -71,7 +71,7 @@ TEST_CASE("a square starts to leave when it is stored completely or fills the st
   CHECK(time_with(1).account.dividers.front().of(pixel_square::SquareActivity::waiting_for_renderer) > 0);
 }
 
-TEST_CASE("two dividers halve test-bound time and take squares in turn") {
+TEST_CASE("two dividers halve the time of a frame that is limited by box tests") {
   isa::Program program = make_program(3, std::vector<isa::Segment>(4, square(2, {})));
   program.display_model = model_bytes();
   for (std::uint32_t i = 0; i < 4; ++i) {

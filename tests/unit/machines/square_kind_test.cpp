@@ -182,7 +182,7 @@ TEST_CASE("a screen that leaves no clock or a display model that does not fit is
 
 TEST_CASE("planes are read over the link only if the memory cannot hold model and planes") {
   const auto far = [](std::uint64_t bytes, std::uint64_t planes, std::uint64_t plane_bits) {
-    return pixel_square::has_far_planes(bytes, planes, plane_bits, {.model_bits = 80});
+    return pixel_square::has_remote_planes(bytes, planes, plane_bits, {.model_bits = 80});
   };
   CHECK(far(11, 1, 1));
   CHECK_FALSE(far(10, 1, 1));  // all 80 bits

@@ -236,7 +236,7 @@ TEST_CASE("decoding an instruction's numbers takes a node the hand-counted clock
   CHECK(clocks() - before == 8 * (73 + 11) + number + width + sum_width + sum_shift + a + b + c);
 }
 
-TEST_CASE("a node's branch over pixels without effect takes the hand-counted clocks") {
+TEST_CASE("a node that branches over work without effect takes the hand-counted clocks") {
   using isa::Opcode;
   machines::Machine machine = machines::blank(multi_processor::kind);
   machine.array = {1, 1, 16};

@@ -121,7 +121,7 @@ TEST_CASE("line colours contrast with white paper") {
   for (const std::string_view colour : dark_page_colours()) CHECK(palette::contrast(colour, "#15181c") > 3);
 }
 
-TEST_CASE("parts of bars are distinct to every viewer and in grey") {
+TEST_CASE("parts of bars differ in grey and in normal and red-green-blind vision") {
   for (const Matrix& sight : {all_cones, no_green_cone, no_red_cone})
     CHECK(least_difference(fills_and_white(), sight) > 15);
   CHECK(least_lightness_difference(fills_and_white()) > 7);

@@ -117,14 +117,14 @@ TEST_CASE("a thin polyhedron and a tiny and a huge one are kept") {
 
 TEST_CASE("an open polyhedron is rejected at the face next to the hole") {
   CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,2],[0,3,1],[0,2,3]]")) ==
-        "m.csg:1:65: the mesh is open: no face joins faces[0] from points[1] to points[2]; add one");
+        "m.csg:1:65: the mesh is open: no other face has the edge of faces[0] from points[1] to points[2]; add one");
 }
 
 TEST_CASE("polyhedra of one or two triangles are rejected as open") {
   CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,2]]")) ==
-        "m.csg:1:65: the mesh is open: no face joins faces[0] from points[0] to points[1]; add one");
+        "m.csg:1:65: the mesh is open: no other face has the edge of faces[0] from points[0] to points[1]; add one");
   CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,2],[2,1,3]]")) ==
-        "m.csg:1:65: the mesh is open: no face joins faces[0] from points[0] to points[1]; add one");
+        "m.csg:1:65: the mesh is open: no other face has the edge of faces[0] from points[0] to points[1]; add one");
 }
 
 TEST_CASE("a concave polyhedron with coordinates beyond 1e12 is rejected") {
@@ -292,7 +292,7 @@ TEST_CASE("a malformed face is dropped with a warning like in OpenSCAD") {
 
 TEST_CASE("faces after a malformed one keep their numbers in messages") {
   CHECK(error_of(polyhedron(tetrahedron_points, "[[0,9],[0,1,2],[0,3,1],[0,2,3]]")) ==
-        "m.csg:1:71: the mesh is open: no face joins faces[1] from points[1] to points[2]; add one");
+        "m.csg:1:71: the mesh is open: no other face has the edge of faces[1] from points[1] to points[2]; add one");
 }
 
 TEST_CASE("a polyhedron without valid faces is empty and warns") {

@@ -158,7 +158,7 @@ TEST_CASE("a board needs a serial line only in a design without a Program") {
   CHECK(text(drawn, "up5k.pcf").ends_with("lamp_shown 37\n\n"));
 }
 
-TEST_CASE("a design's files describe it and build it") {
+TEST_CASE("README, Makefile and system.v fit a design with a Program and one without") {
   const machines::Machine machine = small_machine();
   const isa::Program program = enabling(24);
   const Files drawn = rtl::design_files(machine, &program);

@@ -96,8 +96,8 @@ TEST_CASE("explain shows a point of the model as its pixel with the distance fro
     CAPTURE(row.point);
     const story::Answer of_point = explanation(seen({"--point", row.point}));
     const story::Answer of_pixel = explanation(seen({"--pixel", row.pixel}));
-    CHECK(of_point.text ==
-          std::string("point ") + row.point + " is " + row.distance + " model units from the eye\n" + of_pixel.text);
+    CHECK(of_point.text == std::string("point ") + row.point + " is " + row.distance +
+                               " model units in front of the eye, along the view axis\n" + of_pixel.text);
     CHECK(of_point.json["point_distance"].get<double>() == doctest::Approx(std::stod(row.distance)));
     nlohmann::ordered_json rest = of_point.json;
     rest.erase("point_distance");

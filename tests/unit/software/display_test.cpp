@@ -259,7 +259,7 @@ TEST_CASE("a ledger sums the counts of its phases and nothing else") {
   software::DisplayCounts total;
   total.csg.points = total.csg.ties = 50;
   total.conflicts = 77;
-  ledger.add_counts(total);
+  ledger.store_counts(total);
   CHECK(total.csg.points == 111111);
   CHECK(total.csg.evaluations == 222222);
   CHECK(total.csg.precomputed == 333333);

@@ -190,7 +190,7 @@ TEST_CASE("a processor file without the price of an operation is rejected") {
 TEST_CASE("a processor is found by name or file and its name lists edited parameters") {
   CHECK_THROWS_WITH(load_processor("mc6800"),
                     "there is no processor 'mc6800'; did you mean mc68000? The processors are mc68000, mc68020-weitek, "
-                    "vax-780, i486dx2, i860, or a file, whose name ends in .toml");
+                    "vax-780, i486dx2, i860; the name of a processor file must end in .toml");
   CHECK_THROWS_AS(load_processor("mc68000+price.load=-1"), machines::ChangeError);
   CHECK_THROWS_AS(load_processor("mc68000+price.lode=1"), machines::ChangeError);
   CHECK_THROWS_AS(load_processor("no such file.toml"), InputError);

@@ -155,7 +155,7 @@ TEST_CASE("a line pierces the cube faces that it meets with the right direction"
   CHECK(sides({0.5, 0, 0.5}, {-3, 0, 2.5}) == std::vector<int>{0, -1, 0, 0, 0, 1});
   CHECK(sides({0, -0.5, 0.5}, {0, 2, 3}) == std::vector<int>{0, 0, -1, 0, 0, 1});
 }
-TEST_CASE("a pixel's ray passes through it and extends a slack beyond the depth range") {
+TEST_CASE("a pixel's ray passes through the pixel and exceeds the depth range by slack()") {
   for (const view::Camera& camera : {from_front, from_eye}) {
     const bool is_perspective = camera.projection == view::Projection::perspective;
     CAPTURE(is_perspective);

@@ -55,15 +55,17 @@ TEST_CASE("equal points of a mesh are merged and unused ones and collapsed faces
 TEST_CASE("an open mesh of one triangle or two is rejected") {
   const Mesh one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
   const Mesh two{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 3, 2}}};
-  CHECK(find_defect(one) == "the mesh is open: no face joins faces[0] from points[0] to points[1]; add one");
-  CHECK(find_defect(two) == "the mesh is open: no face joins faces[0] from points[0] to points[1]; add one");
+  CHECK(find_defect(one) ==
+        "the mesh is open: no other face has the edge of faces[0] from points[0] to points[1]; add one");
+  CHECK(find_defect(two) ==
+        "the mesh is open: no other face has the edge of faces[0] from points[0] to points[1]; add one");
 }
 
 TEST_CASE("the check of a mesh distinguishes a missing face from a reversed one") {
   const Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
   Mesh open = mesh;
   open.faces.pop_back();
-  CHECK(find_defect(open).starts_with("the mesh is open: no face joins faces["));
+  CHECK(find_defect(open).starts_with("the mesh is open: no other face has the edge of faces["));
   CHECK(check(mesh, tolerance).turned.count == 0);
   // The solid is the box, whichever faces are turned.
   for (unsigned which = 1; which < 63; ++which) {

@@ -240,7 +240,7 @@ TEST_CASE("a group without a drawn design has no front and prints its number of 
                                             {"unpriced", 0},
                                             {"front", Json::array()}}}));
   CHECK(printed(rows, groups) ==
-        "m: 0 on the front of 2 designs; 2 cannot be drawn\n"
+        "m: 0 of 2 designs on the front; 2 cannot be drawn\n"
         "  alu.bits=1 and 1 other design cannot be drawn: no\n");
 }
 
@@ -291,7 +291,7 @@ TEST_CASE("explore prints a line per design of the front and the knee with its c
   groups[0].group.unpriced = 1;
   std::vector<ShownGroup> first{groups[0], groups[1]};
   CHECK(printed(rows, first) ==
-        "m: 3 on the front of 5 designs; 1 omitted for lack of a price on an axis\n"
+        "m: 3 of 5 designs on the front; 1 omitted because an axis has no value for them\n"
         "  alu.bits  z-bits  time between frames, ms  memory bits in total      \n"
         "         4       8                       50                    40      \n"
         "         1       8                      100                    10  knee\n"
@@ -299,7 +299,7 @@ TEST_CASE("explore prints a line per design of the front and the knee with its c
         "  draw m\n"
         "  draw it again\n"
         "\n"
-        "n: 1 on the front of 3 designs; 1 cannot be drawn\n"
+        "n: 1 of 3 designs on the front; 1 cannot be drawn\n"
         "  alu.bits=4, z-bits=12 cannot be drawn: too large\n"
         "  alu.bits  z-bits  time between frames, ms  memory bits in total      \n"
         "         1       8                       20                    30  knee\n"
@@ -313,13 +313,13 @@ TEST_CASE("explore prints each reason once with its first design and the number 
   const std::string text = printed(rows, shown_groups(rows, "time"));
   CHECK(text.find("  alu.bits=1, z-bits=8 and 2 other designs cannot be drawn: no\n"
                   "  alu.bits=1, z-bits=9 cannot be drawn: never\n\nn: ") != std::string::npos);
-  CHECK(text.find("n: 1 on the front of 2 designs; 1 cannot be drawn\n"
+  CHECK(text.find("n: 1 of 2 designs on the front; 1 cannot be drawn\n"
                   "  alu.bits=1, z-bits=8 cannot be drawn: no way\n  alu.bits") != std::string::npos);
   // The group of all models does not repeat reasons.
   CHECK(text.find("no way") == text.rfind("no way"));
 }
 
-TEST_CASE("explore prints values with four digits and large ones in full") {
+TEST_CASE("explore rounds to four digits, and from 10,000 up to whole numbers") {
   const std::vector<std::pair<double, std::string>> values{{0.123456, "0.1235"},
                                                            {3, "3"},
                                                            {0, "0"},

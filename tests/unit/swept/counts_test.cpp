@@ -185,7 +185,7 @@ TEST_CASE("a twisted side has four elements if a quarter's deviation is acceptab
                                          halves_price(1, 2), halves_price(1, 3), times(2, section_price)}));
 }
 
-TEST_CASE("a trajectory that swings to both sides is halved though its middle is on line") {
+TEST_CASE("halves a trajectory that swings to both sides, though its middle is on the chord") {
   // Its inner coefficients may be off by 4/3 of the tolerance.
   for (const double off : {0.13, 0.14}) {
     const Curve swing{3, false, {{0, 0, 0}, {off, 0, 10.0 / 3}, {-off, 0, 20.0 / 3}, {0, 0, 10}}};

@@ -40,7 +40,7 @@ std::string moved(const char* by, const std::string& what) {
          "],[0,0,0,1]]){" + what + "}";
 }
 
-Json box_wish(const std::string& source = box) { return {{"knobs", front}, {"source", source}}; }
+Json box_request(const std::string& source = box) { return {{"knobs", front}, {"source", source}}; }
 
 viewer::Session figure_session(viewer::SessionOptions options = {}) {
   return viewer::Session({figure, {}, Json::object()}, std::move(options));
@@ -60,7 +60,7 @@ viewer::SessionOptions recording(std::function<void()> does) {
 
 TEST_CASE("the answer with a picture has its size and camera and command and duration") {
   viewer::Session session({figure, {"--fraction-bits", "10"}, Json::object()});
-  const Json answer = ask(session, "draw", box_wish()).json;
+  const Json answer = ask(session, "draw", box_request()).json;
   CHECK(answer["width"] == 33);
   CHECK(answer["height"] == 25);
   CHECK(answer["camera"] == "0,-50,0,0,0,0");
@@ -68,12 +68,12 @@ TEST_CASE("the answer with a picture has its size and camera and command and dur
   CHECK(answer["warnings"].empty());
   CHECK(answer["seconds"]["compiling"].get<double>() > 0);
   CHECK(answer["seconds"]["running"].get<double>() > 0);
-  Json wish = box_wish();
-  wish["knobs"]["camera"] = "-1.5,-50,2,0.25,0,-3";
-  wish["knobs"]["snap"] = true;
-  wish["knobs"]["view-all"] = false;
-  wish["knobs"]["set"] = {"alu.bits=4", "background.colour=[0, 0, 1]"};
-  const Json turned = ask(session, "draw", wish).json;
+  Json request = box_request();
+  request["knobs"]["camera"] = "-1.5,-50,2,0.25,0,-3";
+  request["knobs"]["snap"] = true;
+  request["knobs"]["view-all"] = false;
+  request["knobs"]["set"] = {"alu.bits=4", "background.colour=[0, 0, 1]"};
+  const Json turned = ask(session, "draw", request).json;
   CHECK(turned["camera"] == "-1.5,-50,2,0.25,0,-3");
   CHECK(turned["command"] == "csgsim render " + figure +
                                  " --fraction-bits 10 --size 33x25 --camera=-1.5,-50,2,0.25,0,-3 --snap --set "
@@ -82,42 +82,43 @@ TEST_CASE("the answer with a picture has its size and camera and command and dur
 
 TEST_CASE("comparing two pictures reports the pixels of a box that only one has") {
   viewer::Session session = figure_session();
-  const Json nothing = box_wish(moved("0,90", "cube(size=[1,1,1]);"));
+  const Json nothing = box_request(moved("0,90", "cube(size=[1,1,1]);"));
   const auto two = [&](const Json& a, const Json& b) { return ask(session, "two", {{"a", a}, {"b", b}}); };
-  const Answer found = two(box_wish(), nothing);
+  const Answer found = two(box_request(), nothing);
   REQUIRE_MESSAGE(found.status == 200, as_text(found));
   CHECK(found.json["pixels"] == 11 * 5);  // columns 11 to 21, rows 10 to 14
   CHECK(found.json["first"] == Json{11, 10});
   CHECK(found.json["picture"].get<std::string>().starts_with("data:image/png;base64,iVBOR"));
   CHECK(found.json["instruction"]["number"].is_number_unsigned());
-  const Answer same = two(box_wish(), box_wish());
+  const Answer same = two(box_request(), box_request());
   CHECK(same.json["pixels"] == 0);
   CHECK(same.json["first"].is_null());
   CHECK(same.json["instruction"].is_null());
   // One unit wider to the right, to 16 + 5 * 1.2568 = 22.3: one more column.
-  const Answer wider = two(box_wish(moved("0.5,0", "cube(size=[9,6,4],center=true);")), box_wish());
+  const Answer wider = two(box_request(moved("0.5,0", "cube(size=[9,6,4],center=true);")), box_request());
   CHECK(wider.json["first"] == Json{22, 10});
   CHECK(wider.json["pixels"] == 5);
   // Different widths only, and different heights only.
   for (const char* const size : {"34x25", "33x26"}) {
-    Json other = box_wish();
+    Json other = box_request();
     other["knobs"]["size"] = size;
     const std::string words = std::string(size).replace(2, 1, " x ");
-    CHECK(two(box_wish(), other).json["error"] == "A is 33 x 25 pixels and B " + words + "; give both the same size");
+    CHECK(two(box_request(), other).json["error"] ==
+          "A is 33 x 25 pixels and B " + words + "; give both the same size");
   }
 }
 
 TEST_CASE("comparing two drawings reports the first different instruction with both texts") {
   viewer::Session session = figure_session();
-  const Json plain = box_wish();
-  Json other = box_wish();
+  const Json plain = box_request();
+  Json other = box_request();
   other["knobs"]["set"] = {"background.colour=[0, 0, 1]"};
   const Json difference = ask(session, "two", {{"a", plain}, {"b", other}}).json["instruction"];
   const auto number = difference["number"].get<std::uint64_t>();
   for (const char* const side : {"a", "b"}) {
-    Json wish = side == std::string("a") ? plain : other;
-    wish["number"] = number;
-    const Json instant = ask(session, "instant", wish).json;
+    Json request = side == std::string("a") ? plain : other;
+    request["number"] = number;
+    const Json instant = ask(session, "instant", request).json;
     bool is_listed = false;
     for (const Json& one : instant["instructions"])
       is_listed = is_listed || (one["number"] == number && one["text"] == difference[side]);
@@ -127,50 +128,50 @@ TEST_CASE("comparing two drawings reports the first different instruction with b
 
 TEST_CASE("a request explains a pixel by its place and an unseen primitive by its index") {
   viewer::Session session = figure_session();
-  Json wish = box_wish();
-  wish["pixel"] = "16,12";
-  const Json seen = ask(session, "explain", wish).json;
+  Json request = box_request();
+  request["pixel"] = "16,12";
+  const Json seen = ask(session, "explain", request).json;
   CHECK(seen["text"].get<std::string>().starts_with("pixel 16,12 shows p0 "));
   CHECK(seen["text"].get<std::string>().find("half-space") != std::string::npos);
   CHECK(seen["story"]["pixel"] == Json{16, 12});
-  wish["pixel"] = "3,3";
-  CHECK(ask(session, "explain", wish).json["text"].get<std::string>().starts_with("pixel 3,3 shows nothing"));
-  wish["why_not"] = "p0";
-  CHECK(ask(session, "explain", wish).json["text"].get<std::string>().starts_with("why not p0 "));
+  request["pixel"] = "3,3";
+  CHECK(ask(session, "explain", request).json["text"].get<std::string>().starts_with("pixel 3,3 shows nothing"));
+  request["why_not"] = "p0";
+  CHECK(ask(session, "explain", request).json["text"].get<std::string>().starts_with("why not p0 "));
   for (const char* const pixel : {"33,0", "0,25", "3", ""}) {
-    wish["pixel"] = pixel;
-    CHECK(ask(session, "explain", wish).status == 422);
+    request["pixel"] = pixel;
+    CHECK(ask(session, "explain", request).status == 422);
   }
 }
 
 TEST_CASE("an instant is the start by default and has the drawn surface's active tree") {
   viewer::Session session = figure_session();
   const std::string source = "difference(){" + box + "sphere(r=3);}";
-  const Json begin = ask(session, "instant", box_wish(source)).json;
+  const Json begin = ask(session, "instant", box_request(source)).json;
   CHECK(begin["number"] == 0);
   CHECK_FALSE(begin.contains("active"));
-  Json wish = box_wish(source);
-  wish["primitive"] = 0;
-  const Json cube = ask(session, "instant", wish).json;
+  Json request = box_request(source);
+  request["primitive"] = 0;
+  const Json cube = ask(session, "instant", request).json;
   REQUIRE(cube["active"].size() == 1);
   CHECK(cube["active"][0]["depth"] == 0);
   CHECK(cube["active"][0]["primitive"] == 1);
   CHECK(cube["active"][0]["complemented"] == true);
-  wish["primitive"] = 1;
-  const Json sphere = ask(session, "instant", wish).json;
+  request["primitive"] = 1;
+  const Json sphere = ask(session, "instant", request).json;
   REQUIRE(sphere["active"].size() == 1);
   CHECK(sphere["active"][0]["primitive"] == 0);
   CHECK(sphere["active"][0]["complemented"] == false);
-  wish["primitive"] = 2;
-  CHECK(ask(session, "instant", wish).status == 422);
+  request["primitive"] = 2;
+  CHECK(ask(session, "instant", request).status == 422);
 }
 
 TEST_CASE("a verdict counts wrong pixels and advice lists settings to change") {
   viewer::Session session = figure_session();
-  const Json verdict = ask(session, "verdict", box_wish()).json;
+  const Json verdict = ask(session, "verdict", box_request()).json;
   CHECK(verdict["accuracy"]["wrong"] == 0);
   CHECK(verdict["text"].get<std::string>().size() > 10);
-  const Json advice = ask(session, "advice", box_wish()).json;
+  const Json advice = ask(session, "advice", box_request()).json;
   CHECK(advice["knobs"].is_array());
   CHECK(advice["knobs"].size() > 3);
 }
@@ -204,11 +205,11 @@ TEST_CASE("the first answer to the page has the model and its options and the ma
 TEST_CASE("the session's report is that of the last drawing") {
   viewer::Session session = figure_session();
   CHECK(session.answer({.method = "GET"}, "report").status == 400);
-  CHECK(ask(session, "tree", box_wish()).status == 200);
+  CHECK(ask(session, "tree", box_request()).status == 200);
   const viewer::Reply compiled = session.answer({.method = "GET"}, "report");
   CHECK(compiled.status == 400);
   CHECK(Json::parse(compiled.body)["error"] == "nothing has been drawn yet");
-  CHECK(ask(session, "draw", box_wish()).status == 200);
+  CHECK(ask(session, "draw", box_request()).status == 200);
   const viewer::Reply report = session.answer({.method = "GET"}, "report");
   CHECK(report.status == 200);
   CHECK(report.type == "text/html; charset=utf-8");
@@ -219,7 +220,7 @@ TEST_CASE("the session's report is that of the last drawing") {
 TEST_CASE("only a message that starts with a place in the model has a line and column") {
   viewer::Session session = figure_session();
   const auto place = [&](const std::string& source) {
-    const Answer answer = ask(session, "draw", box_wish(source));
+    const Answer answer = ask(session, "draw", box_request(source));
     CHECK(answer.status == 422);
     return std::pair(answer.json.value("line", 0), answer.json.value("column", 0));
   };
@@ -227,9 +228,9 @@ TEST_CASE("only a message that starts with a place in the model has a line and c
   CHECK(place("cube(size=;") == Place{1, 11});
   CHECK(place("cube(1);\n\n  sphere(r=;") == Place{3, 12});
   CHECK(place(std::string(11, '\n') + std::string(20, ' ') + "sphere(r=;") == Place{12, 30});
-  Json wish = box_wish();
-  wish["knobs"]["size"] = "0x8";
-  const Answer other = ask(session, "draw", wish);
+  Json request = box_request();
+  request["knobs"]["size"] = "0x8";
+  const Answer other = ask(session, "draw", request);
   CHECK(other.status == 422);
   CHECK_FALSE(other.json.contains("line"));
   CHECK_FALSE(other.json.contains("column"));
@@ -289,9 +290,9 @@ TEST_CASE("any request that is cancelled by its name reports the cancellation") 
     end_if_interrupted();
   }));
   running = &session;
-  Json wish = box_wish();
-  wish["evaluation"] = "mine";
-  const Answer cancelled = ask(session, "wave", wish);
+  Json request = box_request();
+  request["evaluation"] = "mine";
+  const Answer cancelled = ask(session, "wave", request);
   CHECK(cancelled.status == 422);
   CHECK(cancelled.json == Json{{"error", figure + ": cancelled"}, {"cancelled", true}});
   CHECK(progress["doing"] == "drawing");
@@ -308,7 +309,7 @@ TEST_CASE("a closed session cancels pending and later requests") {
   }));
   running = &session;
   for (int i = 0; i < 2; ++i) {
-    const Answer answer = ask(session, "wave", box_wish());
+    const Answer answer = ask(session, "wave", box_request());
     CHECK(answer.status == 503);
     CHECK(answer.json == Json{{"error", "csgsim view is stopping"}});
   }
@@ -345,15 +346,15 @@ TEST_CASE("a recording passes the pixel and the window and any probes to csgsim 
     return std::string("recorded");
   };
   viewer::Session session = figure_session(std::move(options));
-  Json wish = box_wish();
-  CHECK(ask(session, "wave", wish).json == Json{{"wave", "recorded"}});
+  Json request = box_request();
+  CHECK(ask(session, "wave", request).json == Json{{"wave", "recorded"}});
   CHECK(words.empty());
-  wish["window"] = "i1:i2";
-  ask(session, "wave", wish);
+  request["window"] = "i1:i2";
+  ask(session, "wave", request);
   CHECK(words == std::vector<std::string>{"--window=i1:i2"});
-  wish["pixel"] = "1,2";
-  wish["probes"] = {"a", "b"};
-  ask(session, "wave", wish);
+  request["pixel"] = "1,2";
+  request["probes"] = {"a", "b"};
+  ask(session, "wave", request);
   CHECK(words == std::vector<std::string>{"--pixel=1,2", "--window=i1:i2", "--probe=a", "--probe=b"});
 }
 
@@ -361,7 +362,7 @@ TEST_CASE("a drawing requested several times at once is evaluated once") {
   viewer::Drawings drawings({CSGSIM_SOURCE_DIR "/tests/models/carburettor.csg", {}, Json::object()});
   CHECK(drawings.latest() == nullptr);
   viewer::Evaluations evaluations(std::chrono::hours(1));
-  const Json wish{{"knobs", {{"size", "64x64"}}}};
+  const Json request{{"knobs", {{"size", "64x64"}}}};
   constexpr std::size_t count = 4;
   std::atomic<std::size_t> waiting = 0;
   std::vector<std::shared_ptr<viewer::Drawing>> drawn(count);
@@ -371,19 +372,19 @@ TEST_CASE("a drawing requested several times at once is evaluated once") {
       viewer::Evaluation evaluation(evaluations, "");
       ++waiting;
       while (waiting < count) std::this_thread::yield();
-      drawn[i] = drawings.draw(wish, evaluation);
+      drawn[i] = drawings.draw(request, evaluation);
     });
   }
   for (std::thread& thread : threads) thread.join();
   for (const std::shared_ptr<viewer::Drawing>& one : drawn) CHECK(one == drawn[0]);
   CHECK(drawings.latest() == drawn[0]);
   viewer::Evaluation evaluation(evaluations, "");
-  const std::shared_ptr<viewer::Drawing> other = drawings.compile(box_wish(), evaluation);
+  const std::shared_ptr<viewer::Drawing> other = drawings.compile(box_request(), evaluation);
   CHECK(other != drawn[0]);
   CHECK_FALSE(other->found->drawn);
   CHECK(drawings.latest() == other);
-  CHECK(drawings.compile(wish, evaluation) == drawn[0]);
+  CHECK(drawings.compile(request, evaluation) == drawn[0]);
   CHECK(drawings.latest() == drawn[0]);
-  CHECK(drawings.draw(box_wish(), evaluation) == other);
+  CHECK(drawings.draw(box_request(), evaluation) == other);
   CHECK(other->found->drawn);
 }

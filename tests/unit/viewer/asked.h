@@ -13,8 +13,8 @@ struct Answer {
 };
 
 /// Returns the answer to a POST request of the page.
-inline Answer ask(viewer::Session& session, std::string_view what, const viewer::Json& wish) {
-  const viewer::Reply reply = session.answer({.method = "POST", .body = wish.dump()}, what);
+inline Answer ask(viewer::Session& session, std::string_view what, const viewer::Json& request) {
+  const viewer::Reply reply = session.answer({.method = "POST", .body = request.dump()}, what);
   return {reply.status, viewer::Json::parse(reply.body)};
 }
 

@@ -132,7 +132,7 @@ TEST_CASE("a merged stretch has the text of most clocks and the number of busy c
         Json::parse(R"([[0,5,"b",3,4],[1999,1,"z"]])"));
 }
 
-TEST_CASE("a lane shows each stretch alone over 799 clocks and those of two clocks over 800") {
+TEST_CASE("a lane lists each one-clock stretch of 799 clocks and merges pairs of 800") {
   Clocks lane{0, std::vector<std::string>(1000, "a")};
   for (std::size_t i = 0; i < lane.texts.size(); i += 2) lane.texts[i] = "b";
   const viewer::Lanes lanes(trace_of(lane));

@@ -6,7 +6,7 @@
 #include "sim/report/parts_html.h"
 #include "sim/viewer/effects_form.h"
 #include "sim/viewer/files.h"
-#include "sim/viewer/wish.h"
+#include "sim/viewer/json_request.h"
 #include "tests/support/test.h"
 
 using namespace csgsim;
@@ -14,10 +14,10 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-std::string wish_error(const std::function<void()>& call) {
+std::string request_error(const std::function<void()>& call) {
   try {
     call();
-  } catch (const viewer::WishError& error) {
+  } catch (const viewer::RequestError& error) {
     return error.what();
   }
   return "";
@@ -100,27 +100,28 @@ TEST_CASE("the form has each key of each effect except colour tables") {
 }
 
 TEST_CASE("a missing or null member of a request is empty but a wrong type is an error") {
-  const Json wish{{"text", "x"},          {"texts", {"a", "b"}}, {"number", 7U}, {"flag", true}, {"off", false},
-                  {"object", {{"a", 1}}}, {"null", nullptr},     {"less", -7},   {"part", 1.5},  {"mixed", {"a", 1}}};
-  CHECK(viewer::text_in(wish, "text") == "x");
-  CHECK(viewer::texts_in(wish, "texts") == std::vector<std::string>{"a", "b"});
-  CHECK(viewer::number_in(wish, "number") == 7);
-  CHECK(viewer::flag_in(wish, "flag"));
-  CHECK_FALSE(viewer::flag_in(wish, "off"));
-  CHECK(viewer::object_in(wish, "object") == Json{{"a", 1}});
+  const Json request{{"text", "x"},  {"texts", {"a", "b"}},  {"number", 7U},    {"flag", true},
+                     {"off", false}, {"object", {{"a", 1}}}, {"null", nullptr}, {"less", -7},
+                     {"part", 1.5},  {"mixed", {"a", 1}}};
+  CHECK(viewer::text_in(request, "text") == "x");
+  CHECK(viewer::texts_in(request, "texts") == std::vector<std::string>{"a", "b"});
+  CHECK(viewer::number_in(request, "number") == 7);
+  CHECK(viewer::flag_in(request, "flag"));
+  CHECK_FALSE(viewer::flag_in(request, "off"));
+  CHECK(viewer::object_in(request, "object") == Json{{"a", 1}});
   for (const char* const key : {"none", "null"}) {
-    CHECK(viewer::text_in(wish, key).empty());
-    CHECK(viewer::texts_in(wish, key).empty());
-    CHECK_FALSE(viewer::number_in(wish, key));
-    CHECK_FALSE(viewer::flag_in(wish, key));
-    CHECK(viewer::object_in(wish, key) == Json::object());
+    CHECK(viewer::text_in(request, key).empty());
+    CHECK(viewer::texts_in(request, key).empty());
+    CHECK_FALSE(viewer::number_in(request, key));
+    CHECK_FALSE(viewer::flag_in(request, key));
+    CHECK(viewer::object_in(request, key) == Json::object());
   }
   const auto errors = [&](const char* key) {
-    return std::vector<std::string>{wish_error([&] { static_cast<void>(viewer::text_in(wish, key)); }),
-                                    wish_error([&] { static_cast<void>(viewer::texts_in(wish, key)); }),
-                                    wish_error([&] { static_cast<void>(viewer::number_in(wish, key)); }),
-                                    wish_error([&] { static_cast<void>(viewer::flag_in(wish, key)); }),
-                                    wish_error([&] { static_cast<void>(viewer::object_in(wish, key)); })};
+    return std::vector<std::string>{request_error([&] { static_cast<void>(viewer::text_in(request, key)); }),
+                                    request_error([&] { static_cast<void>(viewer::texts_in(request, key)); }),
+                                    request_error([&] { static_cast<void>(viewer::number_in(request, key)); }),
+                                    request_error([&] { static_cast<void>(viewer::flag_in(request, key)); }),
+                                    request_error([&] { static_cast<void>(viewer::object_in(request, key)); })};
   };
   const auto all = [](const std::string& key) {
     return std::vector<std::string>{key + " must be a string", key + " must be an array of strings",

@@ -64,17 +64,17 @@ std::vector<Question> questions() {
           {"verdict"}};
 }
 
-Json answer_to(viewer::Session& session, const Question& question, const Json& wish) {
-  Json request = wish;
+Json answer_to(viewer::Session& session, const Question& question, const Json& base) {
+  Json request = base;
   request.update(question.members);
   const testing::Answer answer = ask(session, question.name, request);
   CHECK_MESSAGE(answer.status == 200, answer.json.dump());
   return timeless(answer.json);
 }
 
-Json fresh_answer(const Question& question, const Json& wish) {
+Json fresh_answer(const Question& question, const Json& request) {
   viewer::Session session({file, {}, Json::object()});
-  return answer_to(session, question, wish);
+  return answer_to(session, question, request);
 }
 
 /// Replaces the machine's wires: its only lane shows the options of the request.
@@ -164,8 +164,8 @@ TEST_CASE("the last two drawings keep their lanes and a third is recorded again"
   viewer::Session session({file, {}, Json::object()}, {.recorder = std::ref(recorder)});
   const auto recordings_of = [&](const char* width) {
     const int before = recorder.count;
-    const Json wish{{"knobs", {{"size", std::string(width) + "x30"}}}};
-    CHECK(lane_in(ask(session, "lanes", wish)) == std::string(width) + " --lanes");
+    const Json request{{"knobs", {{"size", std::string(width) + "x30"}}}};
+    CHECK(lane_in(ask(session, "lanes", request)) == std::string(width) + " --lanes");
     return recorder.count - before;
   };
   CHECK(recordings_of("40") == 1);

@@ -22,7 +22,7 @@ constexpr std::string_view model = R"(difference() { cube(size = [6, 6, 4], cent
   sphere($fn = 8, r = 3); cylinder($fn = 6, h = 9, r1 = 1, r2 = 1, center = true); }
 )";
 
-constexpr std::string_view first_wish = R"({"knobs":{"size":"8x6","camera":"30,-40,25,0,0,2"}})";
+constexpr std::string_view first_request = R"({"knobs":{"size":"8x6","camera":"30,-40,25,0,0,2"}})";
 
 std::string recorder(const csgsim::isa::Program& /*program*/, std::span<const std::string> /*options*/) {
   throw csgsim::InputError("this session records no waves");
@@ -41,25 +41,25 @@ viewer::Session& session() {
 }
 
 /// Limits the picture size in the request, at any place. The JSON depth is bounded.
-void make_small(Json& wish) {
+void make_small(Json& request) {
   constexpr std::size_t longest_size = 5;
-  if (wish.is_object() && wish.contains("knobs") && wish["knobs"].is_object()) {
-    Json& size = wish["knobs"]["size"];
+  if (request.is_object() && request.contains("knobs") && request["knobs"].is_object()) {
+    Json& size = request["knobs"]["size"];
     if (size.is_null() || (size.is_string() && size.get_ref<const std::string&>().size() > longest_size)) size = "8x6";
-  } else if (wish.is_object()) {
-    wish["knobs"] = {{"size", "8x6"}};
+  } else if (request.is_object()) {
+    request["knobs"] = {{"size", "8x6"}};
   }
   for (const char* const member : {"a", "b"}) {
-    if (wish.is_object() && wish.contains(member)) make_small(wish[member]);
+    if (request.is_object() && request.contains(member)) make_small(request[member]);
   }
 }
 
 /// Malformed requests stay unchanged.
 std::string made_small(std::string body) {
   try {
-    Json wish = csgsim::session::parse_json(body, {.depth = 16});
-    make_small(wish);
-    return viewer::text_of(wish);
+    Json request = csgsim::session::parse_json(body, {.depth = 16});
+    make_small(request);
+    return viewer::text_of(request);
   } catch (const Json::exception&) {
     return body;
   } catch (const csgsim::InputError&) {
@@ -83,8 +83,8 @@ void check(const viewer::Reply& reply) {
 
 /// Checks that the first picture does not depend on earlier requests.
 void check_first_picture() {
-  static const std::string expected = Json::parse(ask("draw", std::string(first_wish)).body).at("picture");
-  fuzz::require(Json::parse(ask("draw", std::string(first_wish)).body).at("picture") == expected,
+  static const std::string expected = Json::parse(ask("draw", std::string(first_request)).body).at("picture");
+  fuzz::require(Json::parse(ask("draw", std::string(first_request)).body).at("picture") == expected,
                 "a request always gets the same answer");
 }
 

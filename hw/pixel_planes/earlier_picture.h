@@ -17,7 +17,8 @@ class EarlierPicture {
 
   void show(isa::Field field) { field_ = field; }
 
-  /// Valid until the next call.
+  /// A row of memory bit `address` of the displayed field, as RefreshPort::memory_row() returns it. Valid until the
+  /// next call.
   [[nodiscard]] std::span<const std::uint64_t> row(std::uint32_t address, std::uint32_t row) const;
 
  private:

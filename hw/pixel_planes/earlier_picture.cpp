@@ -1,4 +1,4 @@
-#include "hw/pixel_planes/foretold_picture.h"
+#include "hw/pixel_planes/earlier_picture.h"
 
 namespace csgsim::pixel_planes {
 
