@@ -123,7 +123,7 @@ class CornerSearch {
   CornerSearch(const facet::Geometry& geometry, const csg::PositiveTree& tree)
       : geometry_(geometry), tree_(tree), known_(tree.nodes.size()) {}
 
-  /// Whether each side of geometry.box contains such a corner.
+  /// Whether each side of geometry.box contains a corner of the model.
   bool reach_all_sides() {
     for (int axis = 0; axis < 3; ++axis) {
       if (!reach(axis, -1.0, geometry_.box.low[axis]) || !reach(axis, 1.0, geometry_.box.high[axis])) return false;

@@ -22,8 +22,8 @@ namespace csgsim::csg {
 /// Work of a frame that kept results replaced.
 struct Reused {
   std::uint64_t lookups = 0;       ///< active trees that were looked up
-  std::uint64_t trees = 0;         ///< those that were found
-  std::uint64_t nodes = 0;         ///< visits of tree nodes that finding them has replaced
+  std::uint64_t trees = 0;         ///< active trees that were found
+  std::uint64_t nodes = 0;         ///< visits of tree nodes that finding the trees has replaced
   std::uint64_t certificates = 0;  ///< primitives that the half-space that excluded them before excluded again
 
   Reused& operator+=(const Reused& more);
@@ -114,7 +114,7 @@ class KeptResults {
   };
   struct KeptTree {
     ActiveTree tree;
-    std::uint64_t visits = 0;  ///< of the walk that made it
+    std::uint64_t visits = 0;  ///< visits of nodes in the walk that made the tree
   };
   struct Hash {
     std::size_t operator()(const std::vector<std::uint32_t>& key) const;

@@ -28,10 +28,10 @@ view::Range depth_range(const view::ScreenPlane& plane, unsigned fraction_bits, 
 /// of a plane over a rectangle are at its corners.
 Known locate(const view::View& view, facet::Halfspace halfspace, const Block& block);
 
-/// The same for one side of any plane.
+/// Whether every point of the block, or none, is on the positive or negative side of the plane.
 Known locate(const view::View& view, const view::ScreenPlane& plane, bool positive, const Block& block);
 
-/// The same for the inside of that side of a quadric; `depends` if it is unfit.
+/// Whether every point of the block, or none, is inside that side of a quadric; `depends` if the quadric is unfit.
 Known locate(const view::View& view, facet::QuadricSide side, const Block& block);
 
 /// A half-space of a primitive that excluded a block.
@@ -40,8 +40,9 @@ struct Excluder {
   bool held = false;                          ///< whether it has excluded the last block as well
 };
 
-/// The same for a convex primitive: out if one half-space or quadric is out; in if all are in and the block is inside
-/// its extent. The half-space of `excluder` is tested first; the one that excludes the block replaces it.
+/// Locates the block relative to a convex primitive: out if one half-space or quadric is out; in if all are in and the
+/// block is inside the primitive's extent. The half-space of `excluder` is tested first; the one that excludes the
+/// block is stored there.
 Known locate(const view::View& view, const facet::Geometry& geometry, std::uint32_t primitive, const Block& block,
              const Counted& counted = {}, Excluder* excluder = nullptr);
 

@@ -27,13 +27,13 @@ bool separated(Hull& first, Hull& second, const Counted& counted = {});
 struct Gap {
   double half = 0;        ///< the least distance of both solids from the plane
   double far_first = 0;   ///< no point of the first solid is farther from the plane
-  double far_second = 0;  ///< the same for the second
+  double far_second = 0;  ///< no point of the second solid is farther from the plane
 
   /// Whether the gap is so wide that rounding in a usual view leaves it open.
   [[nodiscard]] bool is_wide() const { return half * 64 > far_first && half * 64 > far_second; }
 };
 
-/// The plane between two hulls that the same search finds. It goes on until the gap is wide, and returns the widest gap
+/// Searches for a plane between two hulls as separated() does, but until the gap is wide. Returns the widest gap
 /// relative to the solids; empty if none is found.
 std::optional<Gap> find_gap(Hull& first, Hull& second, const Counted& counted = {});
 

@@ -41,7 +41,7 @@ class TreePaths {
     return notes_[node].decided_above != notes_[top].decided_above;
   }
 
-  /// The same for nodes whose parents are intersections.
+  /// As is_decided_between(), but only by siblings in intersections, which decide that nothing is inside.
   [[nodiscard]] bool is_out_between(std::uint32_t node, std::uint32_t top) const {
     return notes_[node].out_above != notes_[top].out_above;
   }

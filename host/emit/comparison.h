@@ -10,7 +10,8 @@ namespace csgsim::emit {
 /// surface in Z1. The caller sets the origin of the instructions that follow.
 void emit_comparison(const Context& context, Broadcast& out, std::uint32_t primitive, const PlannedSurface& of);
 
-/// The same for the intersection of all primitives of a leaf, complemented or not. Returns the number of primitives.
+/// E := E and "Z1 is in all primitives of the leaf", even if the leaf is complemented. Returns the number of
+/// primitives.
 std::uint32_t emit_comparison(const Context& context, Broadcast& out, const csg::ActiveNode& leaf,
                               const PlannedSurface& of);
 

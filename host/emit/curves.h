@@ -30,7 +30,8 @@ std::string_view name_of(Curves curves);
 /// Why the machine or the scene's effects do not support quadrics, and what to do; empty if they do.
 std::optional<std::string> why_no_quadrics(const machines::Machine& machine, const Options& options, const Look& look);
 
-/// The same without checking the machine's evaluator: why only facets can be drawn.
+/// Why only facets can be drawn even on a machine that evaluates quadrics, and what to do; empty if curves can be
+/// drawn.
 std::optional<std::string> why_no_curves(const machines::Machine& machine, const Options& options, const Look& look);
 
 }  // namespace csgsim::emit

@@ -31,7 +31,7 @@ class KnownColours {
 /// The colour of a facet in the format of the colour field.
 std::uint32_t facet_colour(const Context& context, const Facet& facet);
 
-/// The same with `colour` (red, green, blue in [0, 1]) in place of the primitive's.
+/// The colour of a facet of a primitive with `colour` (red, green, blue in [0, 1]), in the format of the colour field.
 std::uint32_t facet_colour(const Context& context, const Facet& facet, const glm::dvec3& colour);
 
 }  // namespace csgsim::emit

@@ -37,8 +37,8 @@ constexpr std::string_view enclosed_space_is_drawn =
 
 Remark crossing_faces(const solids::Crossing& crossing) {
   const std::string more = crossing.count > 1 ? fmt::format(", and so do {} more pairs", crossing.count - 1) : "";
-  return {crossing.other, fmt::format("faces[{}] and faces[{}] cross by {:.3g}{}: {}", crossing.one, crossing.other,
-                                      crossing.depth, more, enclosed_space_is_drawn)};
+  return {crossing.other, fmt::format("faces[{}] and faces[{}] cross by {:.3g} model units{}: {}", crossing.one,
+                                      crossing.other, crossing.depth, more, enclosed_space_is_drawn)};
 }
 
 Remark crossing_edges() { return {0, fmt::format("the faces cross along their edges: {}", enclosed_space_is_drawn)}; }

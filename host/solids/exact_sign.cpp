@@ -92,7 +92,8 @@ int exact_sign(const std::array<Difference, 3>& rows) {
   return sum.count == 0 ? 0 : sign(sum.parts[sum.count - 1]);
 }
 
-/// Whether products of three differences of such coordinates, and their rounding errors, stay in the range of doubles.
+/// Whether products of three differences of coordinates of this size, and their rounding errors, stay in the range of
+/// doubles.
 bool is_moderate(double coordinate) {
   const double size = std::abs(coordinate);
   return size == 0.0 || (size < 1e90 && size > 1e-75);

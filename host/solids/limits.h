@@ -14,11 +14,11 @@ namespace csgsim::solids {
 /// and translated at random, the largest bend of a box, cut into triangles, was 1.1e-5.
 inline constexpr double printed_tolerance = 2e-5;
 
-/// The same distance for single precision, as in STL files: half a unit in the last place per coordinate; eight such
-/// errors may add up.
+/// Maximum distance, in units of the largest coordinate, by which rounding to single precision may have moved a point,
+/// as in STL files: half a unit in the last place per coordinate; eight such errors may add up.
 inline constexpr double single_precision_tolerance = 0x1p-22;
 
-/// The same distance for doubles.
+/// Maximum distance, in units of the largest coordinate, by which arithmetic in doubles may have moved a point.
 inline constexpr double double_precision_tolerance = 1e-12;
 
 /// Upper bound of tolerances, as a fraction of the mesh's size: a mesh so far from the origin that it lost more

@@ -88,7 +88,8 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
     own_figure<Figures, &Figures::energy, &Energies::activation_fj>(
         "energy.activation", "fJ", 0, max_fj, "activation of a row of a chip, including its precharge"),
     own_figure<Figures, &Figures::energy, &Energies::further_row_permille>(
-        "energy.further_row", "permille", 0, 10'000, "fraction of that for each further row activated with it"),
+        "energy.further_row", "permille", 0, 10'000,
+        "activation of a further row with the first, as a fraction of the first row's energy"),
     own_figure<Figures, &Figures::energy, &Energies::logic_fj>("energy.logic", "fJ", 0, max_fj,
                                                                "gates of one column, per logic command"),
     own_figure<Figures, &Figures::energy, &Energies::leaf_fj>(

@@ -37,7 +37,8 @@ std::vector<Tap> pixel_taps(const TappedParts& parts, const isa::Program& progra
 }  // namespace
 
 std::vector<Tap> machine_taps(const TappedParts& parts, const isa::Program& program, const wave::Request& request) {
-  if (!request.tree_levels.empty()) throw InputError("waves of a bit-serial memory show no tree levels; omit them");
+  if (!request.tree_levels.empty())
+    throw InputError("waves of a bit-serial memory show no tree levels; omit the tree levels");
   const Controller& controller = parts.controller;
   const HostLink& host = parts.host;
   std::vector<Tap> taps{wave::text("host.state", [&host] { return std::string(host.state()); }),

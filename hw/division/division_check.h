@@ -18,8 +18,8 @@ DisplayModel display_model_of(std::span<const std::uint8_t> bytes);
 /// what the machine will compute, so reports on them are valid. Squares are divided in one level.
 void check_division(const isa::Program& program);
 
-/// As above, with two levels and a list of `list_entries` entries. `groups` contains all segments in groups; if it is
-/// empty, squares are divided in one level.
+/// Checks a division in two levels, with a list of `list_entries` entries. `groups` contains all segments in groups; if
+/// it is empty, squares are divided in one level. Throws InputError like the check of one level.
 void check_division(const isa::Program& program, std::span<const Group> groups, std::uint64_t list_entries);
 
 }  // namespace csgsim::division

@@ -23,14 +23,15 @@ double nanoseconds(const processors::Operations& operations, const machines::Mac
 /// 9e15.
 std::uint64_t compile_clocks(const isa::Program& program, const machines::Machine& machine);
 
-/// The same for the work on the model.
+/// Clocks of the machine until its host has done the work on the model, which precedes the first frame; rounded up, 0
+/// for an ideal host. Throws InputError above 9e15.
 std::uint64_t model_clocks(const isa::Program& program, const machines::Machine& machine);
 
 /// The timing with the host's clocks, completed by machines::with_pace().
 machines::FrameTiming with_host(machines::FrameTiming timing, const isa::Program& program,
                                 const machines::Machine& machine);
 
-/// Same as machines::time_frame(), with the host.
+/// The timing of machines::time_frame(), completed by with_host().
 machines::FrameTiming time_frame(const isa::Program& program, const machines::Machine& machine,
                                  const machines::RunOutcome& outcome = {});
 

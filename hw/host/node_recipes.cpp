@@ -54,7 +54,7 @@ Operations visited_node() {
   return all;
 }
 
-/// Its words are stored as three longs.
+/// Stores the words of an instruction as three longs.
 Operations listed_instruction() {
   Operations all = fitted_expression();
   all += 3 * stored_long();

@@ -38,8 +38,9 @@ struct Written {
   std::uint64_t numbers = 0;     ///< numbers after the opcodes of the other instructions
   std::uint64_t longs = 0;       ///< longs stored for their words
   std::uint64_t linear = 0;      ///< linear expressions, each once per segment
-  std::uint64_t moved = 0;    ///< those of segments that do not begin at the picture's corner, unless the segment above
-                              ///< has them, so that one addition moves them
+  /// Linear expressions of segments that do not begin at the picture's corner. Expressions that the segment above has
+  /// are not counted, because one addition moves them.
+  std::uint64_t moved = 0;
   std::uint64_t squares = 0;  ///< squares, each once per segment
 
   bool operator==(const Written&) const = default;

@@ -335,7 +335,8 @@ void put_text_form(std::string& page) {
   put(page,
       "\nA `.prepare_model` line before the first `.segment` has the same keys for work that is done once per model, "
       "whatever\nthe camera. `.pruning` lines say what the prunings did: for how many items each was `tried`, how many "
-      "it `decided`,\nhow many were `left` because a test would not pay, the estimated instructions `saved`, and the "
+      "it `decided`,\nhow many were `left` because a test was not worth its time, the estimated instructions `saved`, "
+      "and the "
       "host's `nanoseconds`:\n\n");
   put_keys(page, "pruning", PruningFacts{});
 }

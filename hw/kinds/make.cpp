@@ -23,7 +23,7 @@ const systemc::Maker& find_maker(const machines::Machine& machine) {
 
 std::unique_ptr<systemc::ClockedMachine> make_clocked_machine(const machines::Machine& machine,
                                                               systemc::EvaluatorForm form) {
-  if (form == systemc::EvaluatorForm::worked_out) return find_maker(machine).make(machine);
+  if (form == systemc::EvaluatorForm::computed) return find_maker(machine).make(machine);
   if (can_be_stepped(machine)) return find_maker(machine).make_stepped(machine);
   throw InputError("a machine of kind " + std::string(machine.kind->name) +
                    " has no multiplier trees that can be stepped; use one of kind frame-buffer or pixel-square, or "

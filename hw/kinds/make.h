@@ -14,7 +14,7 @@ namespace csgsim::kinds {
 /// The SystemC model of a machine of any kind. Throws std::logic_error if the kind is not in the table, and InputError
 /// if the machine's trees do not support the form.
 std::unique_ptr<systemc::ClockedMachine> make_clocked_machine(
-    const machines::Machine& machine, systemc::EvaluatorForm form = systemc::EvaluatorForm::worked_out);
+    const machines::Machine& machine, systemc::EvaluatorForm form = systemc::EvaluatorForm::computed);
 
 /// Whether the machine's multiplier trees can be simulated adder by adder.
 bool can_be_stepped(const machines::Machine& machine);

@@ -30,8 +30,8 @@ struct FrameWords {
 /// The words of a valid Program for a link of `link_width` bits.
 FrameWords frame_words(const isa::Program& program, unsigned link_width);
 
-/// As above, but with words only for the instructions in [first, end) and for the other commands; the words of other
-/// instructions are 0.
+/// The words of a valid Program, but with 0 for those of instructions outside [first, end). Other commands have their
+/// words.
 FrameWords frame_words(const isa::Program& program, unsigned link_width, std::uint64_t first, std::uint64_t end);
 
 }  // namespace csgsim::link

@@ -14,7 +14,7 @@ namespace csgsim::machines {
 // Machines, processors and processes are named NAME+KEY=VALUE+KEY=VALUE: NAME is built in, or a file that ends in
 // .toml; changed parameters follow.
 
-/// The file in such a name; empty if it names no file.
+/// The file that a name begins with; empty if it names no file.
 std::string_view file_of(std::string_view spec);
 
 /// The name without changes: a built-in name or a file.

@@ -13,7 +13,7 @@ array::PlaneShape whole_array(const machines::Machine& machine) { return {machin
 
 std::optional<array::SteppedEvaluator> adders(const machines::Machine& machine, systemc::EvaluatorForm form,
                                               const systemc::EarlierRun* earlier) {
-  if (form == systemc::EvaluatorForm::worked_out) return std::nullopt;
+  if (form == systemc::EvaluatorForm::computed) return std::nullopt;
   const std::span<const array::Place> pixels = earlier == nullptr ? std::span<const array::Place>() : earlier->pixels;
   const array::TreeForm trees{machine.evaluator_degree, machine.evaluator_bits, machine.register_levels};
   return array::SteppedEvaluator(whole_array(machine), trees, pixels);

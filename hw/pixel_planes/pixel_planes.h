@@ -33,7 +33,7 @@ class PixelPlanes final : public sc_core::sc_module, public systemc::ClockedMach
   /// If `earlier` is not null, only the pixels of that run are built. This supports Programs of one segment; the
   /// picture that a run reports is then meaningless.
   PixelPlanes(sc_core::sc_module_name name, const machines::Machine& machine,
-              systemc::EvaluatorForm form = systemc::EvaluatorForm::worked_out,
+              systemc::EvaluatorForm form = systemc::EvaluatorForm::computed,
               const systemc::EarlierRun* earlier = nullptr);
 
   /// A frame begins with the clock in which the controller requests it and ends when its last step has been executed;

@@ -293,7 +293,7 @@ namespace csgsim::systemc {
 extern const Maker pixel_square_maker{
     .kind = &pixel_square::kind,
     .make = [](const machines::Machine& machine) -> std::unique_ptr<ClockedMachine> {
-      return std::make_unique<pixel_square::PixelSquareMachine>("pixel_square", machine, EvaluatorForm::worked_out);
+      return std::make_unique<pixel_square::PixelSquareMachine>("pixel_square", machine, EvaluatorForm::computed);
     },
     .make_stepped = [](const machines::Machine& machine) -> std::unique_ptr<ClockedMachine> {
       return std::make_unique<pixel_square::PixelSquareMachine>("pixel_square", machine, EvaluatorForm::stepped);

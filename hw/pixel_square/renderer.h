@@ -46,7 +46,7 @@ class Renderer final : public sc_core::sc_module {
   sc_core::sc_port<systemc::RetirementPort> retirement{"retirement"};
 
   Renderer(sc_core::sc_module_name name, const machines::Machine& machine,
-           systemc::EvaluatorForm form = systemc::EvaluatorForm::worked_out);
+           systemc::EvaluatorForm form = systemc::EvaluatorForm::computed);
 
   /// `colour`: field of a pixel's memory that goes to the frame buffer. The names must outlive the frame.
   void begin(isa::Field colour, const systemc::SegmentNames& names);

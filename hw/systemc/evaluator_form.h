@@ -8,8 +8,8 @@ namespace csgsim::systemc {
 
 /// Model of a machine's multiplier trees. All forms have the same ports and clocks.
 enum class EvaluatorForm : std::uint8_t {
-  worked_out,  ///< register contents are computed from the coefficients that have entered
-  stepped,     ///< simulated adder by adder, level by level
+  computed,  ///< register contents are computed from the coefficients that have entered
+  stepped,   ///< simulated adder by adder, level by level
 };
 
 }  // namespace csgsim::systemc

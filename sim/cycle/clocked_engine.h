@@ -15,7 +15,7 @@ namespace csgsim::cycle {
 /// use it. Throws std::logic_error if another machine was built before, and InputError like
 /// kinds::make_clocked_machine.
 systemc::ClockedMachine& clocked_hardware(const machines::Machine& machine,
-                                          systemc::EvaluatorForm form = systemc::EvaluatorForm::worked_out);
+                                          systemc::EvaluatorForm form = systemc::EvaluatorForm::computed);
 
 /// A cycle-level engine on existing hardware, which must outlive it. make_cycle_engine builds the hardware for the
 /// kinds that come with csgsim.

@@ -15,6 +15,6 @@ namespace csgsim::cycle {
 /// Throws InputError before the start if the machine cannot run one of the Programs, or as clocked_hardware does.
 std::vector<engine::RunResult> run_sequence(const machines::Machine& machine, std::span<const isa::Program> programs,
                                             std::span<engine::Observer* const> observers,
-                                            systemc::EvaluatorForm form = systemc::EvaluatorForm::worked_out);
+                                            systemc::EvaluatorForm form = systemc::EvaluatorForm::computed);
 
 }  // namespace csgsim::cycle

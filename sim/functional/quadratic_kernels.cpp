@@ -169,7 +169,8 @@ std::uint64_t pixels_past(const BlockF& f, std::size_t bit) {
   return past;
 }
 
-/// The same for a field in planes: F's bits as words of the block's pixels, added bit by bit.
+/// Executes the task on a block of a field in planes: F's bits are words of the block's pixels, which are stored or
+/// added bit by bit. Returns the pixels that stay enabled.
 template <LinearKind kind>
 std::uint64_t meet_planes(const BlockF& f, std::span<TileBits* const> planes, const TileShape& shape, unsigned block,
                           std::uint64_t enabled) {

@@ -31,8 +31,8 @@ namespace csgsim::judges {
 Truth analytic_truth(const model::Tree& tree, const facet::Faceting& drawn_as, const view::Camera& camera,
                      std::uint32_t width, std::uint32_t height, const isa::DepthScale& depth);
 
-/// The same for a sequence of depth scales. Another near plane only changes rays that meet a solid in front of it or of
-/// the previous one: only these are traced again.
+/// analytic_truth() for a sequence of depth scales. Another near plane only changes rays that meet a solid in front of
+/// it or of the previous one: only these are traced again.
 class AnalyticPictures {
  public:
   /// The tree must outlive this object.

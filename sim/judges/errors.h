@@ -38,7 +38,7 @@ struct Errors {
   std::optional<PixelPlace> first_unexplained;
 
   DepthError model_units;  ///< distance of the depth step (its near end) minus the true distance
-  DepthError steps;        ///< the same in depth steps: floor alone causes up to 1
+  DepthError steps;        ///< that difference in depth steps: rounding down alone causes up to 1
 
   /// Number of wrong pixels.
   [[nodiscard]] std::uint64_t wrong() const { return silhouette + owner + depth; }
@@ -48,8 +48,8 @@ struct Errors {
 /// have the same size.
 Errors compare(const Truth& truth, const observe::Frame& frame, const isa::Program& program);
 
-/// The same, and also determines whether the bounds stated by the design explain each wrong pixel. `truth` must be from
-/// exact_truth for the same tree, geometry and camera.
+/// As compare(), and determines whether the bounds stated by the design explain each wrong pixel. `truth` must be from
+/// exact_truth() for the tree, geometry and camera of the explainer.
 Errors judge(const Truth& truth, const observe::Frame& frame, const isa::Program& program, const Explainer& explainer);
 
 /// A summary in one line.

@@ -115,7 +115,7 @@ Explainer::Nature Explainer::nature(std::uint32_t index, Place place) const {
   return {positive ? Nature::Kind::holds : Nature::Kind::excludes, {}};
 }
 
-/// Returns false if the primitive is not on the ray.
+/// Adds what the half-space means at the place to the candidate. Returns false if it excludes the whole ray.
 bool Explainer::add_halfspace(Candidate& candidate, const facet::Halfspace& halfspace, Place place) const {
   const Nature is = nature(halfspace.plane, place);
   switch (is.kind) {
@@ -132,7 +132,8 @@ bool Explainer::add_halfspace(Candidate& candidate, const facet::Halfspace& half
   return true;
 }
 
-/// The same for a quadric. If rays begin inside it, it has a back only if it is met at all.
+/// Adds what the quadric's side means at the place to the candidate. Returns false if it excludes the whole ray. If
+/// rays begin inside the quadric, it has a back only if it is met at all.
 bool Explainer::add_quadric(Candidate& candidate, const facet::QuadricSide& side, Place place) const {
   const SightQuadric& quadric = sight_.quadrics().quadric(side.quadric);
   QuadricMet met = quadrics_.met(side.quadric, place);

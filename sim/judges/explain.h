@@ -38,8 +38,8 @@ class Explainer {
   Explainer(const model::Tree& tree, const facet::Geometry& geometry, const view::Camera& camera,
             const isa::Program& program);
 
-  /// The same with an existing sight of that geometry, in the Program's size and with its depth scale; also kept by
-  /// reference.
+  /// Keeps references to the tree, the geometry and `sight`, which must be of that geometry, of the Program's size and
+  /// with its depth scale.
   Explainer(const model::Tree& tree, const facet::Geometry& geometry, const Sight& sight, const isa::Program& program);
 
   /// Whether the machine may show that primitive (or `nothing`) at that depth step at the pixel.

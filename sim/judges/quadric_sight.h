@@ -102,7 +102,7 @@ class QuadricSight {
   /// Approximate depth of the quadric at the place, which it must have there.
   [[nodiscard]] Estimate estimate(Sheet sheet, Place place) const;
 
-  /// The same, exact.
+  /// Exact depth of the quadric at the place, which it must have there.
   [[nodiscard]] Surd exactly_at(Sheet sheet, Place place) const;
 
  private:

@@ -94,7 +94,7 @@ class Sight {
     return compare_exactly(first, second, place);
   }
 
-  /// The same for any two sheets; the quadrics must have those depths there.
+  /// Exact sign of the depth of sheet `first` minus that of `second`. Quadrics must have these depths at the place.
   [[nodiscard]] int compare(Sheet first, Sheet second, Place place) const {
     if (first.root == Root::only && second.root == Root::only) return compare(first.index, second.index, place);
     return compare_with_roots(first, second, place);

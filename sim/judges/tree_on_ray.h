@@ -35,7 +35,7 @@ class TreeOnRay {
     bool is_inverted = false;    ///< the parent subtracts it from its first child
     bool is_subtracted = false;  ///< on the right of an odd number of differences
     std::uint32_t matching = 0;  ///< number of children with the value that the operator needs; leaf: 1 if inside
-    std::uint32_t needed = 1;    ///< number of such children that makes the node inside
+    std::uint32_t needed = 1;    ///< number of matching children that makes the node inside
 
     [[nodiscard]] bool value() const { return matching >= needed; }
   };

@@ -56,7 +56,7 @@ inline Truth empty_truth(std::uint32_t width, std::uint32_t height) {
 Truth exact_truth(const model::Tree& tree, const facet::Geometry& geometry, const view::Camera& camera,
                   std::uint32_t width, std::uint32_t height, const isa::DepthScale& depth);
 
-/// The same from an existing sight of that geometry.
+/// exact_truth() for the camera, the size and the depth scale of `sight`, which must be of that geometry.
 Truth exact_truth(const model::Tree& tree, const facet::Geometry& geometry, const Sight& sight);
 
 }  // namespace csgsim::judges

@@ -20,7 +20,7 @@ struct Frame {
   std::vector<std::uint32_t> colour;  ///< value of the colour field (hw/isa/colour_format.h)
   std::vector<std::uint32_t> depth;   ///< depth steps of the nearest visible surface; all ones if nothing is visible
   std::vector<std::uint32_t> owner;   ///< index of the primitive of that surface, or no_owner
-  /// The same for the visible opaque surface, possibly behind others; empty if the Program blends none.
+  /// Depth and owner of the visible opaque surface, possibly behind transparent ones; empty if the Program blends none.
   std::vector<std::uint32_t> opaque_depth{};
   std::vector<std::uint32_t> opaque_owner{};
 

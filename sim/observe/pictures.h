@@ -16,7 +16,7 @@ namespace csgsim::observe {
 /// distances. A call before the run starts loading slow libraries in parallel with it.
 void check_format(const std::filesystem::path& path);
 
-/// The same for a picture of distances.
+/// Throws InputError unless the path's extension names a format for distances; a stream without extension is EXR.
 void check_depth_format(const std::filesystem::path& path);
 
 /// The picture's red, green and blue, 8 bits each, in row order.

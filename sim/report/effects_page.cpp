@@ -12,18 +12,18 @@ constexpr PointColumn effects_columns[] = {{"effect", "effect"},
                                            {"clocks", "clocks charged"},
                                            {"instructions", "instructions"},
                                            {"pixel_operations", "pixel operations"},
-                                           {"alone_clocks", "clocks it adds alone"},
-                                           {"together_clocks", "clocks saved without it"},
-                                           {"bits", "memory bits saved without it"}};
+                                           {"alone_clocks", "clocks that the effect adds alone"},
+                                           {"together_clocks", "clocks saved without the effect"},
+                                           {"bits", "memory bits saved without the effect"}};
 
 Table frame_table(const Json& data) {
   constexpr std::pair<const char*, const char*> rows[] = {
       {"clocks of the frame", "/clocks"},
-      {"clocks without any effect", "/clocks_without_effects"},
+      {"clocks of the frame without effects", "/clocks_without_effects"},
       {"clocks of all instructions", "/total/clocks"},
-      {"of these for the solids", "/solids/clocks"},
+      {"clocks of instructions for the solids", "/solids/clocks"},
       {"memory bits per pixel", "/bits"},
-      {"memory bits per pixel without any effect", "/bits_without_effects"}};
+      {"memory bits per pixel without effects", "/bits_without_effects"}};
   Table table{"The frame", {"count", "value"}, {}};
   for (const auto& [name, at] : rows) table.rows.push_back({{name}, cell(data, at)});
   return table;
@@ -31,7 +31,7 @@ Table frame_table(const Json& data) {
 
 plots::Plot bill_plot(const Json& effects) {
   constexpr std::pair<const char*, const char*> bills[] = {
-      {"clocks", "charged"}, {"alone_clocks", "added alone"}, {"together_clocks", "saved without it"}};
+      {"clocks", "charged"}, {"alone_clocks", "added alone"}, {"together_clocks", "saved without the effect"}};
   plots::Chart chart{"Clocks of each effect",
                      {"effect", plots::Scale::linear, {}, true},
                      {{"clocks", plots::Scale::linear, {}, false, true}},

@@ -26,7 +26,7 @@ inline constexpr auto run_counts = std::to_array<std::pair<const char*, const ch
     {"scan-conversions, classified", "/scan_conversions/classified"},
     {"depth tests", "/depth_tests"},
     {"pixel operations", "/pixel_operations/total"},
-    {"of these, at enabled pixels", "/pixel_operations/enabled"},
+    {"pixel operations at enabled pixels", "/pixel_operations/enabled"},
     {"memory bits per pixel, used", "/memory/used_bits"},
     {"memory bits per pixel, available", "/memory/memory_bits"},
     {"wrong pixels", "/accuracy/wrong"},

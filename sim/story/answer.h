@@ -15,7 +15,7 @@ namespace csgsim::story {
 /// The explanation of a pixel.
 struct Answer {
   std::string text;             ///< why a primitive is not visible, if requested, followed by the history
-  nlohmann::ordered_json json;  ///< the same as JSON; docs/debugging.md describes every key with its unit
+  nlohmann::ordered_json json;  ///< the explanation as JSON; docs/debugging.md describes every key with its unit
 };
 
 /// Explains the pixel and, if `missed` is given, why that primitive is not visible there. Throws InputError like Teller

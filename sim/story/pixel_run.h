@@ -20,7 +20,7 @@ struct PixelStep {
   bool fits = true;                  ///< A*x + B*y + C fits the width, or may be cut
   std::int64_t value = 0;            ///< F at the pixel; 0 without a linear expression
   std::uint64_t first_operand = 0;   ///< value of the instruction's first field before it; 0 without one
-  std::uint64_t second_operand = 0;  ///< the same for the second field
+  std::uint64_t second_operand = 0;  ///< value of the instruction's second field before it; 0 without one
   isa::Field target;                 ///< field of pixel memory that it may write; of width 0 if none
   std::uint64_t before = 0;          ///< value of the target before
   std::uint64_t after = 0;           ///< value of the target after

@@ -21,7 +21,7 @@ struct TextPart {
   std::uint64_t end = 0;  ///< number after the last instruction of an event; 0 for other lines
 };
 
-/// The same text in parts: what the pixel shows, then each event, with the lines between events.
+/// text_of() in parts: what the pixel shows, then each event, with the lines between events.
 std::vector<TextPart> parts_of(const Subject& subject, const Story& story);
 
 }  // namespace csgsim::story

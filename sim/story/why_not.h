@@ -20,7 +20,7 @@ struct WhyNot {
   /// it.
   std::uint32_t drawn_as = 0;
   bool is_seen = false;               ///< one of the pieces is visible at the pixel
-  bool is_broadcast = false;          ///< some instruction of the segment draws such a surface
+  bool is_broadcast = false;          ///< some instruction of the segment draws a surface of the pieces
   std::vector<std::size_t> attempts;  ///< indices into Story::attempts
 };
 

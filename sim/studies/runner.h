@@ -37,8 +37,8 @@ struct StudyCommand {
 /// Adds the study's options to the list.
 std::shared_ptr<StudyCommand> describe(session::OptionList& list, const StudyRow& row);
 
-/// The same for a library caller, who receives the results: they are written only if a folder is given, sharding is not
-/// available, and nothing is printed.
+/// Adds the study's options to the list for a library caller, who receives the results: they are written only if a
+/// folder is given, sharding is not available, and nothing is printed.
 std::shared_ptr<StudyCommand> describe_for_caller(session::OptionList& list, const StudyRow& row);
 
 /// Measures the points that are missing from the study's table, writes the results if there is a folder or a page, and

@@ -66,7 +66,7 @@ class Drawings {
   /// Compiles the request, or returns the existing drawing if none of its inputs has changed. Throws RequestError,
   /// InputError, UsageError for invalid options, and Interrupted.
   std::shared_ptr<Drawing> compile(const Json& request, Evaluation& evaluation);
-  /// The same, and draws it.
+  /// Compiles the request as compile() does, and draws it.
   std::shared_ptr<Drawing> draw(const Json& request, Evaluation& evaluation);
 
   /// The drawing requested last; null before the first.

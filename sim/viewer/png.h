@@ -12,7 +12,7 @@ namespace csgsim::viewer {
 /// A PNG of RGB pixels as a `data:` URL.
 std::string png_url(std::span<const std::uint8_t> pixels, std::uint32_t width, std::uint32_t height);
 
-/// The same for an encoded PNG file.
+/// An encoded PNG file as a `data:` URL.
 std::string png_url(std::string_view png);
 
 }  // namespace csgsim::viewer

@@ -52,7 +52,7 @@ std::unique_ptr<wave::Writer> writer_of(const Recording& recording, std::uint64_
 
 systemc::EvaluatorForm evaluator_for(const machines::Machine& machine, const wave::Request& request) {
   const bool looks_into_trees = !request.tree_levels.empty() && kinds::can_be_stepped(machine);
-  return looks_into_trees ? systemc::EvaluatorForm::stepped : systemc::EvaluatorForm::worked_out;
+  return looks_into_trees ? systemc::EvaluatorForm::stepped : systemc::EvaluatorForm::computed;
 }
 
 Recording record(const isa::Program& program, const machines::Machine& machine, const Foreknowledge& known,

@@ -14,6 +14,6 @@ namespace csgsim::test {
 bool agree_in_parts(const std::string& what, const machines::Machine& machine,
                     const std::function<isa::Program()>& any_program,
                     const std::function<void(const isa::Program&, const TimedMachine&)>& check,
-                    systemc::EvaluatorForm evaluator = systemc::EvaluatorForm::worked_out);
+                    systemc::EvaluatorForm evaluator = systemc::EvaluatorForm::computed);
 
 }  // namespace csgsim::test

@@ -23,7 +23,7 @@ struct Settings {
   machines::Machine machine = machine_of({8, 8, 40}, 1);
   unsigned programs = 100;
   unsigned instructions = 30;  ///< maximum per segment
-  systemc::EvaluatorForm evaluator = systemc::EvaluatorForm::worked_out;
+  systemc::EvaluatorForm evaluator = systemc::EvaluatorForm::computed;
 };
 
 Settings read_settings(int count, char** arguments) {

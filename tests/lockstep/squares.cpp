@@ -23,7 +23,7 @@ struct Settings {
   machines::Machine machine = machines::blank(pixel_square::kind);
   unsigned programs = 40;
   unsigned instructions = 12;  ///< maximum per square
-  systemc::EvaluatorForm evaluator = systemc::EvaluatorForm::worked_out;
+  systemc::EvaluatorForm evaluator = systemc::EvaluatorForm::computed;
 };
 
 Settings read_settings(int count, char** arguments) {

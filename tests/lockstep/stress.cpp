@@ -42,7 +42,7 @@ using Property = bool (*)(const machines::Machine&, const Allowed&);
 
 /// Steps the trees of small arrays, which take few steps.
 systemc::EvaluatorForm form_for(const machines::Machine& machine) {
-  return machine.array.width < 4 ? systemc::EvaluatorForm::stepped : systemc::EvaluatorForm::worked_out;
+  return machine.array.width < 4 ? systemc::EvaluatorForm::stepped : systemc::EvaluatorForm::computed;
 }
 
 bool whole_pictures(const machines::Machine& machine, const Allowed& allowed) {

@@ -16,7 +16,7 @@ namespace csgsim::test {
 class TimedMachine final : public systemc::ClockedMachine {
  public:
   explicit TimedMachine(const machines::Machine& machine,
-                        systemc::EvaluatorForm form = systemc::EvaluatorForm::worked_out);
+                        systemc::EvaluatorForm form = systemc::EvaluatorForm::computed);
 
   systemc::RunReport run(const isa::Program& program, systemc::RunListener& listener) override;
 

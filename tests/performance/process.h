@@ -18,7 +18,7 @@ struct ProcessCost {
 /// with the program's name, if it fails.
 std::optional<ProcessCost> run_process(std::span<const std::string> words);
 
-/// The same with a time limit in seconds, after which the program is terminated with an InputError.
+/// As run_process(), with a time limit in seconds, after which the program is terminated with an InputError.
 std::optional<ProcessCost> run_process_within(unsigned seconds, std::span<const std::string> words);
 
 /// The words quoted for a shell, the program without its folder.

@@ -33,7 +33,7 @@ struct Compared {
   std::optional<Other> other{};
 };
 
-/// The same in turns with another build, A A' B B' A A' B B'; `others` is as long as `all`, or empty. The ratio within
+/// Measures in turns with another build, A A' B B' A A' B B'; `others` is as long as `all`, or empty. The ratio within
 /// a round is stable even if the speed of the computer varies between rounds.
 std::vector<Compared> compare_in_turn(std::span<const Timed> all, std::span<const Timed> others, Rounds rounds);
 

@@ -33,9 +33,9 @@ rc::Gen<isa::Program> arbitrary_program(isa::ArrayShape shape, std::size_t max_i
 /// Removes the instructions that need a global OR.
 void erase_queries(std::vector<isa::Instruction>& instructions);
 
-/// Same as above, for a machine that processes the picture in parts: one segment for each of machines::regions. Some or
-/// all segments are empty, and none returns a result to the host; some skip if the machine has a global OR. Some
-/// Programs have no colour.
+/// As arbitrary_program(), for a machine that processes the picture in parts: one segment for each of
+/// machines::regions. Some or all segments are empty, and none returns a result to the host; some skip if the machine
+/// has a global OR. Some Programs have no colour.
 rc::Gen<isa::Program> arbitrary_program_in_parts(const machines::Machine& machine, std::size_t max_instructions,
                                                  unsigned degree = 1);
 

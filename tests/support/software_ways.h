@@ -51,8 +51,8 @@ class SoftwareScene {
   [[nodiscard]] software::Picture draw(const Way& way, bool counts = false) const;
   /// Describes the first pixel at which the method's picture differs from the expected one; empty if none does.
   [[nodiscard]] std::string fault_of(const Way& way, const std::vector<Seen>& expected) const;
-  /// The same for `ways` consecutive elements of all_ways() from element `number` * `ways` on, cyclically. Methods that
-  /// do not support the tree's depth are omitted.
+  /// fault_of() for `ways` consecutive elements of all_ways() from element `number` * `ways` on, cyclically. Methods
+  /// that do not support the tree's depth are omitted.
   [[nodiscard]] std::string fault_of_some(std::uint64_t number, std::size_t ways,
                                           const std::vector<Seen>& expected) const;
 

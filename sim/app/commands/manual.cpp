@@ -127,9 +127,10 @@ struct Topic {
 constexpr std::array topics{
     Topic{"machines", "the machines, or every parameter of the named ones with its source", print_machines},
     Topic{"methods", "the software methods of csgsim classify, display and trace, with sources", print_methods},
-    Topic{"processors", "the processors for which these methods are priced, or every parameter of the named ones",
+    Topic{"processors", "the processors for which software is timed, or every parameter of the named ones",
           print_processors},
-    Topic{"processes", "the processes in which csgsim explore prices machines, or every parameter of the named ones",
+    Topic{"processes",
+          "the processes for which csgsim explore computes area and energy, or every parameter of the named ones",
           print_processes},
     Topic{"instructions", "the broadcast instruction set, as a Markdown page",
           [](const Options& /*options*/) { fmt::print("{}", isa::instruction_set_page()); }},
@@ -145,8 +146,10 @@ void run(const Options& options) {
   }
   const bool is_of_machines = topic->print == print_machines;
   const bool names_some = is_of_machines || topic->print == print_processors || topic->print == print_processes;
-  if ((!options.machines.empty() && !names_some) || (!options.sets.empty() && !is_of_machines))
-    throw UsageError("NAME", "csgsim manual " + options.topic + " accepts no name and no --set; leave them out");
+  if (!options.machines.empty() && !names_some)
+    throw UsageError("NAME", "csgsim manual " + options.topic + " accepts no name; leave it out");
+  if (!options.sets.empty() && !is_of_machines)
+    throw UsageError("--set", "csgsim manual " + options.topic + " has no parameters to change; leave it out");
   if (is_of_machines && !options.machines.empty() && options.machines != "all")
     for_option("NAME", [&] { check_machines(options.machines); });
   topic->print(options);

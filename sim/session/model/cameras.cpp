@@ -81,7 +81,7 @@ std::vector<view::Camera> read_cameras(const std::filesystem::path& path, std::s
       throw InputError(fmt::format("{}:{}:{}: {}", name, line, indent + error.at() + 1, error.what()));
     }
   }
-  if (cameras.empty()) throw InputError(name + ": no camera; write one a line, as for --camera");
+  if (cameras.empty()) throw InputError(name + ": no camera; write one per line, as for --camera");
   return cameras;
 }
 

@@ -25,7 +25,7 @@ struct ModelFile {
 /// Reads the model. Throws InputError.
 ModelFile read_model_file(const ModelRequest& request);
 
-/// The same for a text that replaces the file's content.
+/// Reads the model from a text that replaces the file's content. Throws InputError.
 ModelFile read_model_text(const ModelRequest& request, const std::string& text);
 model::Tree read_model(const ModelRequest& request);
 

@@ -116,7 +116,7 @@ machines::Machine machine_of(const ModelRequest& request);
 /// and prints the result, except for a frame's camera.
 facet::Faceting faceting_of(const ModelRequest& request, const machines::Machine& machine, const model::Tree& tree);
 
-/// The same for callers that support facets only: throws UsageError if --curves requests curved surfaces.
+/// faceting_of() for callers that support facets only: throws UsageError if --curves requests curved surfaces.
 facet::Faceting flat_faceting_of(const ModelRequest& request, const machines::Machine& machine,
                                  const model::Tree& tree);
 
@@ -130,12 +130,11 @@ emit::Options emit_options_of(const ModelRequest& request);
 /// Work limit of reading and of compiling the model.
 Work work_of(const ModelRequest& request);
 
-/// The camera. With --view-all, or without a camera, it shows the extent of the model
-/// (convex/extent.h).
+/// The camera. With --view-all, or without a camera, it shows the extent of the model (convex/extent.h).
 view::Camera camera_of(const ModelRequest& request, const machines::Machine& machine, const model::Tree& tree,
                        const facet::Geometry& scene);
 
-/// The same for a given camera instead of --camera; its projection is that of the request.
+/// The camera, with `given` in place of --camera; its projection is that of the request.
 view::Camera camera_of(const ModelRequest& request, const machines::Machine& machine, const model::Tree& tree,
                        const facet::Geometry& scene, const std::optional<view::Camera>& given);
 

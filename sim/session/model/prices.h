@@ -10,7 +10,7 @@ namespace csgsim::session {
 /// The prices of a machine's host and of its array, which are reported but decide nothing.
 csg::Prices prices_on(const machines::Machine& machine);
 
-/// The same prices, for `--pruning auto`: tests that do not pay are left out.
+/// prices_on() for `--pruning auto`: tests that are not worth their time are left out.
 csg::Prices weighed_prices_on(const machines::Machine& machine);
 
 }  // namespace csgsim::session

@@ -38,7 +38,7 @@ struct ProgramOnMachine {
 /// get the array of the Program. Throws InputError, or UsageError if a scene key is set for a Program.
 ProgramOnMachine program_of(const ModelRequest& request, const OptionList& options);
 
-/// The same; `chosen_machine` is the value of --machine for a Program, empty if it was not given.
+/// As program_of() with options; `chosen_machine` is the value of --machine for a Program, empty if it was not given.
 ProgramOnMachine program_of(const ModelRequest& request, const std::string& chosen_machine);
 
 }  // namespace csgsim::session

@@ -14,7 +14,7 @@ inline constexpr std::chrono::seconds default_openscad_time = std::chrono::minut
 /// error. Throws InputError if OpenSCAD is missing, reports an error, or exceeds its limits of time, memory or output.
 std::string evaluate_scad(const std::string& file, std::chrono::seconds time_limit = default_openscad_time);
 
-/// The same for a text that replaces the file's content, evaluated in the file's folder; messages name the file.
+/// Evaluates a text that replaces the file's content, in the file's folder; messages name the file.
 std::string evaluate_scad(const std::string& file, std::string_view text,
                           std::chrono::seconds time_limit = default_openscad_time);
 

@@ -161,8 +161,8 @@ class OptionList {
   /// for a value of a settings file.
   void take_given();
 
-  /// The same, after checking that required options are given and that no given option excludes another. Throws
-  /// UsageError.
+  /// Checks that required options are given and that no given option excludes another, then does take_given(). Throws
+  /// UsageError, or InputError like take_given().
   void take();
 
   /// A given option that must not be given together with this one; null if there is none.

@@ -22,14 +22,15 @@ Sets sorted(const std::vector<std::string>& sets);
 /// Throws InputError for an unknown machine name or an invalid parameter change in the name; files are not read.
 void check_machine(const std::string& name);
 
-/// The same for a comma-separated list.
+/// check_machine() for each name of a comma-separated list.
 void check_machines(const std::string& names);
 
 /// The machine with the given parameters; scene keys are ignored. Throws InputError, or UsageError for an invalid
 /// parameter.
 machines::Machine load_machine(const std::string& name, const std::vector<std::string>& sets);
 
-/// The same for the machine that a Program names.
+/// The machine that a Program names, with the given parameters. Throws InputError, or UsageError for an invalid
+/// parameter.
 machines::Machine load_machine(const isa::MachineRecord& record, const std::vector<std::string>& sets);
 
 /// Appends to each machine name those parameters that machines of its kind have, as in `pixel-planes-4+alu.bits=4`.

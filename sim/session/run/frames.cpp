@@ -273,7 +273,7 @@ void FramesRequest::add_to(OptionList& options) {
                  "last frame is a step before the end, so that 360 repeats smoothly");
   options
       .option("--cameras", cameras,
-              "File of one camera a line, as for --camera; # begins a comment. One picture is drawn for each")
+              "File with one camera per line, as for --camera; # begins a comment. One picture is drawn for each")
       .check(not_empty)
       .excludes("--frames")
       .excludes("--orbit")

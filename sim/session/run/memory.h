@@ -33,7 +33,7 @@ auto with_memory(Say say, Call call) {
   }
 }
 
-/// The same for anything that the user can make smaller.
+/// Calls the function. If memory does not suffice for `what`, throws an InputError that suggests a smaller one.
 template <class Call>
 auto with_memory_for(const std::string& what, Call call) {
   return with_memory([&] { return fmt::format("there is not enough memory for {}; take a smaller one", what); }, call);
@@ -44,13 +44,15 @@ auto with_memory_for_picture(const isa::ArrayShape& array, Call call) {
   return with_memory([&] { return short_of_memory({}, array); }, call);
 }
 
-/// The same for a run, with the message of short_of_memory.
+/// Calls the function, which runs Programs. If memory does not suffice, throws an InputError with the message of
+/// short_of_memory().
 template <class Call>
 auto with_memory_for_run(std::span<const isa::Program> programs, const isa::ArrayShape& array, Call call) {
   return with_memory([&] { return short_of_memory(programs, array); }, call);
 }
 
-/// The same for work on several threads; `what` names its items, as in `points`.
+/// Calls the function, which works on several threads. If memory does not suffice, throws an InputError that suggests
+/// fewer threads; `what` names the items of the work, as in `points`.
 template <class Call>
 auto with_memory_for_threads(unsigned threads, const char* what, Call call) {
   const auto say = [&] {

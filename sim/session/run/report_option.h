@@ -56,7 +56,7 @@ report::Picture picture_of(const ModelRequest& model, const machines::Machine& m
 report::StudyContext study_context(const ReportOption& option, const ModelRequest& model,
                                    std::span<const machines::Machine> machines);
 
-/// The same without a picture.
+/// Context of a study's page without a picture.
 report::StudyContext plain_study_context(const ReportOption& option, const std::string& model,
                                          std::span<const machines::Machine> machines);
 

@@ -28,7 +28,7 @@ std::string exr_name(const std::string& name) {
   return ends_in(name, ".exr") || is_unnamed_stream(name) ? "" : "'" + name + "' must end in .exr";
 }
 
-/// The same for an owner picture.
+/// The problem of the name of an owner picture, or an empty string.
 std::string owner_name(const std::string& name) {
   return ends_in(name, ".exr") || ends_in(name, ".png") || is_unnamed_stream(name)
              ? ""
@@ -40,7 +40,7 @@ std::string owner_name(const std::string& name) {
 std::vector<std::string> evaluator_names() { return {"worked-out", "stepped"}; }
 
 systemc::EvaluatorForm evaluator_form(const std::string& evaluator, const std::string& level) {
-  if (evaluator == "worked-out") return systemc::EvaluatorForm::worked_out;
+  if (evaluator == "worked-out") return systemc::EvaluatorForm::computed;
   if (level != "cycle") throw UsageError("--evaluator", "is for the cycle level; add --level cycle");
   return systemc::EvaluatorForm::stepped;
 }

@@ -58,7 +58,7 @@ observe::LongWork long_run(const std::string& level);
 /// An engine of the level with that name.
 std::unique_ptr<engine::Engine> make_engine(const machines::Machine& machine, const std::string& level,
                                             unsigned threads,
-                                            systemc::EvaluatorForm form = systemc::EvaluatorForm::worked_out);
+                                            systemc::EvaluatorForm form = systemc::EvaluatorForm::computed);
 
 /// A Program drawn in memory, without files.
 struct Drawn {

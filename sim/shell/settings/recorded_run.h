@@ -23,7 +23,7 @@ struct RecordedRun {
 /// Throws InputError if the file is not a stats file or has no configuration.
 RecordedRun read_recorded_run(const std::string& file);
 
-/// The same for the file's text.
+/// Reads a run from the text of a stats file. Throws InputError like read_recorded_run().
 RecordedRun parse_recorded_run(const std::string& text, const std::string& file);
 
 /// The command of the run. Throws InputError if that command cannot be repeated.
@@ -38,7 +38,7 @@ std::vector<Setting> recorded_settings(const RecordedRun& run, std::span<const S
 /// file.
 std::vector<std::string> changes_since(const RecordedRun& run);
 
-/// The same for changes that only the configuration of the new run reveals: the machine, and the model with its
+/// Messages about changes that only the configuration of the new run reveals: the machine, and the model with its
 /// included files.
 std::vector<std::string> changes_between(const RecordedRun& run, const nlohmann::ordered_json& configuration);
 

@@ -55,7 +55,7 @@ class Sequences {
     return owners_.seen(events.first(events.size() - at), events.last(at), count);
   }
 
-  /// The same for a ray with known events: those before, and those at that depth.
+  /// The owner of the visible surface of a ray, from its events before the surface and those at the surface's depth.
   std::uint32_t owner(std::span<const Event> before, std::span<const Event> at, Count& count) {
     return owners_.seen(before, at, count);
   }

@@ -33,11 +33,11 @@ csg::BoxIndex::Box index_box(const UnitBox& box) {
 
 /// Maximum distance of merged points, relative to the model's diagonal.
 constexpr double coarsest = convex::relative_tolerance;
-/// The same, relative to the minimum width of a node of the file.
+/// Maximum distance of merged points, relative to the minimum width of a node of the file.
 constexpr double part_of_width = 1e-5;
 /// Maximum displacement of a face to share a plane, relative to the tolerance.
 constexpr double part_of_tolerance = 0.3;
-/// The same, relative to the solid's thickness.
+/// Maximum displacement of a face to share a plane, relative to the solid's thickness.
 constexpr double part_of_thickness = 1e-3;
 /// Minimum tolerance, relative to the diagonal; keeps quotients finite.
 constexpr double finest = 1e-24;

@@ -98,7 +98,7 @@ void ExactFaces::cut(std::span<const Outline> outlines, Body& body) {
   }
 }
 
-/// The same with all faces as neighbours; skips those far from the remaining region.
+/// Cuts each face by all other faces of the body; skips those far from the remaining region.
 void ExactFaces::cut_by_all(std::span<const Outline> outlines, Body& body) {
   body.sides.clear();
   body.box = {};

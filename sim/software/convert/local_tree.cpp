@@ -66,8 +66,8 @@ LocalTree::LocalTree(const csg::PositiveTree& tree, const csg::TreePaths& paths,
   const auto number_of = [&](std::uint32_t node) {
     return static_cast<std::uint32_t>(std::ranges::lower_bound(above, node) - above.begin());
   };
-  std::vector<std::uint32_t> deciding_elsewhere(
-      above.size(), 0);  // number of such operands with a deciding value outside all primitives
+  // By node: number of operands in `above` whose value outside all primitives decides the node.
+  std::vector<std::uint32_t> deciding_elsewhere(above.size(), 0);
   for (const std::uint32_t index : above) {
     const csg::PositiveNode& node = tree.nodes[index];
     Node local{.kind = node.is_leaf ? Kind::leaf : kind_of(node.op), .complemented = node.complemented};

@@ -293,7 +293,7 @@ extern const DisplayRow list_priority_row{.name = "list-priority",
 
 extern const DisplayRow depth_buffer_row{
     .name = "list-priority/depth-buffer",
-    .help = "the same, with a buffer for the depth of the last polygon at each pixel",
+    .help = "list-priority with a buffer for the depth of the last polygon at each pixel",
     .source = "Jansen 1987, 5.2",
     .is_exact = false,
     .run = [](const DisplaySubject& subject, bool counts) {

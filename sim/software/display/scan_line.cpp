@@ -280,7 +280,7 @@ class ScanLines {
   std::vector<std::pair<std::int32_t, std::size_t>> limits_;  ///< columns at which an active facet begins or has ended
   std::vector<std::size_t> inside_;                           ///< active facets in the columns between two limits
   std::vector<LeftEvent> left_;                               ///< events at the left end of a span
-  std::vector<Event> events_;                                 ///< the same events without facets
+  std::vector<Event> events_;                                 ///< the events of left_, without facets
   std::size_t seen_by_ = 0;                                   ///< number of these events up to the visible one
   std::vector<OverSpan> over_;                                ///< indexed by active facet
 };

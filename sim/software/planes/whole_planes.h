@@ -42,7 +42,7 @@ class WholePlanes {
 
   /// All points must be within half the table's diagonal of its centre.
   explicit WholePlanes(const facet::PlaneTable& planes) : WholePlanes(planes, planes.diagonal()) {}
-  /// The same with another length in place of the diagonal.
+  /// All points must be within half of `diameter` of the table's centre.
   WholePlanes(const facet::PlaneTable& planes, double diameter);
   /// The box must contain everything; it has the same origin as the planes' offsets. In model units.
   WholePlanes(std::span<const facet::Plane> planes, const facet::Box& box);
@@ -89,7 +89,8 @@ class WholePlanes {
 
   /// -1 behind the plane, 0 on it, 1 in front of it; exact.
   [[nodiscard]] int side(const Meeting& point, std::uint32_t plane) const;
-  /// The same; stores the exact point, if needed, for later calls.
+  /// -1 behind the plane, 0 on it, 1 in front of it; exact. Stores the exact point in `exactly`, if it was needed, for
+  /// later calls.
   [[nodiscard]] int side(const Meeting& point, std::uint32_t plane, std::optional<Point>& exactly) const;
 
  private:

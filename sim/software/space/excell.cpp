@@ -217,7 +217,7 @@ extern const DirectoryRow excell_row{
     "excell", "halved cells found by address computation, visited from query point to query point",
     "Tamminen 1981; Jansen 1987, 5.1.3, algorithm 5.3", made_directory<Excell>, true};
 extern const DirectoryRow recursive_excell_row{"excell-recursive",
-                                               "the same cells, visited by clipping the ray to halves of the array",
+                                               "halved cells, visited by clipping the ray to halves of the array",
                                                "Jansen 1987, algorithm 5.4", made_directory<RecursiveExcell>};
 
 }  // namespace csgsim::software

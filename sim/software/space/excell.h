@@ -67,7 +67,7 @@ class ExcellCells {
   struct Looked {
     bool is_cell = false;
     std::span<const std::uint32_t> facets;
-    Range range;  ///< the same positions; in the cell's own directory if it has one
+    Range range;  ///< the range looked up; in the cell's own directory if it has one
   };
   template <class Count>
   Looked look(Range range, Count& count) const {

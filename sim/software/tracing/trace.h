@@ -20,17 +20,17 @@ struct TraceLight {
   glm::dvec3 where{0};
 };
 
-/// How the test of primary rays against a facet is counted. The picture always results from the integers.
+/// How the test of primary rays against a facet is counted. The picture does not depend on it.
 enum class FacetTest : std::uint8_t {
   space,      ///< as a test against a polygon in space, as for secondary rays
   projected,  ///< as a test in the picture after transforming all facets: rectangle first, then edges
 };
 
-/// Replacement of primary rays.
+/// How the facets that primary rays hit are found: by casting the rays, or by drawing facets.
 enum class ItemPass : std::uint8_t {
   none,
   depth_lists,    ///< scan-converts all facets and classifies the sorted events of each row
-  list_priority,  ///< the same items, at the cost given by TraceOptions::list_priority
+  list_priority,  ///< as depth_lists, but counted at the cost given by TraceOptions::list_priority
 };
 
 /// Cost of drawing the same picture by list priority.

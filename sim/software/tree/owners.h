@@ -48,8 +48,8 @@ class Owners {
     return first_visible(count);
   }
 
-  /// The same for a ray's intervals and the depth at which it enters; `active` are the primitives that contain that
-  /// point.
+  /// The owner of the visible surface of a ray with these intervals, which enters the solid at `depth`; `active` are
+  /// the primitives that contain that point.
   std::uint32_t seen(std::span<const Interval> intervals, std::uint32_t depth, std::span<const std::uint32_t> active,
                      Count& count) {
     collect(intervals, depth, count);

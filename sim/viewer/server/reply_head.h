@@ -11,7 +11,7 @@ namespace csgsim::viewer {
 /// Status line and header fields of a reply.
 std::string reply_head(const Reply& reply, bool keeps_alive);
 
-/// The same for an event stream, which ends with its connection.
+/// Status line and header fields of an event stream, which ends with its connection.
 std::string stream_head();
 
 }  // namespace csgsim::viewer

@@ -55,7 +55,7 @@ struct Board {
       : machine(described),
         program(std::move(drawn)),
         hardware(std::make_unique<pixel_square::PixelSquareMachine>("pixel_square", machine,
-                                                                    systemc::EvaluatorForm::worked_out)),
+                                                                    systemc::EvaluatorForm::computed)),
         sampler("sampler", machine) {
     wave::Request request;
     request.pixels = std::move(pixels);

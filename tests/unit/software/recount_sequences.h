@@ -37,7 +37,7 @@ class SequenceRecount {
   /// Owner of the visible surface among entering events `at`, after the events `before`.
   std::uint32_t owner(std::span<const software::Event> before, std::span<const software::Event> at,
                       software::Counts& counts) const;
-  /// The same for a sequence whose last `at` surfaces are entered.
+  /// Owner of the visible surface of a sequence whose last `at` surfaces are entered.
   std::uint32_t owner(const Sequence& sequence, std::size_t at, software::Counts& counts) const;
   /// Returns the visible surface of a ray's events; `used` is their number up to it, or all.
   software::Seen along(std::span<const software::Event> events, std::uint32_t farthest, std::size_t& used,
