@@ -226,7 +226,7 @@ TEST_CASE("explore writes nothing if no model can be read") {
   CHECK(folder.files() == 0);
 }
 
-TEST_CASE("explore omits the area axis for machines without priced pixels") {
+TEST_CASE("explore omits the area axis for machines without transistor counts") {
   const Folder folder;
   succeeded(run("explore " + model("thesis_fig_2_3") + small +
                 " --machine scan-line --vary chains.count=1,4 --no-plots -o " + (folder / "e")));
@@ -298,7 +298,7 @@ TEST_CASE("explore --process sets the machine's clock and the knee's command sta
   CHECK(file["points"][0]["clock_hz"] > file["points"][2]["clock_hz"]);
 }
 
-TEST_CASE("an unsynthesised machine has no price and a changed process is measured again") {
+TEST_CASE("an unsynthesized machine has no area and a changed process is measured again") {
   const Folder folder;
   const std::string command = "explore " + model("thesis_fig_2_3") + small + " --no-plots -o " + (folder / "e");
   succeeded(run(command + " --machine scan-line --process nmos-3um --vary chains.count=1,4"));

@@ -27,7 +27,7 @@ TEST_CASE("--pruning auto equals all where the host is ideal") {
   CHECK(compiled(ideal + "--pruning auto") == compiled(ideal + "--pruning all"));
 }
 
-TEST_CASE("every machine draws the same picture with all prunings, none, and those that pay") {
+TEST_CASE("every machine draws the same picture with --pruning all, none and auto") {
   for (const char* const machine : {"pixel-planes-4", "pixel-planes-4+host.processor=ideal", "pixel-planes-5",
                                     "scan-line", "pixel-square+divider.kind=host", "pixel-powers"}) {
     const Folder folder;

@@ -10,7 +10,7 @@
 
 using namespace csgsim::testing::cli;
 
-TEST_CASE("accuracy measures and plots every knob and reuses its points") {
+TEST_CASE("accuracy measures and plots every setting and reuses its points") {
   const Folder folder;
   const std::string command = "accuracy " + model("old_example011") + " --size 48x48 --views 2 -o " + (folder / "a");
   succeeded(run(command));

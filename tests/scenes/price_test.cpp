@@ -61,8 +61,8 @@ double worst_ratio(const std::string& effect, const Price& price) {
     sum += ratio;
     ++count;
   }
-  MESSAGE(effect, ": ", count, " primitives, ", worst, " times their rectangles' work at most, ", sum / count,
-          " on average");
+  MESSAGE(effect, ": ", count, " primitives, ", worst, " times the clocks of overlapping surfaces at most, ",
+          sum / count, " on average");
   return worst;
 }
 
@@ -76,20 +76,20 @@ constexpr double most = 1.2;
 
 }  // namespace
 
-TEST_CASE("glass on one primitive costs at most 1.2 times the work of its rectangle") {
+TEST_CASE("glass on a primitive takes at most 1.2 times the clocks of overlapping surfaces") {
   CHECK(worst_ratio("transparency", [](const testing::Compiled& compiled, std::size_t i) {
           return charged("[[materials]]\n" + only_line(compiled.tree.primitives[i]) + "opacity = 0.5\n");
         }) <= most);
 }
 
-TEST_CASE("the shadow of one primitive costs at most 1.2 times the work of its rectangle") {
+TEST_CASE("a primitive's shadow takes at most 1.2 times the clocks of overlapping surfaces") {
   CHECK(worst_ratio("shadows", [](const testing::Compiled& compiled, std::size_t i) {
           return charged("[[lights]]\ndirection = [-0.5, 0.75, -0.9]\n[effects.shadows]\n" +
                          only_line(compiled.tree.primitives[i]));
         }) <= most);
 }
 
-TEST_CASE("smoothness of one primitive costs at most 1.2 times the work of its rectangle") {
+TEST_CASE("a primitive's smoothness takes at most 1.2 times overlapping surfaces' clocks") {
   const testing::DrawnScene smooth = testing::compile_scene(vehicle("[effects.smooth]\n"), side, side);
   const machines::Machine machine = kinds::load("pixel-planes-4");
   CHECK(worst_ratio("smooth", [&](const testing::Compiled& /*compiled*/, std::size_t i) {

@@ -46,10 +46,10 @@ class PlainAlu {
 
   [[nodiscard]] std::uint64_t value() const { return value_; }  ///< low bits of the result
   // Results of a difference x - y:
-  [[nodiscard]] bool less() const {
-    return negative_x_ != negative_y_ ? negative_x_ : negative_;
-  }                                                    ///< signed comparison
-  [[nodiscard]] bool below() const { return carry_; }  ///< unsigned comparison
+  /// Signed comparison.
+  [[nodiscard]] bool less() const { return negative_x_ != negative_y_ ? negative_x_ : negative_; }
+  /// Unsigned comparison.
+  [[nodiscard]] bool below() const { return carry_; }
   [[nodiscard]] bool equal() const { return !differs_; }
   [[nodiscard]] bool fits() const { return !negative_x_ && !beyond_; }  ///< whether x fits the field
 

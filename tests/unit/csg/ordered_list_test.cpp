@@ -219,7 +219,7 @@ std::uint32_t ceil_log2(std::uint32_t n) { return static_cast<std::uint32_t>(std
 
 }  // namespace
 
-TEST_CASE("a tree without operands is an empty list and visible at once") {
+TEST_CASE("a tree without operands is an empty list, which removes no pixel") {
   const OrderedList list = csg::make_ordered_list({});
   CHECK(list.leaves.empty());
   CHECK(execute(list, {}) == true);

@@ -94,7 +94,7 @@ TEST_CASE("each surface of a notched cube takes a test of the other cube by the 
   CHECK(*program.model_preparation == isa::Preparation{.supports = supports, .nodes = 3 + 12 + 12 * 4 + 16 * 3});
 }
 
-TEST_CASE("prunings that do not pay are left out, and all are done where the host is free") {
+TEST_CASE("prunings not worth their time are left out; none is if the host takes no time") {
   const std::string notched = "difference() {" + cube + moved + "{" + cube + "} }";
   testing::Setup setup = setup_of({});
   const auto facts_at = [&](const csg::Prices& prices, std::string_view name) {

@@ -22,23 +22,22 @@ machines::Machine machine_with(std::uint32_t count, const std::string& name = "p
   return machine;
 }
 
-/// A drawing of two instructions.
-const std::vector<isa::Instruction> drawing{{.opcode = isa::Opcode::enable_all},
-                                            {.opcode = isa::Opcode::enable_invert}};
+/// A chunk of two instructions.
+const std::vector<isa::Instruction> chunk{{.opcode = isa::Opcode::enable_all}, {.opcode = isa::Opcode::enable_invert}};
 
-isa::Segment segment_of(unsigned drawings, std::uint64_t boxes) {
+isa::Segment segment_of(unsigned chunks, std::uint64_t boxes) {
   isa::Segment segment{.region = {0, 0, 64, 64}, .instructions = {}};
-  for (unsigned i = 0; i < drawings; ++i)
-    segment.instructions.insert(segment.instructions.end(), drawing.begin(), drawing.end());
+  for (unsigned i = 0; i < chunks; ++i)
+    segment.instructions.insert(segment.instructions.end(), chunk.begin(), chunk.end());
   segment.preparation->boxes = boxes;
   return segment;
 }
 
-host::Written written(unsigned drawings, unsigned link_width) {
+host::Written written(unsigned chunks, unsigned link_width) {
   host::Writer writer(link_width);
   writer.begin({});
-  for (unsigned i = 0; i < drawings; ++i)
-    for (const isa::Instruction& one : drawing) writer.add(one);
+  for (unsigned i = 0; i < chunks; ++i)
+    for (const isa::Instruction& one : chunk) writer.add(one);
   return writer.written();
 }
 
@@ -48,17 +47,17 @@ Operations sum_of(std::initializer_list<Operations> parts) {
   return all;
 }
 
-Operations merged(std::uint64_t longs, std::uint64_t drawings) {
+Operations merged(std::uint64_t longs, std::uint64_t chunks) {
   return sum_of({longs * made({{Operation::load_long, 1},
                                {Operation::store_long, 1},
                                {Operation::add_long, 2},
                                {Operation::compare_long, 1},
                                {Operation::branch_taken, 1}}),
-                 drawings * made({{Operation::load_long, 2},
-                                  {Operation::add_long, 1},
-                                  {Operation::compare, 1},
-                                  {Operation::branch, 1},
-                                  {Operation::store_long, 1}})});
+                 chunks * made({{Operation::load_long, 2},
+                                {Operation::add_long, 1},
+                                {Operation::compare, 1},
+                                {Operation::branch, 1},
+                                {Operation::store_long, 1}})});
 }
 
 Operations share(const isa::Program& program, const machines::Machine& machine) {
@@ -67,21 +66,21 @@ Operations share(const isa::Program& program, const machines::Machine& machine) 
 
 }  // namespace
 
-TEST_CASE("processors of a host take drawings in turn and the first one merges") {
+TEST_CASE("processors of a host take chunks in turn and the first one merges") {
   const machines::Machine two = machine_with(2);
   isa::Program program;
   program.shape = two.array;
   program.preparation->planes = 30;
   program.segments = {segment_of(3, 12), segment_of(1, 8)};
-  // The first processor has drawings 0 and 2, the second drawing 1 and that of the second segment. Of the planes, in
-  // three parts, the first has two parts.
+  // The first processor has chunks 0 and 2, the second has chunk 1 and the chunk of the second segment. Of the planes,
+  // in three parts, the first has two parts.
   const host::Written of_second = written(2, two.link.width);
   const std::uint64_t longs = of_second.longs + of_second.kept_longs;
   CHECK(share(program, two) == sum_of({20 * host::recipe("planes"), 8 * host::recipe("boxes"),
                                        host::count_operations(written(2, two.link.width)), merged(longs, 2)}));
 }
 
-TEST_CASE("more processors than drawings do not make the largest share smaller") {
+TEST_CASE("more processors than chunks do not make the largest share smaller") {
   isa::Program program;
   program.shape = machine_with(1).array;
   program.preparation->planes = 32;
@@ -117,7 +116,7 @@ TEST_CASE("several processors need more than an even share and less than one alo
   }
 }
 
-TEST_CASE("a segment without drawings is prepared by one processor") {
+TEST_CASE("a segment without chunks is prepared by one processor") {
   const machines::Machine two = machine_with(2);
   isa::Program program;
   program.shape = two.array;

@@ -100,7 +100,7 @@ TEST_CASE("the cone simulation brings red and green together but not blue and ye
         doctest::Approx(between("#ffffff", "#808080", all_cones)).epsilon(0.01));
 }
 
-TEST_CASE("lines are distinct by colour to every viewer and by lightness in grey") {
+TEST_CASE("lines differ in grey and in normal and red-green-blind vision") {
   for (const std::vector<std::string_view>& colours : {line_colours(), dark_page_colours()}) {
     for (const Matrix& sight : {all_cones, no_green_cone, no_red_cone}) CHECK(least_difference(colours, sight) > 18);
     CHECK(least_lightness_difference(colours) > 6);

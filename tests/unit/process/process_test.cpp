@@ -362,7 +362,7 @@ TEST_CASE("a process lists its parameters in the order of its file with unit and
   CHECK(none.adder_energy + none.register_energy + none.memory_energy + none.wire_energy == 0);
 }
 
-TEST_CASE("unsynthesised machines have no cost in any process") {
+TEST_CASE("unsynthesized machines have no area or energy in any process") {
   const Process one = process::load_process("cmos-45nm");
   for (const std::string machine : {"scan-line", "multi-processor", "pixel-planes-4+alu.bits=3"}) {
     CAPTURE(machine);

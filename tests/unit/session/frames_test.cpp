@@ -207,7 +207,7 @@ TEST_CASE("the work for the model is done again when the camera changes its face
   CHECK(compiler.compile(path[0]).model_preparation->nodes > 0);  // the third is nearer
 }
 
-TEST_CASE("reads one camera a line and ignores comments and blank lines") {
+TEST_CASE("reads one camera per line and ignores comments and blank lines") {
   const CameraFile file("# a path\n\n 1,2,3,4,5,6  # first\r\n\t0,0,5,70,30,210,100\n7,8,9,0,0,0");
   const std::vector<view::Camera> cameras = session::read_cameras(file.path(), 3);
   REQUIRE(cameras.size() == 3);
@@ -241,7 +241,7 @@ TEST_CASE("frames are numbered by a mark or behind the name and share one .gif")
     CHECK(testing::usage_error_of([&] { session::frame_paths(wrong, 2); }).find("out_%03d.png") != std::string::npos);
 }
 
-TEST_CASE("frames are asked for by their number or by a file of cameras") {
+TEST_CASE("frames are requested by their number or by a file of cameras") {
   CHECK_FALSE(FramesRequest{}.is_asked());
   CHECK(Parsed<FramesRequest>({"--frames", "2"}).options.is_asked());
   CHECK(Parsed<FramesRequest>({"--cameras", "c.txt"}).options.is_asked());

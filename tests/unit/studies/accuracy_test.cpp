@@ -198,7 +198,7 @@ TEST_CASE("exact curves are limited by arithmetic and facets by their tolerance"
   CHECK(row("exact").halfspaces < row("facets").halfspaces);
 }
 
-TEST_CASE("accuracy varies only the requested knobs") {
+TEST_CASE("accuracy varies only the requested settings") {
   studies::Knobs knobs{{"tolerance", "size"}, {0.5, 0.25}, {}};
   std::vector<std::string> points;
   for (const studies::Settings& one : studies::points(small_sampling(), {}, knobs))

@@ -98,7 +98,7 @@ TEST_CASE("an empty row of explore has zeros and empty cells in the order of its
   CHECK_FALSE(refused_row("m", "1", 8, "why").is_compiled());
 }
 
-TEST_CASE("each axis of explore reads its value from a row or has none without a price") {
+TEST_CASE("each axis of explore reads its value from a row, which may have none") {
   ExploreRow row;
   row.frames_per_second = 40;  // 25 ms each
   row.machine_transistors = 7000;

@@ -203,7 +203,7 @@ TEST_CASE("designs that differ in one option or parameter are distinct") {
   CHECK(studies::DesignGrid({}, {{"alu.bits", {"1", "2"}}}, {}).designs().size() == 2);
 }
 
-TEST_CASE("designs without a price are on no front and an axis without prices is dropped") {
+TEST_CASE("designs without a value on an axis are on no front; an empty axis is dropped") {
   const std::vector<ExploreRow> rows{row("m", "a", 10, 100, 0), row("m", "b", 20, 50, 0, std::nullopt),
                                      row("m", "c", 5, 200, 0)};
   std::vector<studies::ExploreGroup> groups = studies::groups_of(rows, studies::parse_axes("time,area,memory"));

@@ -149,7 +149,7 @@ TEST_CASE("points of a sweep that cannot be compiled are in no plot") {
   CHECK(studies::plots_of_sweep(rows, "a").empty());
 }
 
-TEST_CASE("values of a knob are placed along the x axis by size") {
+TEST_CASE("values of a setting are placed along the x axis by size") {
   std::vector<studies::Measurement> rows(5);
   const Words values{"1/4", "1/16", "128x64", "0.125", "12"};
   const Words knobs{"edge-on", "edge-on", "size", "tolerance", "z-bits"};
