@@ -24,7 +24,7 @@ void add_gather(shell::CommandLine& line, std::span<const studies::StudyRow* con
       "  csgsim sweep carburettor.csg --shard 2/2 -o out\n"
       "  csgsim gather out\n"
       "Shards may run at the same time, on any number of computers. A shard that was killed keeps its measurements;\n"
-      "repeat its command to continue. docs/cluster.md has scripts for Slurm, GNU Parallel and MPI launchers.");
+      "repeat its command to continue. docs/design-space.md has commands for Slurm, GNU Parallel and MPI launchers.");
   request->add_to(command);
   command.prints_summary();
   command.runs([request, studies] { run_gather(studies, *request); });

@@ -21,10 +21,9 @@ def with_lates(figures, change):
     return cells
 
 
-def lines(figures, key, *values):
-    head = [key.split(".")[1], *(cell for model in THESIS_MODELS for cell in (model, "late"))]
-    head[0] = {"count": "chains", "width": "bits"}[head[0]]
-    return ruled(head, [(value, *with_lates(figures, f"{key}={value}")) for value in values])
+def chains(figures, *counts):
+    head = ("chains", *(cell for model in THESIS_MODELS for cell in (model, "late")))
+    return ruled(head, [(count, *with_lates(figures, f"chains.count={count}")) for count in counts])
 
 
 def scan_line(figures):
@@ -42,8 +41,7 @@ def scan_line(figures):
                   "link.width", "cells.ports", "cells.alu_bits", "cells.shift_bits", "memory.clear_clocks", "link.fifo_depth", "link.latency", "host.bucket_clocks",
                   "host.active_clocks"))),
               ("`host.bucket_clocks` 400, `host.active_clocks` 160", "host.bucket_clocks=400", "host.active_clocks=160"),
-              ("`link.fifo_depth` 1", "link.fifo_depth=1"), ("`link.fifo_depth` 256", "link.fifo_depth=256"),
-              ("`chains.count` 4", "chains.count=4"), ("`chains.count` 16", "chains.count=16")]
+              ("`link.fifo_depth` 1", "link.fifo_depth=1"), ("`link.fifo_depth` 256", "link.fifo_depth=256")]
     return ruled(("", *THESIS_MODELS), [(name, *thousands(clocks(figures, "scan-line", *changes))) for name, *changes in varied])
 
 

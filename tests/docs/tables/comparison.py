@@ -14,10 +14,15 @@ def at_full_size(points, machine):
     return point(points, machine=machine, width=512, fragments=0.0)
 
 
+def two_digits(value):
+    digits = f"{value:.2g}"
+    return f"{float(digits):.0f}" if "e+" in digits else digits
+
+
 def machine_row(machine, each):
     pace = each.frames_per_second
     return row(f"`{machine}`", f"{each.clocks:,}", f"{each.simulated_seconds * 1e3:,.2f}", f"{pace:.{1 if pace >= 0.5 else 2}f}",
-               f"{each.hosted_frames_per_second:.2g}",
+               two_digits(each.hosted_frames_per_second),
                four_digits(each.pixel_operations), f"{each.processors:,}", four_digits(each.processor_clocks),
                f"{each.machine_memory_bits:,}", f"{100 * each.utilisation:.1f} %")
 

@@ -6,8 +6,6 @@ from figures import ruled
 PROCESSORS = 108  # number of streaming multiprocessors
 CLOCK = 1.41e9  # Hz
 LANES = 64  # integer operations per clock and processor
-SHARED = 164 * 1024  # bytes of shared memory per processor
-RESERVED = 1024  # of these reserved for the system, per block
 SHARED_WIDTH = 128  # bytes per clock and processor
 LINK = 31.5e9  # bytes per second over 16 lanes of PCI Express 4
 # Clocks measured by Abdelkhalik and others, arXiv 2208.11174.
@@ -15,11 +13,8 @@ DEPENDENT = 4  # from an operation to a dependent one
 SHARED_LATENCY = 23
 L2_LATENCY = 200
 
-# Our tile: a block of threads, each with a word of 32 pixels of every plane. Tiles classified by corners store numbers
-# directly, 4 bytes each.
+# Our tile: a block of threads, each with a word of 32 pixels of every plane in shared memory.
 THREADS = 64 * 64 // 32
-BITS = 72  # bits of memory per pixel, without E
-NUMBERS, NUMBER_BITS = 3, 64  # two depths and a colour, and their bits of BITS
 CHAIN = 10  # dependent operations that classify a word by its corners, or a single pixel, after two shared-memory reads
 STEP = 15  # operations of a word's bit step: sum and carry under E, and the next bits of F, for 32 pixels at once
 STEP_BYTES = 12  # bytes of shared memory: two bits of each pixel are read, one is written
@@ -29,15 +24,6 @@ MEETING = 3 * L2_LATENCY  # clocks of a barrier over all blocks: increment, poll
 CORE_SECONDS = 40e-9  # per instruction and tile on one core, from the section What bounds it
 
 SUBJECTS = (("carburettor", "512x512"), ("vehicle", "512x512"), ("house", "512x512"), ("carburettor", "2048x2048"))
-
-
-def tile_bytes(bits, numbers=0):
-    return (bits + 1) * 64 * 64 // 8 + numbers * 4 * 64 * 64
-
-
-def blocks(size):
-    """Number of tiles of `size` bytes that fit into a processor's shared memory."""
-    return SHARED // (size + RESERVED)
 
 
 def chain():
@@ -71,19 +57,6 @@ def seconds(work, dense):
     return (max(longest, everything / PROCESSORS) + work["stretches"] * MEETING) / CLOCK
 
 
-def tile(_):
-    """Cost of a tile and of an instruction."""
-    sizes = tile_bytes(BITS), tile_bytes(BITS - NUMBER_BITS, NUMBERS)
-    rows = [("bytes of shared memory per tile", *(f"{size:,}" for size in sizes)),
-            ("concurrent tiles per SM, per GPU", *(f"{blocks(size)}, {blocks(size) * PROCESSORS}" for size in sizes)),
-            ("operations of an instruction at a tile", f"{STEP * THREADS:,} per clock of the machine", f"{CHAIN * THREADS:,}; twice that if open"),
-            ("bytes to and from shared memory", f"{STEP_BYTES * THREADS:,} per clock of the machine", f"{8 * THREADS:,}; twice that if open"),
-            (f"operations per byte (an SM sustains {LANES / SHARED_WIDTH:.1f})", f"{STEP / STEP_BYTES:.2f}", f"{CHAIN / 8:.2f}"),
-            ("clocks of the GPU, if operations are the only limit", f"{step_clocks():.0f} per clock of the machine", f"{CHAIN * THREADS / LANES:.0f}"),
-            ("clocks from an instruction to the next", "the same", f"{chain()}; twice that if open")]
-    return ruled((f"{BITS} bits per pixel", "bit by bit", "by corners"), rows)
-
-
 def estimate(figures):
     head = ("model", "pixels", "tiles", "instructions at tiles", "side by side", "one core, ms", "GPU bit by bit, ms",
             "GPU by corners, ms", "equivalent cores", "picture to the host, ms")
@@ -95,11 +68,3 @@ def estimate(figures):
         rows.append((model, size.replace("x", " × "), work["tiles"], f"{work['instructions']:,}", f"{work['instructions'] / work['longest']:.1f}",
                      f"{core * 1e3:.1f}", f"{seconds(work, dense=True) * 1e3:.1f}", f"{gpu * 1e3:.1f}", f"{core / gpu:.0f}", f"{pixels(size) * PICTURE / LINK * 1e3:.1f}"))
     return ruled(head, rows, numbers_from=2)
-
-
-def published(_):
-    rows = [("processors (SM), clock", f"{PROCESSORS}, {CLOCK / 1e9:.2f} GHz"), ("integer operations per clock per SM", LANES),
-            ("shared memory per SM", f"{SHARED // 1024} KiB, {SHARED_WIDTH} bytes per clock"),
-            ("latency of a dependent operation", f"{DEPENDENT} clocks"),
-            ("latency of shared memory, of the L2 cache", f"{SHARED_LATENCY}, {L2_LATENCY} clocks")]
-    return ruled(("NVIDIA A100", ""), rows)

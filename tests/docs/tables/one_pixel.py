@@ -55,7 +55,7 @@ def extents(figures):
     for box in BOXES:
         fronts, backs = ([hand.depth(box, face, X, Y) for face in faces] for faces in (by_hand.FRONTS, by_hand.BACKS))
         rows.append((box, minus(", ".join(map(str, fronts))), max(fronts), ", ".join(map(str, backs)), min(backs)))
-    return ruled(("box", "forward planes", "front (maximum)", "backward planes", "back (minimum)"), rows)
+    return ruled(("box", "front planes", "front (maximum)", "back planes", "back (minimum)"), rows)
 
 
 HOLDS = {"Z2": "depth of the nearest surface drawn before", "Z1": "depth of the surface being processed",
@@ -71,8 +71,8 @@ def memory(figures):
 
 WHAT = {
     "setup": "Z2 := 255 (nothing), colour := background",
-    "render": "edge tests; maximum of the forward planes into Z1; are the backward planes behind it?",
-    "N render": "edge tests; minimum of the backward planes into Z1; Z1 := 255 where a forward plane is not before it",
+    "render": "edge tests; maximum of the front planes into Z1; are the back planes behind it?",
+    "N render": "edge tests; minimum of the back planes into Z1; Z1 := 255 where a front plane is not before it",
     "test": "Z1 < Z2? The mask stores the result", "N in B test": "enable all pixels; Z1 < Z2? The mask stores the result",
     "skip": "if no pixel is enabled, skip the rest of {box}", "classify": "is Z1 in {other}? E holds the result",
     "mask": "where it is in N, mask := 0; E := mask", "N mask": "mask := E", "merge": "Z2 := Z1",
@@ -162,7 +162,7 @@ def serial(figures):
 
 WHY = {
     "setup": "one clock per bit written: 8 of Z2, 24 of the colour; 1 to enable all pixels",
-    "render": "one clock per bit of F; forward planes are streamed twice, to compare and to write",
+    "render": "one clock per bit of F; front planes are streamed twice, to compare and to write",
     "classify": "one clock per bit of F; also the tests whether any pixel is enabled",
     "stack": "one clock per bit; 8 to set Z1 to 255",
     "merge": "two clocks per bit to compare Z1 with Z2, because one port reads both; one per bit to copy",

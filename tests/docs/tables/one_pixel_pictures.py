@@ -71,7 +71,7 @@ def final(story, followed):
 
 
 def facets(story, followed):
-    """Z1 of A, and its greatest forward plane at each pixel."""
+    """Z1 of A, and its greatest front plane at each pixel."""
     after, hand = story.step("A render").after, story.hand
     words = {"x": "X = 12, the right side", "y": "Y = 0, the left side", "z": "Z = 4, the top"}
 

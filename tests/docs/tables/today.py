@@ -27,6 +27,12 @@ def compared(figures, model, machines=tuple(dict.fromkeys((*MACHINES, *CHANGED))
     return dict(zip(machines, points, strict=True))
 
 
+def milliseconds(seconds):
+    """Milliseconds with three digits, without an exponent."""
+    digits = f"{seconds * 1e3:.3g}"
+    return f"{float(digits):,.0f}" if "e" in digits else digits
+
+
 def times(figures):
     """Seconds of a frame, by model and machine."""
     return {(model, machine): point.simulated_seconds for model in THESIS_MODELS for machine, point in compared(figures, model).items()}
@@ -44,7 +50,7 @@ def models(figures):
         points = compared(figures, model)
         for machine in MACHINES:
             point = points[machine]
-            lines.append(row(f"`{machine}`", f"{point.clocks:,}", f"{point.simulated_seconds * 1e3:,.3g}", f"{point.frames_per_second:.3g}", joules(machine, point)))
+            lines.append(row(f"`{machine}`", f"{point.clocks:,}", milliseconds(point.simulated_seconds), f"{point.frames_per_second:.3g}", joules(machine, point)))
     return "\n".join(lines)
 
 
@@ -53,7 +59,7 @@ def corpus(figures):
     for model in CORPUS:
         points = compared(figures, f"tests/{model}.csg", MACHINES, "--view-all ")
         energies = (DIGITAL, "simdram-ddr4", "ambit-ddr4")
-        rows.append((model.split("/")[1], *(f"{points[machine].simulated_seconds * 1e3:,.3g}" for machine in MACHINES),
+        rows.append((model.split("/")[1], *(milliseconds(points[machine].simulated_seconds) for machine in MACHINES),
                      *(joules(machine, points[machine]) for machine in energies)))
     return ruled(("model", *(f"`{machine}`" for machine in MACHINES), "J, digital", "J, SIMDRAM", "J, Ambit"), rows)
 
@@ -63,8 +69,8 @@ def worth(figures, choices):
     rows = []
     for name, change in choices:
         points = [points[DIGITAL + change] for points in of_models]
-        rows.append((name, *(f"{point.simulated_seconds * 1e3:.3g}" for point in points), *(joules(DIGITAL, point) for point in points)))
-    return ruled(("", *(f"{model}, ms" for model in THESIS_MODELS), *("J" for _ in THESIS_MODELS)), rows)
+        rows.append((name, *(milliseconds(point.simulated_seconds) for point in points), *(joules(DIGITAL, point) for point in points)))
+    return ruled(("", *(f"{model}, ms" for model in THESIS_MODELS), *(f"{model}, J" for model in THESIS_MODELS)), rows)
 
 
 def lacking(figures):
