@@ -11,7 +11,7 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAMS = {"apt": "apt-get", "dnf": "dnf", "pacman": "pacman", "zypper": "zypper", "apk": "apk", "brew": "brew"}
-QUERIES = {"dnf": "rpm", "zypper": "rpm"}  # the program that tells what is installed, if it is another one
+QUERIES = {"dnf": "rpm", "zypper": "rpm"}  # the program that lists what is installed, if it is another one
 COMMON = ("sh", "awk", "sed", "tr", "id", "dirname", "cat", "grep", "env", "basename")
 GROUPS = ("build", "pictures", "convert", "text")
 
