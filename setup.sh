@@ -1,5 +1,5 @@
 #!/bin/sh
-# Sets up csgsim on Debian 12: installs missing packages, builds, and runs the command.
+# Builds csgsim and runs a command. On Debian it installs missing packages; elsewhere it prints how to install them.
 set -eu
 cd "$(dirname "$0")"
 
@@ -12,9 +12,14 @@ Usage: ./setup.sh COMMAND
   package
          make the Debian packages csgsim, libcsgsim-dev and python3-csgsim in build/; install them with
          apt install ./build/csgsim*.deb
-  install-test
-         install that package in a minimal Debian 12, downloaded into a chroot, and draw there; the log is
-         build/install-test.log
+  packages [MANAGER]
+         print the packages that the program needs to be built, here or with apt, dnf, pacman, zypper, apk or brew
+  install-test [bookworm|trixie]
+         build the packages from source in a Debian 12 or 13, downloaded into a chroot, install them in another, minimal
+         one, and draw there; the log is build/install-test.log
+  container-test
+         carry out the Containerfile in chroots, without a container engine, and draw; the log is
+         build/container-test.log
   asan [core]
          build everything with clang, warnings as errors, with address and undefined-behaviour sanitizers, and run the
          suite; with core, only the tests of reading files, compiling and simulating
@@ -57,46 +62,24 @@ Usage: ./setup.sh COMMAND
 TEXT
 }
 
-build_packages="g++ cmake ninja-build pkg-config libsystemc-dev libglm-dev libopenimageio-dev libpng-dev
-  libcli11-dev tao-pegtl-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libboost-dev libhwy-dev libedit-dev
-  libcgal-dev libpolyclipping-dev libpugixml-dev libminizip-dev zlib1g-dev libfontconfig-dev libfreetype-dev libharfbuzz-dev
-  fonts-liberation python3-dev python3-numpy pybind11-dev"
-test_packages="fonts-dejavu-core fonts-liberation2 doctest-dev librapidcheck-dev gnuplot-nox verilator yosys iverilog valgrind make
-  python3 man-db mandoc zsh fish binutils-m68k-linux-gnu"
-clang_packages="clang libclang-rt-14-dev lld"
+. cmake/packages.sh
+
+program_groups="build pictures convert text"
+# shellcheck disable=SC2086
+build_packages=$(packages apt $program_groups python)
+test_packages=$(packages apt test)
+clang_packages="clang libclang-rt-dev lld"
 rtl_packages="make iverilog verilator yosys nextpnr-ice40 fpga-icestorm graphviz"
 web_packages="clang-19 lld-19 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 emscripten
   dpkg-dev"
 
-as_root() {
-  if [ "$(id -u)" -eq 0 ]; then
-    "$@"
-  elif command -v sudo >/dev/null; then
-    sudo "$@"
-  else
-    echo "setup.sh: packages must be installed, but sudo is missing; run this as root once" >&2
-    exit 1
-  fi
-}
-
-# Installs those of the named packages that are missing.
-need() {
-  missing=""
-  for package in "$@"; do
-    dpkg-query -W -f='${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed || missing="$missing $package"
-  done
-  [ -z "$missing" ] && return
-  echo "installing:$missing"
-  as_root apt-get update -q
-  # shellcheck disable=SC2086
-  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -qy --no-install-recommends $missing
-}
-
-# build PRESET [CMAKE OPTIONS...]; with CSGSIM_STRICT set, warnings are errors in every preset.
+# build PRESET [CMAKE OPTIONS...]; with CSGSIM_STRICT set, warnings are errors in every preset; CSGSIM_COMMIT names the
+# commit of sources without git.
 build() {
   preset=$1
   shift
-  cmake --preset "$preset" ${CSGSIM_STRICT:+-DCMAKE_COMPILE_WARNING_AS_ERROR=ON} "$@"
+  cmake --preset "$preset" ${CSGSIM_STRICT:+-DCMAKE_COMPILE_WARNING_AS_ERROR=ON} \
+    ${CSGSIM_COMMIT:+"-DCSGSIM_COMMIT=$CSGSIM_COMMIT"} "$@"
   cmake --build --preset "$preset"
 }
 
@@ -301,18 +284,41 @@ package() {
   ls -l build/*.deb
 }
 
-install_test() {
-  package
-  need debootstrap
-  as_root tests/install/bare_debian.sh build/csgsim_*.deb build/python3-csgsim_*.deb >build/install-test.log 2>&1 || failed=$?
-  cat build/install-test.log
+# logged LOG COMMAND...: runs it as root, with its output in build/LOG and on the terminal.
+logged() {
+  log=build/$1
+  shift
+  mkdir -p build
+  as_root "$@" >"$log" 2>&1 || failed=$?
+  cat "$log"
   return "${failed:-0}"
+}
+
+# install_test [SUITE]
+install_test() {
+  suite=${1:-$(. /etc/os-release && echo "${VERSION_CODENAME:-}")}
+  case "$suite" in
+    bookworm | trixie) ;;
+    *)
+      echo "setup.sh: install-test takes bookworm (Debian 12) or trixie (Debian 13), not '$suite'" >&2
+      exit 2
+      ;;
+  esac
+  need debootstrap git
+  logged install-test.log tests/install/bare_debian.sh "$suite"
+}
+
+container_test() {
+  need debootstrap git
+  logged container-test.log tests/install/container.sh
 }
 
 case "${1:-}" in
   demo) demo ;;
   package) package ;;
-  install-test) install_test ;;
+  packages) print_packages "${2:-}" ;;
+  install-test) install_test "${2:-}" ;;
+  container-test) container_test ;;
   docs)
     shift
     docs "$@"

@@ -43,7 +43,11 @@ function(csgsim_library name)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/csgsim>)
   target_link_libraries(csgsim_${name} PUBLIC ${ROOM_LINK} PRIVATE $<BUILD_INTERFACE:csgsim_flags> ${ROOM_PRIVATE_LINK})
-  csgsim_use_precompiled(csgsim_${name} rooms)
+  if("$<BUILD_INTERFACE:csgsim_shell_flags>" IN_LIST ROOM_PRIVATE_LINK AND CSGSIM_SHELL_PRECOMPILED)
+    csgsim_use_precompiled(csgsim_${name} shell)
+  else()
+    csgsim_use_precompiled(csgsim_${name} rooms)
+  endif()
   set_property(GLOBAL APPEND PROPERTY CSGSIM_ROOMS csgsim_${name})
 endfunction()
 

@@ -6,7 +6,12 @@ set(module_dir ${CMAKE_INSTALL_LIBDIR}/csgsim)
 set(data_dir ${CMAKE_INSTALL_DATADIR}/csgsim)
 
 install(TARGETS csgsim)
-install(TARGETS csgsim_pictures_module csgsim_text_module csgsim_viewer_module LIBRARY DESTINATION ${module_dir})
+foreach(part IN ITEMS PICTURES TEXT VIEWER)
+  if(CSGSIM_${part})
+    string(TOLOWER ${part} name)
+    install(TARGETS csgsim_${name}_module LIBRARY DESTINATION ${module_dir})
+  endif()
+endforeach()
 file(RELATIVE_PATH module_from_program /prefix/${CMAKE_INSTALL_BINDIR} /prefix/${module_dir})
 # The run path of the build is the longer one, so installing does not pad it with empty entries, which mean the current
 # folder.
@@ -59,6 +64,10 @@ install(FILES ${PROJECT_BINARY_DIR}/csgsimConfig.cmake ${PROJECT_BINARY_DIR}/csg
   DESTINATION ${package_dir})
 
 # Used by builds without CMake. The libraries depend on one another in both directions, so they are searched as a group.
+set(minizip_module "")
+if(CSGSIM_CONVERT)
+  set(minizip_module "minizip ")
+endif()
 set(pkgconfig_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 file(RELATIVE_PATH prefix_from_pkgconfig /prefix/${pkgconfig_dir} /prefix)
 set(room_libraries "")

@@ -30,3 +30,12 @@ csgsim_precompiled_headers(rooms LINK fmt::fmt glm::glm HEADERS ${csgsim_common_
 if(CSGSIM_PRECOMPILE)
   set_target_properties(csgsim_precompiled_rooms PROPERTIES POSITION_INDEPENDENT_CODE ON)
 endif()
+# GCC 13 and later reject a precompiled header of another optimisation level.
+set(CSGSIM_SHELL_PRECOMPILED OFF)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13)
+  set(CSGSIM_SHELL_PRECOMPILED ON)
+  csgsim_precompiled_headers(shell LINK csgsim_shell_flags fmt::fmt glm::glm HEADERS ${csgsim_common_headers})
+  if(CSGSIM_PRECOMPILE)
+    set_target_properties(csgsim_precompiled_shell PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  endif()
+endif()

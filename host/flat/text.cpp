@@ -25,9 +25,17 @@ constexpr std::size_t max_length = 10'000;
 /// Maximum number of corners of all letters.
 constexpr std::size_t max_corners = 1'000'000;
 
+#ifdef CSGSIM_WITHOUT_TEXT
+constexpr const char* left_out_by = "CSGSIM_TEXT";
+#else
+constexpr const char* left_out_by = nullptr;
+#endif
+
 const lettering::Module& opened_module() {
-  static const void* const symbol = load_module_symbol(
-      {.file = lettering::module_file, .symbol = lettering::module_symbol, .does = "sets the letters of text()"});
+  static const void* const symbol = load_module_symbol({.file = lettering::module_file,
+                                                        .symbol = lettering::module_symbol,
+                                                        .does = "sets the letters of text()",
+                                                        .left_out_by = left_out_by});
   return *static_cast<const lettering::Module*>(symbol);
 }
 

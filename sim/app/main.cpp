@@ -23,6 +23,18 @@ constexpr int bad_input = 1;
 constexpr int bad_usage = 2;
 constexpr int our_fault = 3;
 
+#ifdef CSGSIM_WITHOUT_CONVERT
+constexpr bool has_convert = false;
+#else
+constexpr bool has_convert = true;
+#endif
+
+/// Throws InputError for a command that the CMake option CSGSIM_CONVERT left out of this build.
+void refuse_left_out(std::span<char* const> arguments) {
+  if (!has_convert && arguments.size() > 1 && std::string_view(arguments[1]) == "convert")
+    throw csgsim::InputError("csgsim: this build lacks convert; build csgsim with -DCSGSIM_CONVERT=ON");
+}
+
 /// Whether all output reached standard output.
 bool is_output_complete() {
   if (!csgsim::prints_to_standard_output()) return true;
@@ -36,6 +48,7 @@ int report_incomplete_output() {
 
 int run(csgsim::shell::CommandLine& line, std::span<char* const> arguments) {
   try {
+    refuse_left_out(arguments);
     line.run(arguments);
   } catch (const csgsim::session::UsageError& error) {
     csgsim::report_line("csgsim: " + std::string(error.what()));

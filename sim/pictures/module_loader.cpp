@@ -43,8 +43,17 @@ Loader& loader() {
   return only;
 }
 
-constexpr ModuleRole role{
-    .file = module_file, .symbol = module_symbol, .does = "writes this format", .instead = ", or write .png"};
+#ifdef CSGSIM_WITHOUT_PICTURES
+constexpr const char* left_out_by = "CSGSIM_PICTURES";
+#else
+constexpr const char* left_out_by = nullptr;
+#endif
+
+constexpr ModuleRole role{.file = module_file,
+                          .symbol = module_symbol,
+                          .does = "writes this format",
+                          .instead = ", or write .png",
+                          .left_out_by = left_out_by};
 
 }  // namespace
 

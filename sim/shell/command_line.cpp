@@ -43,9 +43,15 @@ void add_to(CLI::App& app, Tokens& tokens) {
   }
 }
 
-[[noreturn]] void refuse(const CLI::ParseError& error) {
+/// The texts of CLI11 differ between its versions, so csgsim words the errors that users can cause.
+[[noreturn]] void refuse(const CLI::ParseError& error, const CLI::App& app) {
   const std::string message = error.what();
   if (error.get_name() == "ArgumentMismatch") throw UsageError(message.substr(0, message.find(':')), "needs a value");
+  if (error.get_name() == "ExtrasError") {
+    const std::vector<std::string> extras = app.remaining();
+    throw UsageError(
+        fmt::format("unexpected argument{} '{}'", extras.size() == 1 ? "" : "s", fmt::join(extras, "', '")));
+  }
   throw UsageError(message);
 }
 
@@ -134,7 +140,7 @@ CommandLine::Read CommandLine::read_words(std::span<const std::string> arguments
   } catch (const CLI::CallForHelp&) {
     read.wants_help = true;
   } catch (const CLI::ParseError& error) {
-    refuse(error);
+    refuse(error, app);
   }
   for (const Tokens& tokens : all) tokens.option->given = tokens.read->results();
   return read;

@@ -6,6 +6,7 @@ must fail for each fault planted in the module: a proof that cannot fail proves 
 """
 
 import argparse
+import functools
 import pathlib
 import re
 import subprocess
@@ -62,6 +63,15 @@ def command_bits():
             "function is_command(input [5:0] number);\n  is_command = " + " ||\n    ".join(numbers) + ";\nendfunction\n")
 
 
+@functools.cache
+def lowering():
+    """Yosys commands that convert assertions into the cells that `sat` accepts. Newer versions represent an assertion
+    as a $check cell, which `chformal -lower` converts once `async2sync` has removed its clock; older ones have
+    neither."""
+    known = subprocess.run(["yosys", "-p", "help chformal"], capture_output=True, text=True).stdout
+    return "async2sync; chformal -lower; " if "-lower" in known else ""
+
+
 def proved(proof, parameters, source, folder):
     """Whether Yosys proves it for that source."""
     text = folder / f"{proof.module}.v"
@@ -69,7 +79,7 @@ def proved(proof, parameters, source, folder):
     top = f"{proof.name}_check"
     files = " ".join([str(text), *(str(RTL / f"{name}.v") for name in proof.beside), str(HERE / f"{proof.name}.v")])
     values = " ".join(f"-chparam {name} {value}" for name, value in parameters.items())
-    script = (f"read_verilog -formal -sv -I{RTL} -I{HERE} -I{folder} {files}; hierarchy -top {top} {values}; proc; memory -nordff; memory_map; flatten; "
+    script = (f"read_verilog -formal -sv -I{RTL} -I{HERE} -I{folder} {files}; hierarchy -top {top} {values}; proc; {lowering()}memory -nordff; memory_map; flatten; "
               f"opt -full; sat -verify -prove-asserts -set-assumes -seq 1 -tempinduct -maxsteps {proof.steps} {top}")
     done = subprocess.run(["yosys", "-q", "-p", script], capture_output=True, text=True)
     if done.returncode != 0 and "proof did fail" not in done.stdout + done.stderr:
