@@ -308,6 +308,9 @@ package() {
   rm -f build/csgsim_*.deb build/libcsgsim-dev_*.deb build/python3-csgsim_*.deb
   mv build/package/packages/*.deb build/
   ls -l build/*.deb
+  if command -v lintian >/dev/null; then
+    lintian --allow-root --fail-on error,warning build/csgsim_*.deb build/libcsgsim-dev_*.deb build/python3-csgsim_*.deb
+  fi
 }
 
 install_test() {
