@@ -12,6 +12,9 @@ Usage: ./setup.sh COMMAND
   package
          make the Debian packages csgsim, libcsgsim-dev and python3-csgsim in build/; install them with
          apt install ./build/csgsim*.deb
+  release
+         make what a release consists of, in build/release-VERSION/: source archive, packages and wheel of this Debian, the
+         site, the page in WebAssembly if the packages of web are installed, and SHA256SUMS; name what is missing
   packages [MANAGER]
          print the packages that the program needs to be built, here or with apt, dnf, pacman, zypper, apk or brew
   install-test [bookworm|trixie]
@@ -89,6 +92,13 @@ program() {
   [ -e build/release/build.ninja ] || set -- -DCSGSIM_BUILD_TESTS=OFF
   cmake --preset release "$@"
   cmake --build --preset release --target hw/all host/all sim/all
+  scratch_folder
+}
+
+# The folder in which users type the commands of the pages: what these write stays out of the repository.
+scratch_folder() {
+  mkdir -p build/try
+  for folder in build docs hw tests traces; do ln -sfn "../../$folder" "build/try/$folder"; done
 }
 
 # fuzz MINUTES [RUNS]: divides the time among the fuzzers, which run two at a time.
@@ -282,6 +292,9 @@ package() {
   rm -f build/csgsim_*.deb build/libcsgsim-dev_*.deb build/python3-csgsim_*.deb
   mv build/package/packages/*.deb build/
   ls -l build/*.deb
+  if command -v lintian >/dev/null; then
+    lintian --allow-root --fail-on error,warning build/csgsim_*.deb build/libcsgsim-dev_*.deb build/python3-csgsim_*.deb
+  fi
 }
 
 # logged LOG COMMAND...: runs it as root, with its output in build/LOG and on the terminal.
@@ -316,6 +329,11 @@ container_test() {
 case "${1:-}" in
   demo) demo ;;
   package) package ;;
+  release)
+    need git python3-pip python3-setuptools python3-wheel
+    # shellcheck disable=SC2086
+    exec cmake/release.sh $web_packages
+    ;;
   packages) print_packages "${2:-}" ;;
   install-test) install_test "${2:-}" ;;
   container-test) container_test ;;
@@ -339,6 +357,7 @@ case "${1:-}" in
     # shellcheck disable=SC2086
     need $build_packages $test_packages
     build release -DCSGSIM_BUILD_TESTS=ON
+    scratch_folder
     ctest --preset release -j "$(nproc)"
     ;;
   asan)

@@ -1,6 +1,7 @@
 include(CMakePackageConfigHelpers)
 
-# Three components: the program, the Python module, and the libraries (cmake/package.cmake makes a package of each).
+# Three components: the program, the Python module, and the libraries (cmake/package.cmake makes a package of each); and
+# the compiled files of the Python module's wheel.
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME csgsim)
 set(module_dir ${CMAKE_INSTALL_LIBDIR}/csgsim)
 set(data_dir ${CMAKE_INSTALL_DATADIR}/csgsim)
@@ -26,8 +27,8 @@ install(FILES ${CSGSIM_DESCRIPTION}/csgsim.bash DESTINATION ${CMAKE_INSTALL_DATA
 install(FILES ${CSGSIM_DESCRIPTION}/_csgsim DESTINATION ${CSGSIM_ZSH_COMPLETIONS})
 install(FILES ${CSGSIM_DESCRIPTION}/csgsim.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 
-install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
+install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES cmake/debian/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN manifest EXCLUDE PATTERN book EXCLUDE)
 # The program contains the machines and processors; the files serve as documentation and as templates for new ones.
 install(DIRECTORY hw/machines/ DESTINATION ${data_dir}/machines FILES_MATCHING PATTERN "*.toml")
@@ -36,15 +37,25 @@ install(DIRECTORY hw/processors/ DESTINATION ${data_dir}/processors FILES_MATCHI
 install(DIRECTORY tests/models tests/scenes DESTINATION ${data_dir}/examples FILES_MATCHING
   PATTERN "*.csg" PATTERN "*.scad" PATTERN "*.toml" PATTERN "README.md" PATTERN solids EXCLUDE)
 install(DIRECTORY tests/corpus/parts DESTINATION ${data_dir}/examples)
+# Links of the pages that lead out of docs/.
+install(CODE "
+  set(root \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}\")
+  cmake_path(ABSOLUTE_PATH root)
+  execute_process(COMMAND \${CMAKE_COMMAND} -DDOCS=\${root}/${CMAKE_INSTALL_DOCDIR} -DDATA=\${root}/${data_dir}
+    -P \"${PROJECT_SOURCE_DIR}/cmake/install_docs.cmake\" COMMAND_ERROR_IS_FATAL ANY)")
 
 if(CSGSIM_PYTHON)
   set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME python)
   set(CSGSIM_PYTHON_DIR lib/python3/dist-packages CACHE STRING "Where Python looks for modules")
   file(RELATIVE_PATH module_from_python /prefix/${CSGSIM_PYTHON_DIR}/csgsim /prefix/${module_dir})
-  set_target_properties(csgsim_python PROPERTIES INSTALL_RPATH $ORIGIN/${module_from_python}
+  # Modules are beside it in a wheel.
+  set_target_properties(csgsim_python PROPERTIES INSTALL_RPATH "$ORIGIN;$ORIGIN/${module_from_python}"
     BUILD_RPATH "$ORIGIN/../..;$ORIGIN/${module_from_python}")
   install(TARGETS csgsim_python LIBRARY DESTINATION ${CSGSIM_PYTHON_DIR}/csgsim)
   install(DIRECTORY sim/python/csgsim/ DESTINATION ${CSGSIM_PYTHON_DIR}/csgsim FILES_MATCHING PATTERN "*.py" PATTERN "*.pyi" PATTERN py.typed)
+  # The compiled files of the wheel (setup.py): the prefix is the folder of the package.
+  install(TARGETS csgsim_python csgsim_pictures_module csgsim_text_module LIBRARY DESTINATION . COMPONENT wheel
+    EXCLUDE_FROM_ALL)
 endif()
 
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)

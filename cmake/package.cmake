@@ -1,7 +1,16 @@
 # Debian packages, by cpack in the build folder: csgsim, libcsgsim-dev with the libraries, python3-csgsim with the module.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR "the csgsim authors")
-set(CPACK_PACKAGE_CONTACT ${CPACK_PACKAGE_VENDOR})
+# As for other Debian tools, DEBFULLNAME and DEBEMAIL name who builds the package; .invalid is never an address.
+set(maintainer ${CPACK_PACKAGE_VENDOR})
+set(address csgsim@csgsim.invalid)
+if(DEFINED ENV{DEBEMAIL})
+  set(address $ENV{DEBEMAIL})
+endif()
+if(DEFINED ENV{DEBFULLNAME})
+  set(maintainer $ENV{DEBFULLNAME})
+endif()
+set(CPACK_PACKAGE_CONTACT "${maintainer} <${address}>")
 set(CPACK_COMPONENTS_ALL csgsim development)
 if(CSGSIM_PYTHON)
   list(APPEND CPACK_COMPONENTS_ALL python)
@@ -15,10 +24,10 @@ set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "simulator of the logic-enhanced frame buffers of the 1980s")
-set(CPACK_COMPONENT_CSGSIM_DESCRIPTION "Compiles Constructive Solid Geometry, OpenSCAD's models, into the instructions
-that the host of Pixel-planes or a machine of its kind would have broadcast, and
-runs them on a model of the hardware, word-parallel or clock by clock. Tells what
-each part of the machine takes.")
+set(CPACK_COMPONENT_CSGSIM_DESCRIPTION "Compiles Constructive Solid Geometry, OpenSCAD's models,
+into the instructions that the host of Pixel-planes or a machine of its kind
+would have broadcast, and runs them on a model of the hardware, word-parallel or
+clock by clock. It counts the clocks of each part of the machine.")
 set(CPACK_DEBIAN_CSGSIM_PACKAGE_NAME csgsim)
 set(CPACK_DEBIAN_CSGSIM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_CSGSIM_PACKAGE_SHLIBDEPS ON)
@@ -45,5 +54,31 @@ if(CSGSIM_PYTHON)
   math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
   string(JOIN ", " CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "csgsim (= ${PROJECT_VERSION})" "python3 (>= 3.${Python_VERSION_MINOR})"
     "python3 (<< 3.${next_minor})" python3-numpy)
+endif()
+
+# Debian requires a changelog and a copyright file in each package; `cmake --install` without a component omits these.
+# The changelog has the date of the commit, so that packages of one commit are equal.
+find_program(CSGSIM_GZIP gzip)
+if(CSGSIM_GZIP)
+  execute_process(COMMAND git -C ${PROJECT_SOURCE_DIR} log -1 --format=%cD OUTPUT_VARIABLE changed
+    OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  if(NOT changed)
+    file(TIMESTAMP ${PROJECT_SOURCE_DIR}/CMakeLists.txt changed "%a, %d %b %Y %H:%M:%S +0000" UTC)
+  endif()
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/debian/changelog @ONLY CONTENT "csgsim (@PROJECT_VERSION@) unstable; urgency=medium
+
+  * Version @PROJECT_VERSION@; /usr/share/doc/csgsim/CHANGELOG.md lists the changes.
+
+ -- @CPACK_PACKAGE_CONTACT@  @changed@
+")
+  execute_process(COMMAND ${CSGSIM_GZIP} -9nkf ${PROJECT_BINARY_DIR}/debian/changelog COMMAND_ERROR_IS_FATAL ANY)
+  foreach(component IN LISTS CPACK_COMPONENTS_ALL)
+    string(TOUPPER ${component} upper)
+    set(folder ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME})
+    install(FILES ${PROJECT_BINARY_DIR}/debian/changelog.gz cmake/debian/copyright DESTINATION ${folder}
+      COMPONENT ${component} EXCLUDE_FROM_ALL)
+    install(FILES cmake/debian/${CPACK_DEBIAN_${upper}_PACKAGE_NAME} DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides
+      COMPONENT ${component} EXCLUDE_FROM_ALL OPTIONAL)
+  endforeach()
 endif()
 include(CPack)

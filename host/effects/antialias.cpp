@@ -337,7 +337,7 @@ extern const emit::EffectRow antialias{
     .section = scene::effect_section<SampleSettings>("effects.antialias",
                                                      "smooth edges: the mean of several samples per pixel"),
     .technique =
-        "successive refinement, Fuchs et al., SIGGRAPH 1985: the picture is drawn once per sample, moved by parts of a "
+        "successive refinement, Fuchs et al. 1985: the picture is drawn once per sample, moved by parts of a "
         "pixel, which changes only the constants C, and the colours are summed in pixel memory",
     .parts = emit::parts_of<Antialias>,
     .takes_quadrics = true};

@@ -156,7 +156,7 @@ extern const emit::EffectRow depth_cue{
         "colours fade with depth: linearly with distance, or with its reciprocal in a perspective view"),
     .technique =
         "after all surfaces, the depth in pixel memory is compared with a constant for each step of fading, and "
-        "channels are multiplied by shifting and adding, after Fuchs et al., SIGGRAPH 1985",
+        "channels are multiplied by shifting and adding, after Fuchs et al. 1985",
     .parts = emit::parts_of<DepthCue>,
     .takes_quadrics = true};
 

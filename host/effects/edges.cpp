@@ -164,9 +164,9 @@ extern const emit::EffectRow edges{
     .section = scene::effect_section<EdgeSettings>("effects.edges",
                                                    "lines where facets or primitives meet, as in a technical drawing"),
     .technique =
-        "after Saito and Takahashi, Comprehensible Rendering of 3-D Shapes, SIGGRAPH 1990: pixels are compared "
-        "with their neighbours by what is visible there; as pixels cannot read a neighbour, the numbers of facets "
-        "are drawn three times: unshifted, shifted by a column and shifted by a row",
+        "after Saito and Takahashi 1990: pixels are compared with their neighbours by what is visible there; as pixels "
+        "cannot read a neighbour, the numbers of facets are drawn three times: unshifted, shifted by a column and "
+        "shifted by a row",
     .parts = emit::parts_of<Edges>};
 
 }  // namespace csgsim::effects

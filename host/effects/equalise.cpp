@@ -217,7 +217,7 @@ extern const emit::EffectRow equalise{
         "effects.equalise",
         "where something is visible, each channel's level becomes its rank among those of a lattice of pixels"),
     .technique =
-        "Fuchs et al., SIGGRAPH 1985: adaptive histogram equalisation by broadcasting levels, with which every pixel "
+        "Fuchs et al. 1985: adaptive histogram equalisation by broadcasting levels, with which every pixel "
         "compares its own; here the levels of a lattice of pixels, read bit by bit with the global OR",
     .parts = emit::parts_of<Equalise>,
     .takes_quadrics = true};

@@ -303,8 +303,7 @@ extern const emit::EffectRow mirrors{
         "curved sides, nothing transparent) show what is in front of them"),
     .technique =
         "the model is reflected in the face's plane, and the part behind the plane is drawn where the face is visible "
-        "(Diefenbach, Badler, Multi-Pass Pipeline Rendering: Realism for Dynamic Environments, I3D 1997, with a flag "
-        "bit and depth fields in place of the stencil)",
+        "(Diefenbach and Badler 1997, with a flag bit and depth fields in place of the stencil)",
     .parts = emit::parts_of<Mirrors>,
     .needs_owners = true};
 

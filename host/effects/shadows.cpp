@@ -119,9 +119,8 @@ class CastShadows final : public emit::EffectOf<Settings, Prepared> {
 extern const emit::EffectRow shadows{
     .section = scene::effect_section<Settings>("effects.shadows", "solids block the light of one another"),
     .technique =
-        "shadow volumes (Crow, Shadow Algorithms for Computer Graphics, SIGGRAPH 1977): for each convex piece of the "
-        "model an intersection of half-spaces, which are compared with the visible depth, as in Fuchs et al., "
-        "SIGGRAPH 1985, for polygons",
+        "shadow volumes (Crow 1977): for each convex piece of the model an intersection of half-spaces, which are "
+        "compared with the visible depth, as in Fuchs et al. 1985 for polygons",
     .parts = emit::parts_of<CastShadows>,
     .needs_owners = true};
 

@@ -187,9 +187,8 @@ class Smooth final : public emit::EffectOf<Settings> {
 extern const emit::EffectRow smooth{
     .section = scene::effect_section<Settings>("effects.smooth", "curved solids look round even with few facets"),
     .technique =
-        "Gouraud, Continuous Shading of Curved Surfaces, IEEE Transactions on Computers, 1971: light is computed "
-        "at the vertices, here with the normals of the true surface; a linear expression per channel, fitted "
-        "by least squares, is loaded as in Fuchs et al., SIGGRAPH 1985",
+        "Gouraud 1971: light is computed at the vertices, here with the normals of the true surface; a linear "
+        "expression per channel, fitted by least squares, is loaded as in Fuchs et al. 1985",
     .parts = emit::parts_of<Smooth>,
     .takes_quadrics = true};
 

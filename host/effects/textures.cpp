@@ -260,7 +260,7 @@ extern const emit::EffectRow textures{
     .section = scene::effect_section<Settings>("effects.textures",
                                                "patterns on flat facets; each table applies to some primitives"),
     .technique =
-        "Fuchs et al., SIGGRAPH 1985: textures are painted by comparing linear expressions at every pixel; here an "
+        "Fuchs et al. 1985: textures are painted by comparing linear expressions at every pixel; here an "
         "orthographic pattern is bits of one such expression, and in perspective each boundary is a line",
     .parts = emit::parts_of<Textures>};
 

@@ -103,9 +103,8 @@ extern const emit::EffectRow transparency{
         "primitives whose opacity is below 1 let through what is behind them; of coincident surfaces the first "
         "in tree order is visible, opaque ones before transparent ones"),
     .technique =
-        "layers: depth peeling (Mammen, Transparency and Antialiasing Algorithms Implemented with the Virtual Pixel "
-        "Maps Technique, IEEE CG&A, 1989; Everitt, Interactive Order-Independent Transparency, 2001), with two depth "
-        "fields beside that of the opaque surfaces; screen-door: Fuchs et al., SIGGRAPH 1985, with an ordered dither",
+        "layers: depth peeling (Mammen 1989; Everitt 2001), with two depth fields beside that of the opaque surfaces; "
+        "screen-door: Fuchs et al. 1985, with an ordered dither",
     .parts = emit::parts_of<Transparency>,
     .sees_through = true};
 

@@ -34,9 +34,7 @@ constexpr std::array rows{&flat};
 }  // namespace
 
 const EffectRow flat{.section = scene::effect_section<NoSettings>("effects.flat", "every facet in one colour"),
-                     .technique =
-                         "Lambert's law and Blinn's highlights (Models of Light Reflection for Computer "
-                         "Synthesized Pictures, SIGGRAPH 1977), computed once per facet by the host",
+                     .technique = "Lambert's law and the highlights of Blinn 1977, computed once per facet by the host",
                      .parts = parts_of<FlatShading>,
                      .takes_quadrics = true};
 

@@ -6,6 +6,8 @@ import collections
 import json
 import pathlib
 import re
+import shutil
+import subprocess
 import sys
 
 import coverage
@@ -21,6 +23,9 @@ CONTENTS = "docs/README.md"  # table of contents and glossary
 COMMANDS = "docs/command-line.md"  # table of commands
 TASKS, TASKS_SECTION = "docs/view.md", "Three tasks"
 KEYS = "docs/settings.md"  # keys of stats, and columns of studies
+SHELLS = ("bash", "zsh", "dash", "fish")
+NEEDS_BASH = "commands of this page need bash or zsh"
+COMMAND = re.compile(r"csgsim |\./setup\.sh|export |[A-Z]+=|cmake |for |job=|printf |env |docs/cluster/")
 MOST_COMMANDS = 3
 MOST_WORDS = 25
 MOST_WORDS_OF_A_TERM = 3  # longer ones are titles of books
@@ -177,10 +182,37 @@ def words():
             yield f"{name} is a spelling variant of the column {word}"
 
 
+def command_blocks(text):
+    """(line number, text) of indented blocks with commands."""
+    lines, found = text.splitlines() + [""], []
+    is_code = {number: line.startswith("    ") for number, line in enumerate(lines)}
+    for fence in re.finditer(r"^```.*?^```", text, re.MULTILINE | re.DOTALL):
+        first = text[: fence.start()].count("\n")
+        is_code.update((first + number, False) for number in range(fence[0].count("\n") + 1))
+    for number, line in enumerate(lines):
+        if is_code[number]:
+            if not is_code.get(number - 1):
+                found.append((number + 1, []))
+            found[-1][1].append(line[4:])
+    return [(number, "\n".join(block) + "\n") for number, block in found if any(COMMAND.match(line) for line in block)]
+
+
+def unread(shell, block):
+    """Why a shell cannot read a block; empty if it can, or if the shell is not installed."""
+    if not shutil.which(shell):
+        return ""
+    done = subprocess.run([shell, "--no-execute" if shell == "fish" else "-n"], input=block, text=True, capture_output=True, check=False)
+    return done.stderr.strip().splitlines()[0] if done.stderr.strip() else ""
+
+
 def shells():
-    """Commands work equally in bash and zsh, which does not split $NAME: lists are arrays. Their scene files exist."""
+    """Commands can be read by bash, zsh, dash and fish, unless the page says that they need bash or zsh. They work
+    equally in bash and zsh, which does not split $NAME: lists are arrays. Their scene files exist."""
     for path in markdown.pages():
         text = markdown.read(path)
+        names = SHELLS[:2] if NEEDS_BASH in " ".join(text.split()) else SHELLS
+        for number, block in command_blocks(text):
+            yield from (f"{path}:{number}: {why}" for shell in names if (why := unread(shell, block)))
         lists = set(re.findall(r"""^    ([A-Z]+)=["'][^"'\n]* [^"'\n]*["']$""", text, re.MULTILINE))
         arrays = set(re.findall(r"^    ([A-Z]+)=\(", text, re.MULTILINE))
         for name in re.findall(r"(?<!\")\$([A-Z]+)\b", text):

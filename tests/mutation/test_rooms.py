@@ -42,6 +42,14 @@ class Rooms(unittest.TestCase):
         self.assertEqual({judge for judge in asked if target_of(judge) not in known}, set())
 
 
+class Survivors(unittest.TestCase):
+    def test_every_path_in_the_list_of_survivors_exists(self):
+        text = (ROOT / "tests/mutation/survivors.md").read_text(encoding="utf-8")
+        paths = re.findall(r"`((?:hw|host|sim|tests|traces|docs)/[\w./-]*\w)", text)
+        self.assertGreater(len(paths), 50)
+        self.assertEqual({path for path in paths if not (ROOT / path).exists()}, set())
+
+
 class Choice(unittest.TestCase):
     def test_each_room_gets_its_share_or_as_many_as_are_asked_for(self):
         self.assertEqual(mutate.shares(mutate.parsed(["--count", "8"]), 3), [3, 3, 2])

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Compares the Python module with the command line: module_test.py CSGSIM SOURCE [NAMES...]"""
 
+import importlib.util
 import json
 import math
 import os
@@ -14,6 +15,7 @@ import textwrap
 import threading
 import time
 import unittest
+import unittest.mock
 import warnings
 
 import numpy
@@ -205,6 +207,25 @@ class Reports(unittest.TestCase):
                 rows = getattr(csgsim, name)(FIGURE, size="64x48", **options, progress="none")
                 self.assertEqual(support.without_build(rows), support.without_build(told["points"]))
                 self.assertGreater(len(rows), 1)
+
+    @unittest.skipIf(importlib.util.find_spec("pandas") is None, "pandas is missing")
+    def test_results_of_studies_become_data_frames(self):
+        rows = csgsim.sweep(FIGURE, **SMALL, z_bits=[16, 20], strategy="stack")
+        frame = csgsim.data_frame(rows)
+        self.assertEqual(frame["clocks"].tolist(), [row["clocks"] for row in rows])
+        self.assertEqual(set(frame.columns), set(rows[0]))
+        result = csgsim.study("classify", FIGURE, size=(16, 16))
+        frame = csgsim.data_frame(result)
+        self.assertEqual((len(frame), frame.attrs["study"]), (len(result["points"]), result["study"]))
+        processor = next(iter(result["points"][0]["seconds"]))
+        self.assertEqual(frame[f"seconds.{processor}.all"][0], result["points"][0]["seconds"][processor]["all"])
+        with self.assertRaisesRegex(KeyError, "no table 'front'; it has points"):
+            csgsim.data_frame(result, "front")
+
+    def test_data_frames_without_pandas_name_the_package(self):
+        with unittest.mock.patch.dict(sys.modules, {"pandas": None}):
+            with self.assertRaisesRegex(ImportError, "apt install python3-pandas"):
+                csgsim.data_frame([])
 
     def test_every_study_lists_its_options(self):
         self.assertEqual(csgsim.studies(), [name for name in csgsim.studies() if csgsim.options(name)])

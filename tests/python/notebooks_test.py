@@ -1,6 +1,11 @@
 #!/usr/bin/env python3
-"""Runs the notebooks and compares their numbers with the command line: notebooks_test.py CSGSIM SOURCE [nbconvert]"""
+"""Runs the notebooks and compares their outputs and numbers with those stored and with the command line:
+notebooks_test.py CSGSIM SOURCE [nbconvert | write]
 
+`write` stores the outputs in the notebooks, after a change of csgsim or of a notebook."""
+
+import ast
+import base64
 import contextlib
 import importlib.util
 import io
@@ -25,21 +30,73 @@ CARBURETTOR = "../../tests/models/carburettor.csg"
 VIEW = {"size": "256x256", "camera": "220,-255,135,2,0,5"}
 
 
-def cells(name):
-    """The sources of a notebook's code cells, and whether it contains outputs."""
-    notebook = json.loads((FOLDER / f"{name}.ipynb").read_text(encoding="utf-8"))
-    code = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
-    return ["".join(cell["source"]) for cell in code], any(cell["outputs"] or cell["execution_count"] for cell in code)
+def read(name):
+    return json.loads((FOLDER / f"{name}.ipynb").read_text(encoding="utf-8"))
+
+
+def lines(text):
+    """A text as a notebook stores it."""
+    return text.splitlines(keepends=True)
+
+
+def displayed(value, number):
+    """The output of a cell that ends with a value, as Jupyter stores it."""
+    data = {"text/plain": lines(repr(value))}
+    if hasattr(value, "_repr_png_"):
+        data["image/png"] = base64.b64encode(value._repr_png_()).decode("ascii") + "\n"  # pylint: disable=protected-access
+    return {"data": data, "execution_count": number, "metadata": {}, "output_type": "execute_result"}
+
+
+def executed(source, number, names):
+    """Runs a cell; returns its outputs."""
+    tree = ast.parse(source)
+    last = tree.body.pop() if isinstance(tree.body[-1], ast.Expr) else None
+    printed, value = io.StringIO(), None
+    with contextlib.redirect_stdout(printed):
+        exec(compile(tree, "cell", "exec"), names)  # pylint: disable=exec-used
+        if last is not None:
+            value = eval(compile(ast.Expression(last.value), "cell", "eval"), names)  # pylint: disable=eval-used
+    outputs = []
+    if printed.getvalue():
+        outputs.append({"name": "stdout", "output_type": "stream", "text": lines(printed.getvalue())})
+    if value is not None:
+        outputs.append(displayed(value, number))
+    return outputs
+
+
+def run(name):
+    """Runs a notebook; returns the notebook with its outputs, and the names that it defines."""
+    notebook, names, number = read(name), {"__name__": "__main__"}, 0
+    os.chdir(FOLDER)
+    for cell in notebook["cells"]:
+        if cell["cell_type"] == "code":
+            number += 1
+            cell["outputs"] = executed("".join(cell["source"]), number, names)
+            cell["execution_count"] = number
+    return notebook, names
+
+
+def write():
+    """Stores the outputs of all notebooks."""
+    for file in sorted(FOLDER.glob("*.ipynb")):
+        notebook, _ = run(file.stem)
+        file.write_text(json.dumps(notebook, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+
+
+def printed_by(notebook):
+    """All that the cells print."""
+    outputs = [output for cell in notebook["cells"] for output in cell.get("outputs", [])]
+    return "".join("".join(output["text"]) for output in outputs if output["output_type"] == "stream")
 
 
 def carried_out(name):
-    """Runs the cells; returns the names that they define, and their output."""
-    names, printed = {"__name__": "__main__"}, io.StringIO()
-    os.chdir(FOLDER)
-    with contextlib.redirect_stdout(printed):
-        for source in cells(name)[0]:
-            exec(compile(source, f"{name}.ipynb", "exec"), names)  # pylint: disable=exec-used
-    return names, printed.getvalue()
+    """Runs the cells; returns the names that they define, and their output. The outputs must be the stored ones."""
+    notebook, names = run(name)
+    for cell, stored in zip(notebook["cells"], read(name)["cells"]):
+        if cell != stored:
+            raise AssertionError(f"{name}.ipynb: the stored output of a cell is old; notebooks_test.py CSGSIM SOURCE write renews it:"
+                                 f"\n{''.join(cell['source'])}")
+    return names, printed_by(notebook)
 
 
 def owners(*operands, **options):
@@ -52,10 +109,6 @@ def owners(*operands, **options):
 
 class Notebooks(unittest.TestCase):
     """Each of the tasks of docs/view.md."""
-
-    def test_notebooks_contain_no_outputs(self):
-        for file in FOLDER.glob("*.ipynb"):
-            self.assertFalse(cells(file.stem)[1], file.name)
 
     def test_a_part_on_the_machines_of_the_eighties(self):
         names, printed = carried_out("part")
@@ -106,5 +159,7 @@ def convert():
 if __name__ == "__main__":
     if "nbconvert" in sys.argv[3:]:
         convert()
+    elif "write" in sys.argv[3:]:
+        write()
     else:
         unittest.main(argv=[sys.argv[0], *sys.argv[3:]], verbosity=2)

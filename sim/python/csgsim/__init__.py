@@ -7,7 +7,7 @@
 Each call does the same as the command of that name, with options of the same names: docs/python.md.
 """
 
-from ._calls import accuracy, compare, compile, explain, options, render, run, studies, study, sweep
+from ._calls import accuracy, compare, compile, data_frame, explain, options, render, run, studies, study, sweep
 from ._csgsim import version as _version
 from ._errors import CsgsimWarning, Error, UsageError
 from ._machine import Figure, Machine, machines
@@ -15,8 +15,8 @@ from ._results import Drawing, Program, Story
 
 __version__ = _version()
 __all__ = ["CsgsimWarning", "Drawing", "Error", "Figure", "Machine", "Program", "Story", "UsageError", "accuracy",
-           "compare", "compile", "explain", "machines", "options", "render", "run", "studies", "study", "sweep"]
+           "compare", "compile", "data_frame", "explain", "machines", "options", "render", "run", "studies", "study", "sweep"]
 
-for _one in (accuracy, compare, compile, explain, machines, options, render, run, studies, study, sweep):
+for _one in (accuracy, compare, compile, data_frame, explain, machines, options, render, run, studies, study, sweep):
     _one.__module__ = "csgsim"
 del _one

@@ -1,4 +1,9 @@
-"""The calls; each does the same as the command of that name."""
+"""The calls; each does the same as the command of that name.
+
+Units, everywhere: times in seconds, and in clocks of the machine where a key says clocks; lengths and depths in model
+units; sizes in pixels; memory in bits per pixel; rates per second; `share` and `utilization` as fractions of 1.
+docs/settings.md has the unit of each key.
+"""
 
 import os
 import sys
@@ -37,7 +42,8 @@ def render(model=None, /, *, text=None, **options):
     `model` names a file: .csg, an OpenSCAD source .scad, which OpenSCAD evaluates, or commands, .jan. With `text`, the
     model is that text; `model` is then its name in messages, whose ending selects the kind of model and whose folder is
     searched for imports. Options are named as on the command line, see `options("render")`; options that name files
-    write them.
+    write them. Sizes are in pixels, `camera` is in model units, and `z_bits` and `memory_bits` are bits per pixel; the
+    drawing's `stats` have `clocks` of the machine and `simulated_seconds`.
 
     >>> drawing = csgsim.render("part.csg", size=(512, 512), z_bits=16, machine="pixel-planes-5")
     >>> drawing = csgsim.render(text="sphere(10);", set={"alu.bits": 2})
@@ -47,7 +53,8 @@ def render(model=None, /, *, text=None, **options):
 
 
 def compile(model=None, /, *, text=None, **options):
-    """Compiles a model into a Program, like `csgsim compile`. Model, text and options are as for render.
+    """Compiles a model into a Program, like `csgsim compile`. Model, text and options are as for render. The length of
+    a Program is its number of instructions.
 
     >>> len(csgsim.compile("part.csg", strategy="list"))
     """
@@ -56,7 +63,8 @@ def compile(model=None, /, *, text=None, **options):
 
 
 def run(program, /, **options):
-    """Runs a Program, or a Program file, like `csgsim run`. The picture is the same as from render.
+    """Runs a Program, or a Program file, like `csgsim run`. The picture is the same as from render, and so are the units
+    of its counts: `clocks` of the machine and `simulated_seconds`.
 
     >>> csgsim.run(csgsim.compile("part.csg"), level="reference").stats["clocks"]
     """
@@ -73,7 +81,8 @@ def _program(program):
 
 
 def explain(subject=None, /, *, text=None, **options):
-    """Explains what a pixel of a model, its text or a Program shows, like `csgsim explain`.
+    """Explains what a pixel of a model, its text or a Program shows, like `csgsim explain`. `pixel` is column and row,
+    from 0 at the upper left. Depths of the story are in depth steps, and times in clocks of the machine.
 
     >>> story = csgsim.explain("part.csg", pixel=(344, 389), why_not="p2")
     >>> story["owner"], print(story.text)
@@ -97,7 +106,9 @@ def study(name, /, *operands, **options):
 def sweep(*models, **options):
     """Measures the benefit of memory bits, like `csgsim sweep`: a dictionary per point.
 
-    docs/settings.md#columns-of-studies explains the keys.
+    `clocks` are the machine's until the picture is drawn, `simulated_seconds` the same in seconds; `memory_bits`,
+    `z_bits`, `stack_bits` and `classification_bits` are bits per pixel; `frames_per_second` is a rate.
+    docs/settings.md#columns-of-studies explains all keys.
 
     >>> rows = csgsim.sweep("part.csg", strategy=["stack", "list"], z_bits=[16, 20])
     >>> min(rows, key=lambda row: row["clocks"])["strategy"]
@@ -108,6 +119,9 @@ def sweep(*models, **options):
 def compare(model, /, **options):
     """Compares machines on a model, like `csgsim compare`: a dictionary per machine and variation.
 
+    `clocks` are those of the row's machine, and differ in length: compare `simulated_seconds`. `frames_per_second` is a
+    rate, `machine_memory_bits` are the bits of the whole machine, and sizes are in pixels.
+
     >>> for row in csgsim.compare("part.csg", fragments="none", sides="none"):
     ...     print(row["machine"], row["clocks"], row["frames_per_second"])
     """
@@ -117,9 +131,40 @@ def compare(model, /, **options):
 def accuracy(model, /, **options):
     """Measures the cost of accuracy in clocks, like `csgsim accuracy`: a dictionary per knob and value.
 
+    `wrong` and `covered` count pixels, `depth_max` is in model units and `depth_max_steps` in depth steps,
+    `used_bits` are bits per pixel, and `simulated_seconds` are seconds of the machine.
+
     >>> [row["wrong"] for row in csgsim.accuracy("part.csg", views=1) if row["knob"] == "z-bits"]
     """
     return study("accuracy", model, **options)["points"]
+
+
+def data_frame(result, table="points"):
+    """Returns a study's result, or its rows, as a pandas DataFrame with a row per point. It needs pandas.
+
+    `result` is what `study`, `sweep`, `compare` or `accuracy` returned; `table` names another list of the study's
+    result, such as "front" of `advise`. The columns are the keys of the rows, with their units in their names (clocks,
+    seconds, bits); a dictionary in a row becomes a column for each of its keys, as in `seconds.mc68000.all`. The frame's
+    `attrs["study"]` is the command of the study.
+
+    >>> frame = csgsim.data_frame(csgsim.sweep("part.csg", z_bits=[16, 20]))
+    >>> frame.groupby("strategy")["clocks"].min()
+    >>> csgsim.data_frame(csgsim.study("advise", "part.csg"), "front")
+    """
+    try:
+        import pandas
+    except ImportError as error:
+        raise ImportError("data_frame() needs pandas: apt install python3-pandas, or pip install pandas") from error
+    rows = result
+    if isinstance(result, dict):
+        rows = result.get(table)
+        if not isinstance(rows, list):
+            tables = [key for key, value in result.items() if isinstance(value, list)]
+            raise KeyError(f"the result has no table '{table}'; it has {', '.join(tables)}")
+    frame = pandas.json_normalize(list(rows))
+    if isinstance(result, dict):
+        frame.attrs["study"] = result["study"]
+    return frame
 
 
 def studies():

@@ -6,7 +6,8 @@ from . import _csgsim
 
 
 class Figure(NamedTuple):
-    """A parameter of a machine with its value, unit and source.
+    """A parameter of a machine: its value, a whole number or a word, in `unit` (bits, pixels, Hz, clocks), and its
+    source. `provenance` is "published" or "assumed".
 
     >>> csgsim.Machine("pixel-planes-4").figures["alu.bits"].provenance
     'published'

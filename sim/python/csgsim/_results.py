@@ -45,7 +45,7 @@ class Program:
     @property
     def instructions(self):
         """A dictionary per instruction: `instruction`, its number in the whole Program; `segment`; `name`; `text`;
-        `clocks` at the pixels; its `purpose`; the labels of its `primitive` and of the primitive `against` which it
+        `clocks` of the machine at the pixels; its `purpose`; the labels of its `primitive` and of the primitive `against` which it
         compares that; and its `effect`. Missing values are None."""
         return self._native.instructions()
 
@@ -91,7 +91,7 @@ class Drawing:
     `picture`  rows x columns x 3, 8 bits each of red, green and blue
     `depth`    rows x columns, distance from the eye along the view axis in model units, inf where nothing is visible
     `owner`    rows x columns, index of the visible primitive, -1 where nothing is visible
-    `stats`    all counts, with the keys of `csgsim render --stats`, docs/settings.md
+    `stats`    all counts, with the keys of `csgsim render --stats`: clocks, seconds, bits (docs/settings.md)
     `program`  the Program that was sent to the machine
     """
 
@@ -119,7 +119,8 @@ class Drawing:
 
 
 class Story(dict):
-    """The explanation of a pixel, with the keys of `csgsim explain --json`; `text` has it as text.
+    """The explanation of a pixel, with the keys of `csgsim explain --json`; `text` has it as text. Depths are in depth
+    steps, places in pixels from the upper left.
 
     >>> print(csgsim.explain("part.csg", pixel=(256, 256)).text)
     """

@@ -15,7 +15,7 @@ namespace {
 constexpr double max_cells = 128;  ///< per axis
 
 /// Cells of equal size, as cubic as integer numbers of cells allow; about four times the number of facets divided by
-/// the bucket size. Rays step from cell to cell by additions (Fujimoto and others 1986, in the form of Amanatides and
+/// the bucket size. Rays step from cell to cell by additions (Fujimoto et al. 1986, in the form of Amanatides and
 /// Woo 1987).
 class Grid final : public DirectoryOf<Grid> {
  public:
@@ -158,6 +158,6 @@ class Grid final : public DirectoryOf<Grid> {
 }  // namespace
 
 extern const DirectoryRow grid_row{"grid", "cells of equal size, with steps from cell to cell by additions",
-                                   "Fujimoto and others 1986; Amanatides and Woo 1987", made_directory<Grid>};
+                                   "Fujimoto et al. 1986; Amanatides and Woo 1987", made_directory<Grid>};
 
 }  // namespace csgsim::software

@@ -12,7 +12,7 @@
 namespace csgsim::software {
 
 /// Each node stores whether it contains the point. A change of a primitive is propagated from its leaf upwards until a
-/// node is unchanged (Sato and others 1985; thesis 4.3.4, table 4.5).
+/// node is unchanged (Sato et al. 1985; thesis 4.3.4, table 4.5).
 template <class Count>
 class StatusTree {
  public:
