@@ -13,6 +13,12 @@ class Step {
   Step(const Figures& figures, const Slots& slots, const RankState& from)
       : figures_(figures), slots_(slots), state_(from) {}
 
+  /// Appends the clocks of the command to `issues`; `zero` is the clock to which the state is relative.
+  void record(std::vector<Issue>& issues, std::int64_t zero) {
+    issues_ = &issues;
+    zero_ = zero;
+  }
+
   void take(RowOp op) {
     const CommandClocks& clocks = figures_.command;
     if (activations(op) > 0) {
@@ -22,7 +28,10 @@ class Step {
     const std::int64_t taken = op == RowOp::logic  ? clocks.logic
                                : op == RowOp::leaf ? std::max(clocks.logic, clocks.leaf)
                                                    : clocks.global_or;
-    for (std::int64_t& bank : state_.free) bank += taken;
+    for (std::size_t bank = 0; bank < state_.free.size(); ++bank) {
+      if (issues_ != nullptr) issues_->push_back({.place = bank, .clock = clock_of(state_.free[bank])});
+      state_.free[bank] += taken;
+    }
   }
 
   [[nodiscard]] std::int64_t clocks() const { return last_; }
@@ -45,33 +54,58 @@ class Step {
     next_ = (next_ + 1) % state_.allowed.size();
   }
 
+  [[nodiscard]] std::uint64_t clock_of(std::int64_t relative) const {
+    return static_cast<std::uint64_t>(zero_ + relative);
+  }
+
   void issue(RowOp op, std::uint64_t slot) {
+    const std::int64_t first = begin(slot);
+    const std::int64_t second = finish(op, slot, first);
+    if (issues_ == nullptr) return;
+    Issue issue{.place = slot, .clock = clock_of(first)};
+    issue.precharge = clock_of(state_.free[slots_.bank(slot)] - figures_.command.precharge);
+    if (op == RowOp::copy) issue.second = clock_of(second);
+    if (op == RowOp::receive || op == RowOp::send) {
+      issue.transfer_clocks = transfer_clocks(slots_.columns(slot), figures_);
+      issue.transfer = clock_of(state_.bus) - issue.transfer_clocks;
+    }
+    issues_->push_back(issue);
+  }
+
+  /// Performs the first activation as soon as possible, and returns its clock.
+  std::int64_t begin(std::uint64_t slot) {
+    const std::int64_t first = std::max({state_.free[slots_.bank(slot)], last_, state_.allowed[next_]});
+    activate(first);
+    return first;
+  }
+
+  /// Performs the rest of a command. Returns the clock of its last activation.
+  std::int64_t finish(RowOp op, std::uint64_t slot, std::int64_t first) {
     const CommandClocks& clocks = figures_.command;
     std::int64_t& free = state_.free[slots_.bank(slot)];
-    const std::int64_t first = std::max({free, last_, state_.allowed[next_]});
-    activate(first);
     switch (op) {
       case RowOp::copy: {
         const std::int64_t second = std::max({first + clocks.second, last_, state_.allowed[next_]});
         activate(second);
         free = second + clocks.restore + clocks.precharge;
-        return;
+        return second;
       }
-      case RowOp::leaf_copy: free = first + std::max(clocks.restore + clocks.precharge, clocks.leaf); return;
+      case RowOp::leaf_copy: free = first + std::max(clocks.restore + clocks.precharge, clocks.leaf); return first;
       case RowOp::receive:
       case RowOp::send:
         state_.bus = std::max(state_.bus, first + clocks.column) +
                      static_cast<std::int64_t>(transfer_clocks(slots_.columns(slot), figures_));
         free = std::max(first + clocks.restore, state_.bus + clocks.recovery) + clocks.precharge;
-        return;
+        return first;
       case RowOp::activate:
       case RowOp::latch:
       case RowOp::read:
-      case RowOp::write: free = first + clocks.restore + clocks.precharge; return;
+      case RowOp::write: free = first + clocks.restore + clocks.precharge; return first;
       case RowOp::logic:
       case RowOp::leaf:
-      case RowOp::wired_or: return;
+      case RowOp::wired_or: return first;
     }
+    return first;
   }
 
   const Figures& figures_;
@@ -79,6 +113,8 @@ class Step {
   RankState state_;
   std::size_t next_ = 0;  ///< index of the oldest entry of `allowed`, a ring
   std::int64_t last_ = 0;
+  std::vector<Issue>* issues_ = nullptr;
+  std::int64_t zero_ = 0;
 };
 
 }  // namespace
@@ -96,18 +132,27 @@ void RankSteps::step(RowOp op) {
     Step step(figures_, slots_, *nodes_[current_].state);
     step.take(op);
     const RankState to = step.to();
-    if (nodes_.size() == max_nodes) {
-      clear_nodes();
-      zero_ += step.clocks();
-      current_ = find_node(to);
-      return;
-    }
+    if (nodes_.size() == max_nodes) return enter(to, step.clocks());
     const std::size_t target = find_node(to);
     nodes_[current_].edges[number] = {target, step.clocks()};
   }
   const Edge& edge = nodes_[current_].edges[number];
   zero_ += edge.clocks;
   current_ = edge.to;
+}
+
+void RankSteps::step(RowOp op, std::vector<Issue>& issues) {
+  Step step(figures_, slots_, *nodes_[current_].state);
+  step.record(issues, zero_);
+  step.take(op);
+  enter(step.to(), step.clocks());
+}
+
+/// Makes `state` the current one, `clocks` after the previous one.
+void RankSteps::enter(const RankState& state, std::int64_t clocks) {
+  if (nodes_.size() == max_nodes) clear_nodes();
+  zero_ += clocks;
+  current_ = find_node(state);
 }
 
 std::size_t RankSteps::find_node(const RankState& state) {

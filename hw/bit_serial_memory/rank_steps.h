@@ -9,6 +9,7 @@
 
 #include "hw/bit_serial_memory/figures.h"
 #include "hw/bit_serial_memory/row_command.h"
+#include "hw/bit_serial_memory/row_listener.h"
 #include "hw/bit_serial_memory/slots.h"
 
 namespace csgsim::bit_serial_memory {
@@ -35,6 +36,8 @@ class RankSteps {
   void start(std::uint64_t clock);
   /// Lets all slots execute a command of the given kind.
   void step(RowOp op);
+  /// The same; appends the command's clocks in each slot or, for a command without activation, in each bank.
+  void step(RowOp op, std::vector<Issue>& issues);
   /// Delays everything in progress by `clocks`.
   void delay(std::uint64_t clocks) { zero_ += static_cast<std::int64_t>(clocks); }
 
@@ -64,6 +67,7 @@ class RankSteps {
     return static_cast<std::uint64_t>(zero_ + after_zero);
   }
   std::size_t find_node(const RankState& state);
+  void enter(const RankState& state, std::int64_t clocks);
   void clear_nodes();
 
   const Figures& figures_;

@@ -12,9 +12,7 @@
 
 namespace csgsim::bit_serial_memory {
 
-namespace {
-
-void print_rows(std::ostream& out, const RowMap& map) {
+void print_row_map(std::ostream& out, const RowMap& map) {
   const auto rows = [&](std::string_view name, unsigned first, unsigned count) {
     out << fmt::format("rows {} {} {}\n", name, first, count);
   };
@@ -33,6 +31,8 @@ void print_rows(std::ostream& out, const RowMap& map) {
   rows("y", map.y(0), map.y_bits);
 }
 
+namespace {
+
 void print(std::ostream& out, const RowCommands& commands) {
   for (const RowCommand& command : commands) out << text_of(command) << '\n';
 }
@@ -45,7 +45,7 @@ void print_row_commands(std::ostream& out, const isa::Program& program, const ma
   const MicroDesign design = micro_design(figures);
   out << fmt::format("# {}: {} x {} pixels, pixel y * {} + x in column y * {} + x\n", machine.name, program.shape.width,
                      program.shape.height, program.shape.width, program.shape.width);
-  print_rows(out, map);
+  print_row_map(out, map);
   std::uint64_t number = 0;
   for (std::size_t s = 0; s < program.segments.size(); ++s) {
     out << fmt::format("# segment {}: all pixel memory becomes 0\n", s);

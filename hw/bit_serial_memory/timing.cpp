@@ -9,6 +9,7 @@
 #include "hw/bit_serial_memory/micro_program.h"
 #include "hw/bit_serial_memory/row_map.h"
 #include "hw/bit_serial_memory/timing_link.h"
+#include "hw/bit_serial_memory/timing_rows.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/wire.h"
 
@@ -34,27 +35,29 @@ struct Task {
   std::uint64_t link_clocks = 0;
   const isa::Instruction* instruction = nullptr;
   std::size_t jumps_over = 0;  ///< number of following tasks that are skipped
+  std::uint64_t number = 0;    ///< of the segment or, in the whole Program, of the instruction
 };
 
 std::vector<Task> tasks_of(const isa::Program& program, const Machine& machine, std::span<const machines::Skip> skips) {
   std::vector<Task> tasks;
+  std::uint64_t number = 0;
   const auto clocks = [&](const isa::Command& command) {
     return std::uint64_t{isa::wire_words(command, machine.link.width)} * machine.link.word_clocks;
   };
   for (std::uint32_t s = 0; s < program.segments.size(); ++s) {
     const isa::Segment& segment = program.segments[s];
-    tasks.push_back({Task::Kind::clear, clocks(isa::SegmentStart{segment.region}), nullptr, 0});
+    tasks.push_back({Task::Kind::clear, clocks(isa::SegmentStart{segment.region}), nullptr, 0, s});
     for (std::uint32_t i = 0; i < segment.instructions.size(); ++i) {
       const isa::Instruction& instruction = segment.instructions[i];
       const bool needs_global_or = isa::needs_global_or(instruction.opcode);
-      tasks.push_back(
-          {needs_global_or ? Task::Kind::question : Task::Kind::instruction, clocks(instruction), &instruction, 0});
+      tasks.push_back({needs_global_or ? Task::Kind::question : Task::Kind::instruction, clocks(instruction),
+                       &instruction, 0, number++});
       if (skips.empty() || skips.front() != machines::Skip{s, i}) continue;
       tasks.back().jumps_over = static_cast<std::size_t>(instruction.constant);
       skips = skips.subspan(1);
     }
   }
-  tasks.push_back({Task::Kind::end, clocks(isa::FrameEnd{}), nullptr, 0});
+  tasks.push_back({Task::Kind::end, clocks(isa::FrameEnd{}), nullptr, 0, 0});
   return tasks;
 }
 
@@ -68,13 +71,15 @@ bool is_drawn(const isa::Program& program) {
 /// edge can begin at the next, once the previous command has finished.
 class FrameModel {
  public:
-  FrameModel(const isa::Program& program, const Machine& machine, std::span<const machines::Skip> skips)
+  FrameModel(const isa::Program& program, const Machine& machine, std::span<const machines::Skip> skips,
+             RowListener* listener = nullptr)
       : machine_(machine),
         figures_(machines::own<Figures>(machine)),
         slots_(slots_of(machine)),
         map_(map_of(machine)),
         tasks_(tasks_of(program, machine, skips)),
-        rank_(figures_, slots_),
+        listener_(listener),
+        rank_(figures_, slots_, listener),
         link_(figures_.queue, machine.link.latency),
         spans_(tasks_.size()) {}
 
@@ -110,7 +115,14 @@ class FrameModel {
     free_ = task_start_;
   }
 
+  void report(const Task& task) {
+    if (listener_ == nullptr) return;
+    if (task.kind == Task::Kind::clear) return listener_->begin_segment(static_cast<std::uint32_t>(task.number));
+    if (task.instruction != nullptr) listener_->begin_instruction(task.number, *task.instruction);
+  }
+
   void carry_out(const Task& task) {
+    report(task);
     const MicroDesign design = micro_design(figures_);
     ControllerAccount& controller = account_.controller;
     switch (task.kind) {
@@ -146,6 +158,7 @@ class FrameModel {
     if (shown.width == 0) return begin;
     const RowCommands commands = send_program(shown);
     count(commands);
+    if (listener_ != nullptr) listener_->begin_scan_out();
     return rank_.carry_out(commands, begin);
   }
 
@@ -154,6 +167,7 @@ class FrameModel {
   const Slots slots_;
   const RowMap map_;
   const std::vector<Task> tasks_;
+  RowListener* listener_;
   RankTiming rank_;
   LinkTiming link_;
   std::vector<ClockSpan> spans_;
@@ -183,6 +197,12 @@ machines::FrameTiming Kind::time(const isa::Program& program, const Machine& mac
                                  const RunOutcome& outcomes) const {
   const Machine one = drawing(program, machine);
   return FrameModel(program, one, outcomes.skips).time(shown_field(program));
+}
+
+machines::FrameTiming time_rows(const isa::Program& program, const Machine& machine,
+                                const machines::RunOutcome& outcomes, RowListener& listener) {
+  const Machine one = drawing(program, machine);
+  return FrameModel(program, one, outcomes.skips, &listener).time(shown_field(program));
 }
 
 std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, const Machine& machine,

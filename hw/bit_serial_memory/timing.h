@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "hw/bit_serial_memory/account.h"
 #include "hw/bit_serial_memory/figures.h"
 #include "hw/bit_serial_memory/rank_steps.h"
 #include "hw/bit_serial_memory/row_command.h"
+#include "hw/bit_serial_memory/row_listener.h"
 #include "hw/bit_serial_memory/slots.h"
 #include "hw/machines/machine.h"
 
@@ -19,7 +21,8 @@ namespace csgsim::bit_serial_memory {
 /// are complete when the last bank is closed and the activation window is empty again.
 class RankTiming {
  public:
-  RankTiming(const Figures& figures, const Slots& slots);
+  /// `listener`, if not null, receives the commands and refreshes of carry_out() and begin().
+  RankTiming(const Figures& figures, const Slots& slots, RowListener* listener = nullptr);
 
   /// Clocks of the commands if no refresh intervenes.
   std::uint64_t clocks(const RowCommands& commands);
@@ -36,10 +39,14 @@ class RankTiming {
   [[nodiscard]] std::uint64_t refreshes() const { return refreshes_; }
 
  private:
+  void step(const RowCommand& command);
   void refresh_if_due();
+  void count_refresh(std::uint64_t clock);
 
   const RankClocks& rank_;
   RankSteps steps_;
+  RowListener* listener_;
+  std::vector<Issue> issues_;
   std::uint64_t due_;
   std::uint64_t refreshing_ = 0;
   std::uint64_t refreshes_ = 0;

@@ -175,3 +175,38 @@ TEST_CASE("disasm --row-commands lists row commands of memories and rejects othe
   CHECK(bad.out.empty());
   CHECK(bad.err.find("bad.csgt:1:1") != std::string::npos);
 }
+
+TEST_CASE("rows writes the row commands of a run, to a file or to standard output") {
+  const Folder folder;
+  const std::string options = "rows " + model("old_example011") + " --machine simdram-ddr4 --size 8x6";
+  const Outcome written = succeeded(run(options + " -o " + (folder / "trace.rows")));
+  CHECK(written.out.find(" row commands in ") != std::string::npos);
+  CHECK(written.out.find("cannot express") == std::string::npos);
+  const std::string trace = content(folder / "trace.rows");
+  CHECK(trace.starts_with("csgsim-rows 1\nmachine simdram-ddr4\n"));
+  const Outcome streamed = succeeded(run(options + " -o -"));
+  CHECK(streamed.out == trace);
+  CHECK(streamed.err.find(" row commands in ") != std::string::npos);
+  CHECK(run(options + " -q -o " + (folder / "again.rows")).out == "");
+  CHECK(content(folder / "again.rows") == trace);
+  const std::string program = compiled(folder, "p.csgt", "--machine simdram-ddr4");
+  const Outcome replaced = succeeded(run("rows " + program + " --form drampower -o " + (folder / "trace.csv")));
+  CHECK(replaced.out.find("drampower cannot express") != std::string::npos);
+  CHECK(replaced.out.find("AAP; it contains ACT, ACT and PRE instead\n") != std::string::npos);
+}
+
+TEST_CASE("rows rejects other machines and forms and leaves no file") {
+  const Folder folder;
+  const std::string out = " -o " + (folder / "trace.rows");
+  fails(run("rows " + model("old_example011") + " --size 8x6" + out), 1,
+        {"pixel-planes-4 has no row commands; choose a machine of kind bit-serial-memory, as --machine simdram-ddr4"});
+  fails(run("rows " + compiled(folder, "p.csgt", "") + out), 1, {"pixel-planes-4 has no row commands"});
+  misused("rows " + model("old_example011") + " --form drampowr" + out, "did you mean drampower?");
+  misused("rows " + (folder / "p.csgt") + " --size 8x6" + out, "--size");
+  fails(
+      run("rows " + model("old_example011") + " --size 8x6 --machine simdram-ddr4+chips.count=4 --form dramsim3" + out),
+      1, {"addresses of dramsim3 are those of eight chips"});
+  CHECK_FALSE(fs::exists(folder / "trace.rows"));
+  const std::string program = compiled(folder, "q.csgt", "--machine simdram-ddr4");
+  fails(run("rows " + program + " -o " + program), 2, {"the same file as the input"});
+}

@@ -134,6 +134,7 @@ constexpr auto options = std::to_array<KnownOption>({
     {outputs, "json", "FILE", FileRole::output},
     {outputs, "report", "FILE", FileRole::output},
     {outputs, "row-commands"},
+    {outputs, "form"},
     {outputs, "no-plots"},
     {outputs, "missing"},
     {settings, "config", "FILE", FileRole::input},

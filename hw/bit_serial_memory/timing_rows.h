@@ -1,0 +1,18 @@
+// Row commands of a frame with the clocks at which they are issued.
+// Used by sim/rows.
+#pragma once
+
+#include "hw/bit_serial_memory/row_listener.h"
+#include "hw/isa/program.h"
+#include "hw/machines/machine.h"
+#include "hw/machines/run_outcome.h"
+#include "hw/machines/timing.h"
+
+namespace csgsim::bit_serial_memory {
+
+/// Reports every row command of a frame to the listener, scan-out included, and returns the same timing as Kind::time.
+/// The machine must be of this kind; `outcomes` are those of the run.
+machines::FrameTiming time_rows(const isa::Program& program, const machines::Machine& machine,
+                                const machines::RunOutcome& outcomes, RowListener& listener);
+
+}  // namespace csgsim::bit_serial_memory

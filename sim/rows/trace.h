@@ -1,0 +1,39 @@
+// Row-command traces of a run.
+// Used by the rows command.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hw/isa/program.h"
+#include "hw/machines/machine.h"
+#include "hw/machines/run_outcome.h"
+#include "hw/machines/timing.h"
+#include "sim/rows/forms.h"
+
+namespace csgsim::rows {
+
+/// What a trace contains instead of something that its form cannot express.
+struct Replacement {
+  std::string what;
+  std::string instead;
+  std::uint64_t count = 0;
+};
+
+struct TraceSummary {
+  std::uint64_t commands = 0;  ///< row commands, counted once for all slots
+  std::uint64_t lines = 0;
+  machines::FrameTiming timing;
+  std::vector<Replacement> replacements;
+};
+
+/// Writes the row commands of a frame, with their clocks, by calls of `write`. `outcomes` are those of the run. Throws
+/// InputError if the machine is of another kind, or if its geometry does not fit the form.
+TraceSummary write_trace(const isa::Program& program, const machines::Machine& machine,
+                         const machines::RunOutcome& outcomes, const FormRow& row,
+                         const std::function<void(std::string_view)>& write);
+
+}  // namespace csgsim::rows
