@@ -35,7 +35,7 @@ struct DesignPoint {
   std::string strategy{};
   unsigned stack_bits = 0;  ///< m, for strategies with a stack; otherwise 0
   std::string curves{};     ///< how curved surfaces are drawn: host/emit/curves.h
-  unsigned alu_bits = 0;    ///< of the machine; 0 if its kind has no such parameter
+  unsigned alu_bits = 0;    ///< ALU width of the machine in bits; 0 if its kind has no such parameter
 
   auto operator<=>(const DesignPoint&) const = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 sees a 0
 };
@@ -44,7 +44,7 @@ struct DesignPoint {
 /// views; depth errors are those of the worst view.
 struct DesignRow {
   DesignPoint point{};
-  std::string knob{};  ///< the varied knob; accuracy uses this in place of a point
+  std::string knob{};  ///< the varied setting; accuracy uses this in place of a point
   std::string value{};
   Inputs inputs{};
   std::string reason{};
