@@ -132,7 +132,7 @@ class KeptResults {
   std::size_t used_ = 0;
   const facet::Geometry* geometry_ = nullptr;
   std::vector<std::shared_ptr<PairTable>> pairs_;  ///< by the order of the drawings
-  std::size_t drawings_ = 0;                       ///< of the Program, until now
+  std::size_t drawings_ = 0;                       ///< number of the Program's drawings until now
   Reused reused_;
 };
 

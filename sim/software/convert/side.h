@@ -15,7 +15,7 @@ namespace csgsim::software::convert {
 /// A directed line between two points.
 using Side = std::array<std::uint32_t, 2>;
 
-/// The same line from the lower to the higher point index.
+/// The side's line, from the lower to the higher point index.
 inline Side ordered(const Side& side) { return {std::min(side[0], side[1]), std::max(side[0], side[1])}; }
 
 /// Key that is equal for a side and its opposite.
