@@ -64,7 +64,7 @@ struct Facts {
   DepthScale depth_scale;
   ModelFacts model;
   CompileFacts compile;
-  std::vector<PruningFacts> prunings{};  ///< those that were considered
+  std::vector<PruningFacts> prunings{};  ///< prunings that were considered
 
   bool operator==(const Facts&) const = default;
 };
