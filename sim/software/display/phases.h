@@ -18,7 +18,7 @@ enum class Phase : std::uint8_t {
   sorting,          ///< depth order of buckets and polygons, or an equivalent step
   scan_conversion,  /// scan conversion of polygons, and the CSG test
   depth_test,
-  initialisation,  ///< initialisation of pixel data
+  initialisation,  ///< initialization of pixel data
 };
 
 struct PhaseRow {

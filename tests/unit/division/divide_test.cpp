@@ -58,7 +58,7 @@ TEST_CASE("an empty square takes only a box test per primitive") {
   CHECK(divided.steps == std::vector<division::Counts>{{.boxes = 1}});
 }
 
-TEST_CASE("a square as large as the picture is initialised even if it is empty") {
+TEST_CASE("a square as large as the picture is initialized even if it is empty") {
   CHECK(testing::ModelDivider(testing::empty_model()).divide({0, 0, 16, 16}).instructions.size() == 3);
 }
 
