@@ -24,7 +24,7 @@ struct Reused {
   std::uint64_t lookups = 0;       ///< active trees that were looked up
   std::uint64_t trees = 0;         ///< active trees that were found
   std::uint64_t nodes = 0;         ///< visits of tree nodes that finding the trees has replaced
-  std::uint64_t certificates = 0;  ///< primitives that the half-space that excluded them before excluded again
+  std::uint64_t certificates = 0;  ///< primitives excluded again by the half-space that had excluded them before
 
   Reused& operator+=(const Reused& more);
   bool operator==(const Reused&) const = default;
@@ -132,7 +132,7 @@ class KeptResults {
   std::size_t used_ = 0;
   const facet::Geometry* geometry_ = nullptr;
   std::vector<std::shared_ptr<PairTable>> pairs_;  ///< by the order of the drawings
-  std::size_t drawings_ = 0;                       ///< of the Program, until now
+  std::size_t drawings_ = 0;                       ///< number of the Program's drawings until now
   Reused reused_;
 };
 

@@ -16,7 +16,7 @@ namespace csgsim::csg {
 /// How the extremes of a plane over a rectangle are found.
 enum class Finding : std::uint8_t {
   by_test,   ///< at the corners
-  from_row,  ///< from those of the row above, by additions
+  from_row,  ///< by additions, from the extremes in the row above
   known,     ///< they have been found before
 };
 

@@ -15,7 +15,7 @@ namespace csgsim::effects {
 /// Position of a receiver's outline relative to a half-space that is certain in spite of rounding.
 enum class ReceiverSide : std::int8_t {
   beyond = -1,  ///< entirely outside the half-space
-  open = 0,     ///< neither is certain
+  open = 0,     ///< possibly on both sides
   within = 1,   ///< entirely inside the half-space
 };
 

@@ -84,7 +84,7 @@ struct Input {
   const facet::Geometry& geometry;
   const Drawing& drawing;
   const machines::Machine& machine;
-  std::optional<machines::Division> division;  ///< of the machine
+  std::optional<machines::Division> division;  ///< the machine's division of the picture, if it divides the model
   std::span<const EffectRequest> called;
 };
 

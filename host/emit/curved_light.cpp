@@ -108,7 +108,7 @@ class Painter {
   /// A light that reaches the facet.
   struct Light {
     ScaledCosine cosine;
-    glm::dvec3 brightness;  ///< of the light's colour on the surface
+    glm::dvec3 brightness;  ///< brightness of the light's colour on the surface
     double greatest;        ///< maximum of the fitted cosine on the facet
     double most;            ///< upper bound of the cosine that pixels compute, with the error of fit and rounding
   };

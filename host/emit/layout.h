@@ -31,7 +31,7 @@ struct FieldRequest {
   isa::FieldRole role = isa::FieldRole::scratch;
   unsigned width = 0;          ///< 0: no field
   std::string_view what;       ///< purpose, for messages
-  std::string_view without{};  ///< what to do if there is no room for it; may be empty
+  std::string_view without{};  ///< advice if there is no room for the field; may be empty
   bool is_scratch = false;     ///< unused while surfaces are drawn, so that it may overlap Z1
 };
 

@@ -54,7 +54,7 @@ struct Plan {
 struct PlanSettings {
   csg::Pruning pruning;
   csg::Prices prices{};
-  std::shared_ptr<csg::PairTable> pairs = nullptr;  ///< of the geometry; null: a new one
+  std::shared_ptr<csg::PairTable> pairs = nullptr;  ///< pair table of the geometry; null: a new one
   csg::KeptResults* kept = nullptr;                 ///< see csg::PrunerSettings; not used if they are of another model
 };
 

@@ -14,8 +14,8 @@ namespace csgsim::emit {
 /// Distinct numbers of a model as longs of 32 bits, relative to its size: what the host has to multiply by the camera's
 /// matrix. The host finds them once per model.
 struct DistinctNumbers {
-  std::uint64_t coordinates = 0;  ///< of corners: values along x, along y and along z
-  std::uint64_t components = 0;   ///< of normals, without their signs
+  std::uint64_t coordinates = 0;  ///< distinct coordinates of corners, along x, y and z
+  std::uint64_t components = 0;   ///< distinct components of normals, without their signs
   std::uint64_t directions = 0;   ///< normals of planes that are not parallel
 };
 

@@ -26,7 +26,7 @@ csg::Known locate_block(const Context& context, const QuadricBound& bound, const
 
 /// The parts of a bound that matter to the points of a block.
 struct RelevantParts {
-  bool outline = true;  ///< whether the ray meets it
+  bool outline = true;  ///< whether the ray meets the quadric
   bool near = true;
   bool far = true;
 };

@@ -50,8 +50,8 @@ std::optional<WireFrame> make_wire_frame(Surface& surface, const Accuracy& accur
   const bool is_alone = surface.columns() * surface.rows() == 1 && !surface.wraps_columns() && !surface.wraps_rows();
   if (is_alone) return std::nullopt;
   std::optional<WireFrame> frame(std::in_place, surface, accuracy, made.wiring, output);
-  made.wire_vertices = frame->vertices();
-  made.repair.vertices += frame->vertices();
+  made.wire_vertices = frame->vertex_count();
+  made.repair.vertices += frame->vertex_count();
   made.repair.snaps += frame->snaps();
   return frame;
 }

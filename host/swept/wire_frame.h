@@ -45,7 +45,7 @@ class WireFrame {
   /// The edge west of a column, or east of the last column.
   [[nodiscard]] const WireEdge& along_v(std::size_t joint, std::size_t row) const;
 
-  [[nodiscard]] std::uint64_t vertices() const { return vertices_; }
+  [[nodiscard]] std::uint64_t vertex_count() const { return vertices_; }
   [[nodiscard]] std::uint64_t snaps() const { return snaps_; }
 
  private:

@@ -17,7 +17,7 @@
 // block of pixels by block of pixels, all steps of a block in one go.
 namespace csgsim::array {
 
-/// Layout of a pixel's bits: carry, flag, latch, memory, and optionally the registers between the trees and the pixel.
+/// Indices of a pixel's bits: carry, flag, latch, memory, and optionally the registers between the trees and the pixel.
 struct PixelBits {
   unsigned alu_bits = 1;
   unsigned memory_bits = 0;

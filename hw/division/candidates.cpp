@@ -45,7 +45,7 @@ bool prune_halfspaces(Datapath& path, std::uint32_t index, const Rectangle& pixe
 
 }  // namespace
 
-std::uint64_t Candidates::entries() const {
+std::uint64_t Candidates::entry_count() const {
   std::uint64_t entries = primitives.size();
   for (const std::uint32_t primitive : primitives) entries += halfspaces[primitive].size();
   return entries;

@@ -17,8 +17,8 @@ struct Candidates {
   std::vector<std::vector<std::uint32_t>> halfspaces;
   std::vector<bool> listed;  ///< whether each primitive of the model is listed
 
-  /// Entries of the divider's list: one per primitive and one per half-space.
-  [[nodiscard]] std::uint64_t entries() const;
+  /// Number of entries of the divider's list: one per primitive and one per half-space.
+  [[nodiscard]] std::uint64_t entry_count() const;
 };
 
 /// Candidates that list the whole model.

@@ -88,9 +88,9 @@ DividedGroup divide_group(const Divider& divider, const isa::Region& group, cons
   DividedGroup divided;
   const Candidates survivors = divider.survivors(group, path);
   divided.group = path.take_counts();
-  divided.fits = survivors.entries() <= list_entries;
+  divided.fits = survivors.entry_count() <= list_entries;
   const Candidates& from = divided.fits ? survivors : divider.all();
-  divided.entries = from.entries();
+  divided.entries = from.entry_count();
   for (const isa::Region& square : squares) divided.squares.push_back(divider.divide(square, from, path));
   return divided;
 }

@@ -63,8 +63,8 @@ class Writer {
   bool is_moved_ = false;
   isa::Region region_{};
   std::unordered_set<std::uint64_t> expressions_;  ///< hashes of the segment's expressions
-  std::unordered_set<std::uint64_t> above_;        ///< those of the segment above, if they are rows of the same place
-  std::unordered_set<std::uint64_t> words_;        ///< hashes of its instructions with an expression
+  std::unordered_set<std::uint64_t> above_;  ///< hashes of the previous segment's expressions, if it is the row above
+  std::unordered_set<std::uint64_t> words_;  ///< hashes of the segment's instructions with an expression
   std::unordered_set<std::uint64_t> frame_words_;  ///< hashes of the frame's other instructions
   Written written_;
 };

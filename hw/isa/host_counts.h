@@ -13,7 +13,7 @@ struct SegmentFacts {
   std::uint32_t halfspaces = 0;       ///< half-spaces of those primitives
   std::uint32_t kept_primitives = 0;  ///< primitives that remain after pruning
   std::uint32_t kept_halfspaces = 0;  ///< half-spaces of those primitives' surfaces that remain after pruning
-  std::uint32_t comparisons = 0;      ///< comparisons of primitives with Z1, to classify it
+  std::uint32_t comparisons = 0;      ///< comparisons of primitives with the surface in Z1
 
   constexpr bool operator==(const SegmentFacts&) const = default;
 };

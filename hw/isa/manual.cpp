@@ -336,8 +336,7 @@ void put_text_form(std::string& page) {
       "\nA `.prepare_model` line before the first `.segment` has the same keys for work that is done once per model, "
       "whatever\nthe camera. `.pruning` lines say what the prunings did: for how many items each was `tried`, how many "
       "it `decided`,\nhow many were `left` because a test was not worth its time, the estimated instructions `saved`, "
-      "and the "
-      "host's `nanoseconds`:\n\n");
+      "and the host's\n`nanoseconds`:\n\n");
   put_keys(page, "pruning", PruningFacts{});
 }
 

@@ -36,7 +36,7 @@ enum class ClockClass : std::uint8_t {
 /// Effect of an instruction on E.
 enum class EnableEffect : std::uint8_t {
   sets,     ///< independent of the old value
-  narrows,  ///< may clear it
+  narrows,  ///< may clear E
   keeps,
 };
 

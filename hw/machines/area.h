@@ -7,7 +7,7 @@
 
 #include "hw/machines/machine.h"
 
-// Silicon area of a machine's pixels. This is a model (docs/area.md): logic as synthesised by Yosys from the Verilog of
+// Silicon area of a machine's pixels. This is a model (docs/area.md): logic as synthesized by Yosys from the Verilog of
 // hw/rtl, in transistors of static CMOS, and memory as an assumed number of transistors per bit.
 namespace csgsim::machines {
 
@@ -22,7 +22,7 @@ double registered_nodes(const Machine& machine);
 /// Transistors of one pixel of the machine with `memory_bits` bits of memory: processor, memory and its node of the
 /// multiplier trees. In degree 2 this includes the flag for roots and the adders for squares; all adders have
 /// evaluator.bits bits. Stream registers are counted in proportion to registered_nodes(). Empty if no such pixel has
-/// been synthesised: the processors are of another type, or the table has no ALU or node of that width.
+/// been synthesized: the processors are of another type, or the table has no ALU or node of that width.
 std::optional<std::uint64_t> pixel_transistors(const Machine& machine, std::uint32_t memory_bits);
 
 }  // namespace csgsim::machines

@@ -1,4 +1,4 @@
-// Synthesised transistor counts.
+// Synthesized transistor counts.
 // Used by area.cpp and hw/process.
 #pragma once
 

@@ -190,7 +190,7 @@ void DisplayProcessor::broadcast(const isa::Region& segment, bool is_active) {
       send(segment_heads(model_, survivors_), WordKind::heads, false);
     } else {
       send(records, WordKind::segment, false);
-      counted_.broadcast_halfspaces += survivors_.entries() - survivors_.primitives.size();
+      counted_.broadcast_halfspaces += survivors_.entry_count() - survivors_.primitives.size();
     }
   }
   send(isa::SegmentEnd{}, true);

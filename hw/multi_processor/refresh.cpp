@@ -48,7 +48,7 @@ void check_refresh(const isa::FrameHeader& header, const machines::Machine& mach
   const std::uint32_t clocks = machines::own<Figures>(machine).refresh.clocks;
   if (turns == 0 || turns <= (machine.clock_hz - 1) / clocks) return;
   throw InputError(fmt::format(
-      "the screen takes {} turns a second of {} clocks each, but the memories of {} have {} clocks a second, "
+      "the screen takes {} turns per second of {} clocks each, but the memories of {} have {} clocks per second, "
       "which leaves none for drawing; increase refresh.bits",
       turns, clocks, machine.name, machine.clock_hz));
 }

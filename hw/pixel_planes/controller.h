@@ -140,10 +140,10 @@ class Controller final : public systemc::ClockedModule {
   bool jumped_ = false;         ///< whether no command has arrived since the last jump
   unsigned edges_to_drop_ = 0;  ///< number of further edges at which the words on the link must be dropped
   isa::Region region_;          ///< region being cleared
-  std::uint32_t cleared_ = 0;   ///< number of clocks spent on clearing it
+  std::uint32_t cleared_ = 0;   ///< number of clocks spent on clearing the region
   isa::Field colour_;           ///< colour field of the frame's last command
   isa::Field shown_;            ///< field last sent to the scan-out
-  bool unlatched_ = false;      ///< whether some of its rows have not been latched
+  bool unlatched_ = false;      ///< whether some rows of that field have not been latched
   bool refreshed_ = false;      ///< a refresh word is on the wires
   std::uint32_t drained_ = 0;
   std::uint64_t programs_done_ = 0;

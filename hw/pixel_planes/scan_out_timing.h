@@ -40,7 +40,7 @@ class ScanOutTiming {
   std::uint64_t way_;           ///< clocks from a refresh word's edge to the first edge after its bit has been latched
   bool shared_;
   std::uint64_t row_ = 0;      ///< row being latched
-  std::uint64_t row_begun_;    ///< edge from which it is latched, and the previous row is shown
+  std::uint64_t row_begun_;    ///< edge from which the row is latched while the previous row is shown
   std::uint32_t sent_ = 0;     ///< number of refresh words sent for the row
   std::uint64_t request_ = 0;  ///< edge of the next request
   std::uint64_t latched_ = 0;

@@ -99,7 +99,7 @@ void CornerDivider::begin_group(const isa::Region& group, SteppedDatapath& path)
   path.enter(Level::group);
   list_ = divider_->survivors(group, path);
   path.take_counts();
-  const std::uint64_t entries = list_->entries();
+  const std::uint64_t entries = list_->entry_count();
   spend(std::min<std::uint64_t>(entries, figures_.list_entries));
   if (entries > figures_.list_entries) list_.reset();
 }

@@ -95,7 +95,7 @@ class Sender : public systemc::ClockedModule {
   std::uint32_t elapsed_ = 0;            ///< clocks spent on the current word
   std::vector<std::uint64_t> assigned_;  ///< squares assigned to each renderer
   std::uint64_t skipped_ = 0;
-  std::uint64_t acted_at_ = 0;  ///< clock edge
+  std::uint64_t acted_at_ = 0;  ///< edge at which the sender acted last
   SquareActivity activity_{};   ///< activity of the last clock, and of the clocks since then in which the sender slept
   SquareClocks clocks_;
   SenderStatus status_;

@@ -34,7 +34,7 @@ struct ClockPath {
 /// - `wire`: the longest wire of a tree or of the broadcast, half the side of the array.
 /// - `global OR`: if the machine has a global OR, one of its gates, composed of gates with the fan-in of the process.
 ///
-/// Empty for machines with other processors and for pixels that have not been synthesised.
+/// Empty for machines with other processors and for pixels that have not been synthesized.
 std::vector<ClockPath> clock_paths(const machines::Machine& machine, const Process& process);
 
 /// The slowest path and the clock rate it permits, at most the maximum of machine descriptions.

@@ -80,7 +80,7 @@ struct Operations {
     for (std::size_t i = 0; i < operation_kinds; ++i) counts[i] += more.counts[i];
     return *this;
   }
-  /// Subtracts counts that are part of these.
+  /// Subtracts counts, each of which must be at most this object's.
   constexpr Operations& operator-=(const Operations& part) {
     for (std::size_t i = 0; i < operation_kinds; ++i) counts[i] -= part.counts[i];
     return *this;

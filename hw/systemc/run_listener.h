@@ -18,7 +18,7 @@ struct Retired {
   std::uint32_t index = 0;                           ///< index within the segment
   std::uint64_t clocks = 0;                          ///< clocks of the unit that issues instructions
   std::uint64_t enabled_pixels = 0;                  ///< pixels with E = 1 when the instruction began
-  std::uint64_t skipped = 0;                         ///< number of instructions skipped after it
+  std::uint64_t skipped = 0;                         ///< number of instructions that this one skips
   std::optional<machines::PixelClocks> at_pixels{};  ///< set if the clocks differ between pixels
 };
 

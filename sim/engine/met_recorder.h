@@ -38,6 +38,7 @@ class MetRecorder {
     has_enabled_ = false;
   }
 
+  /// Reads what the record of an instruction needs before the instruction is executed.
   void before(Place place, const isa::Instruction& instruction, const PixelState& state) {
     if (!is_needed_) return;
     if (place.index == 0 || !has_enabled_) begin(place, state);

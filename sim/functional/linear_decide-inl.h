@@ -128,7 +128,7 @@ using Coarse = hn::Vec<CoarseTag>;
 /// A sum divided by 2^dropped, with z and 1 scaled to match.
 struct Scale {
   int dropped = 0;          ///< dropped bits of the sum
-  int kept = 0;             ///< remaining bits of its fraction
+  int kept = 0;             ///< remaining fraction bits of the sum
   std::int32_t excess = 0;  ///< maximum accumulated rounding
 };
 

@@ -47,7 +47,7 @@ class LongCamera {
     min_unit_ = perspective_ ? 0 : glm::length(view);
   }
 
-  /// The ray of a pixel centre; t counts model units along the axis from the eye.
+  /// The ray of a pixel centre; t is the distance from the eye along the view axis, in model units.
   [[nodiscard]] Line ray(std::uint32_t column, std::uint32_t row) const {
     const long double x = (column - middle_x_ + nudge_right) * pixel_;
     const long double y = (row - middle_y_ + nudge_down) * pixel_;

@@ -33,7 +33,7 @@ struct ExactLinear {
   [[nodiscard]] Dyadic at(Place place) const;
 };
 
-/// A camera in exact numbers. Its direction v = centre - eye, r = v x up and u = r x v are exact and not normalised, so
+/// A camera in exact numbers. Its direction v = centre - eye, r = v x up and u = r x v are exact and not normalized, so
 /// that perpendicular and parallel planes are recognized exactly. Only the two lengths pixel / |r| and pixel / |u| are
 /// irrational; they are computed to 100 digits.
 struct ExactCamera {

@@ -15,8 +15,8 @@ namespace csgsim::observe {
 
 /// Clocks from one frame to the next if the same frame is drawn repeatedly.
 struct FrameClocks {
-  std::uint64_t interval = 0;  ///< of the machine, if its host keeps up
-  std::uint64_t hosted = 0;    ///< limited by the host too
+  std::uint64_t interval = 0;  ///< clocks of the machine, if its host keeps up
+  std::uint64_t hosted = 0;    ///< clocks of the machine, also limited by its host
 
   bool operator==(const FrameClocks&) const = default;
 };

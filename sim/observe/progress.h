@@ -11,8 +11,8 @@
 
 namespace csgsim::observe {
 
-/// Shows progress, rate and remaining time of a run on standard error, a few times a second after the first second. On
-/// request it also warns about a run that will take minutes.
+/// Shows progress, rate and remaining time of a run on standard error, a few times per second after the first second.
+/// On request it also warns about a run that will take minutes.
 class ProgressObserver : public engine::Observer {
  public:
   /// Clocks of skipped instructions are removed from the total. Program and machine have to outlive it.

@@ -41,7 +41,7 @@ struct Module {
   /// null.
   Encoded (*encode)(const char* path, const char* file, const Raster& raster);
 
-  /// Begins an animated GIF that shows that number of pictures a second; null if GIF is not supported.
+  /// Begins an animated GIF that shows that number of pictures per second; null if GIF is not supported.
   std::unique_ptr<AnimationWriter> (*animate)(unsigned pictures_per_second);
 };
 

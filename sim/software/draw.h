@@ -24,7 +24,7 @@ Picture draw(const RayCaster& rays, Method& method, RayCounts* counts = nullptr)
 
 /// Wall time on this computer in seconds.
 struct Seconds {
-  double rays = 0;            ///< time to intersect and sort
+  double rays = 0;            ///< seconds to intersect rays and to sort their events
   double classification = 0;  ///< for a method that takes planes, the total time
 };
 

@@ -40,7 +40,7 @@ struct PixelRun {
   std::vector<std::uint32_t> segments;  ///< segments that contain the pixel, in order
   std::vector<PixelStep> steps;         ///< executed instructions, in order
   ShownSurface nearest;
-  ShownSurface opaque;       ///< the nearest opaque surface; may be the same
+  ShownSurface opaque;       ///< the nearest opaque surface, possibly that of `nearest`
   std::uint32_t colour = 0;  ///< colour as the colour field holds it
 };
 

@@ -172,7 +172,7 @@ class Writer {
     return fmt::format("[{}] ", printable(effects[event.origin.effect]));
   }
 
-  /// Whether the primitive whose depths are stored is at the pixel; for an absent primitive the last event initialises
+  /// Whether the primitive whose depths are stored is at the pixel; for an absent primitive the last event initializes
   /// the depths.
   static bool is_here(const Event& stored) { return !stored.enabled_after; }
 

@@ -12,7 +12,7 @@
 namespace csgsim::story {
 
 /// Text for the user: what the pixel shows and why, then the history with one event per line. Surfaces beside the pixel
-/// are only summarised.
+/// are only summarized.
 std::string text_of(const Subject& subject, const Story& story);
 
 /// Whole lines of that text.

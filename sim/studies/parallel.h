@@ -1,4 +1,4 @@
-// Parallel loops with serialised results.
+// Parallel loops with serialized results.
 // Used by the studies to measure points.
 #pragma once
 

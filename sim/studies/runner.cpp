@@ -222,7 +222,7 @@ void add_shard(session::OptionList& command, std::optional<Shard>& shard) {
 void add_folder(const StudyRow& row, Folder kept, session::OptionList& command, std::string& folder) {
   std::string default_value;
   if (kept == Folder::usual) default_value = fmt::format("; default: MODEL-{}", row.name);
-  if (kept == Folder::optional) default_value = "; without it, results are not kept";
+  if (kept == Folder::optional) default_value = "; without a folder, results are not kept";
   session::Option& option =
       command.option("-o,--output", folder,
                      fmt::format("Folder for {}.csv, {}.json and the plots{}", row.name, row.name, default_value));

@@ -32,7 +32,7 @@ struct Serving {
   RequestReader::Gate gate;                   ///< called with each header, before the body is read
   Handler handler;                            ///< answers all requests that the gate admits
   std::function<bool(const Request&)> stays;  ///< whether a GET is the event stream that an open page keeps
-  std::function<void()> tick;                 ///< called ten times a second
+  std::function<void()> tick;                 ///< called ten times per second
   std::function<void()> ending;               ///< called before the server waits for the requests in progress
 };
 

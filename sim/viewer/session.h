@@ -60,7 +60,7 @@ class Session {
   /// or record waveforms.
   Reply answer(const Request& request, std::string_view path);
 
-  /// Stops evaluations that exceed the time limit. Called several times a second.
+  /// Stops evaluations that exceed the time limit. Called several times per second.
   void end_overdue() { evaluations_.end_overdue(); }
 
   /// Stops all work, now and in later questions.

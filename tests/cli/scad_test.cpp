@@ -47,7 +47,7 @@ TEST_CASE("every command that takes models accepts OpenSCAD source") {
   CHECK(draw_source(cube, {"debug", "part.scad"}).code == 0);
 }
 
-TEST_CASE("a Program is recognised by its first bytes under any file name") {
+TEST_CASE("a Program is recognized by its first bytes under any file name") {
   const Folder folder;
   write(folder / "model.csg", "cube(size = [8, 6, 4]);\n");
   succeeded(run_words({"compile", "model.csg", "--size", "16x16", "-o", "program.csgt"}, folder.path()));

@@ -56,6 +56,7 @@ std::vector<Key> keys_of_command(const std::string& command) {
 /// set of words needs a line here.
 const std::map<std::string, std::string> samples{{"projection", "\"perspective\""},
                                                  {"machine", "\"scan-line\""},
+                                                 {"name", "\"scan-line\""},
                                                  {"machine-a", "\"scan-line\""},
                                                  {"machine-b", "\"scan-line\""},
                                                  {"machines", "\"scan-line\""},

@@ -172,7 +172,7 @@ def header(pixels, nodes, rest):
     rows = "\n".join(f"    {{{alu}, {reads}, {degree}, {row['transistors']}}},"
                      for (alu, reads, degree), row in pixels.items())
     of_nodes = "\n".join(f"    {{{bits}, {degree}, {row['transistors']}}}," for (bits, degree), row in nodes.items())
-    return f"""// Synthesised transistor counts.
+    return f"""// Synthesized transistor counts.
 // Used by area.cpp and hw/process.
 #pragma once
 

@@ -208,10 +208,11 @@ void run(const Options& options) {
 
 void add_effects(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  Command& command = line.add(
-      "effects", study_group, "Show the cost of each effect of a scene, alone and together, and the picture without it",
-      "Example:\n  csgsim effects carburettor.csg --scene shadows.toml --memory-bits 128 -o bill\n"
-      "docs/effects.md lists the effects and their settings.");
+  Command& command =
+      line.add("effects", study_group,
+               "Show the cost of each effect of a scene, alone and together, and the picture without the effect",
+               "Example:\n  csgsim effects carburettor.csg --scene shadows.toml --memory-bits 128 -o bill\n"
+               "docs/effects.md lists the effects and their settings.");
   options->model.add_to(command);
   command.option("-o,--output", options->folder, "Folder for the pictures and the costs, effects.json").folder();
   options->report.add_to(command);

@@ -19,7 +19,7 @@ constexpr std::size_t numbers_of_gimbal = 7;
 constexpr const char* blanks = " \t\r";
 constexpr InputKind camera_input{"name a file of cameras", 1'000'000, "split it into several"};
 
-/// A number, and the characters before it.
+/// A number and its position in the text.
 struct PlacedNumber {
   double value = 0;
   std::size_t at = 0;

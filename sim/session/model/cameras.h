@@ -27,8 +27,8 @@ class CameraError : public std::runtime_error {
 /// Parses eye and centre, or centre, rotations and distance, separated by commas. Throws CameraError.
 view::Camera parse_camera(std::string_view text);
 
-/// Reads a file of one camera a line. `#` begins a comment; lines without a camera are ignored. Throws InputError with
-/// line and column, and for a file without cameras or with more than `most`.
+/// Reads a file with one camera per line. `#` begins a comment; lines without a camera are ignored. Throws InputError
+/// with line and column, and for a file without cameras or with more than `most`.
 std::vector<view::Camera> read_cameras(const std::filesystem::path& path, std::size_t most);
 
 }  // namespace csgsim::session

@@ -151,6 +151,7 @@ constexpr auto options = std::to_array<KnownOption>({
     {operand, "a", "", FileRole::input},
     {operand, "b", "", FileRole::input},
     {operand, "file", "", FileRole::input},
+    {operand, "name", "", FileRole::machines},
 });
 
 constexpr KnownOption other{further};

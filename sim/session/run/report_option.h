@@ -21,7 +21,7 @@ struct StudyContext;
 
 namespace csgsim::session {
 
-/// The option --report of commands that summarise their results on one page.
+/// The option --report of commands that summarize their results on one page.
 struct ReportOption {
   std::string file;
 

@@ -111,7 +111,7 @@ class JoinedLists {
     return set;
   }
 
-  /// Hashes word by word, which is how it is counted.
+  /// Hashes the set word by word, and counts the operations of each word.
   static std::uint64_t hash_of(std::span<const std::uint32_t> set, Count& count) {
     std::uint64_t hash = 0;
     for (const std::uint32_t primitive : set) {

@@ -66,7 +66,7 @@ struct Size {
 /// Size of a node of the file: its pieces form one solid, and some of them may be slivers.
 struct NodeSize {
   facet::Box box;
-  double thickness = 0;  ///< of the thickest piece
+  double thickness = 0;  ///< thickness of the thickest piece
 
   void add(const facet::Solid& solid) {
     if (solid.vertices.empty()) return;

@@ -12,7 +12,7 @@ using Kind = Node::Kind;
 
 /// Combined value of an operator's operands.
 struct Sum {
-  Both value{};            ///< of the known operands
+  Both value{};            ///< value of the known operands
   std::uint32_t open = 0;  ///< number of unknown operands
 };
 

@@ -15,7 +15,7 @@ namespace csgsim::software::convert {
 /// A directed line between two points.
 using Side = std::array<std::uint32_t, 2>;
 
-/// The same line from the lower to the higher point index.
+/// The side's line, from the lower to the higher point index.
 inline Side ordered(const Side& side) { return {std::min(side[0], side[1]), std::max(side[0], side[1])}; }
 
 /// Key that is equal for a side and its opposite.
@@ -56,7 +56,7 @@ std::vector<std::uint32_t> ends_of(std::span<const Side> sides);
 /// Points on sides, by the sides' keys, sorted from the lower to the higher end point.
 using Ends = std::unordered_map<std::uint64_t, std::vector<std::uint32_t>>;
 
-/// Splits each side at its points. Returns whether any was split.
+/// Splits each side at the points that `ends` has for it. Returns whether any was split.
 bool end_at(const Ends& ends, std::vector<Side>& sides);
 
 }  // namespace csgsim::software::convert

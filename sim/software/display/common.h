@@ -36,7 +36,7 @@ Displayed displayed(const DisplaySubject& subject, const Draw& draw) {
   result.picture.seen.assign(subject.pixels(), Seen{subject.farthest(), Seen::nothing_seen});
   ledger[Phase::initialisation](Operation::store_long, 2 * subject.pixels());
   ledger[Phase::initialisation](Operation::branch_taken, subject.pixels());
-  result.counts.polygons = result.counts.pieces = subject.facets.polygons();
+  result.counts.polygons = result.counts.pieces = subject.facets.polygon_count();
   result.counts.drawn_polygons = seen.facets.size();
   result.counts.words.polygons = words_of_polygons(subject.facets, seen);
   result.counts.words.pixels = 2 * subject.pixels();

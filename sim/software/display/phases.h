@@ -18,7 +18,7 @@ enum class Phase : std::uint8_t {
   sorting,          ///< depth order of buckets and polygons, or an equivalent step
   scan_conversion,  /// scan conversion of polygons, and the CSG test
   depth_test,
-  initialisation,  ///< initialisation of pixel data
+  initialisation,  ///< initialization of pixel data
 };
 
 struct PhaseRow {
@@ -48,7 +48,7 @@ struct DisplayWords {
 
 /// Counts of drawing a picture facet by facet.
 struct DisplayCounts {
-  std::uint64_t polygons = 0;        ///< of the model
+  std::uint64_t polygons = 0;        ///< polygons of the model
   std::uint64_t pieces = 0;          ///< polygons after clipping against each other
   std::uint64_t shared = 0;          ///< clipped polygons in several cells
   std::uint64_t references = 0;      ///< total number of polygon parts in cells

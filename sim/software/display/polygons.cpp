@@ -79,7 +79,7 @@ class CellFiller {
         tolerance_(min_overhang * convex::tolerance(geometry.planes)),
         count_(count) {
     made_.canonical_planes = geometry.planes.planes().size();
-    made_.clipped = clipped.polygons.polygons();
+    made_.clipped = clipped.polygons.polygon_count();
     made_.crossing_tests = clipped.crossing_tests;
     made_.overlap_tests = clipped.overlap_tests;
     made_.shared = numbers_.shared();
@@ -225,7 +225,7 @@ bool is_outside(const facet::Box& box, const view::EyeSpace& eye, const glm::dve
 
 }  // namespace
 
-std::size_t Polygons::pieces() const {
+std::size_t Polygons::piece_count() const {
   std::size_t sum = 0;
   for (const PolygonCell& cell : cells) {
     for (const Piece& piece : cell.bucket) sum += piece.corners.size() >= 3 ? 1U : 0U;

@@ -46,7 +46,7 @@ struct Polygons {
   std::uint64_t words = 0;           ///< 32-bit words of the directory and its buckets
 
   /// Number of pieces with an area in all cells.
-  [[nodiscard]] std::size_t pieces() const;
+  [[nodiscard]] std::size_t piece_count() const;
   /// Number of cells with a non-empty bucket.
   [[nodiscard]] std::size_t filled() const;
 };

@@ -38,7 +38,7 @@ Displayed run_rays(const DisplaySubject& subject, bool counts) {
   result.drawing_seconds = seconds_since(begin);
   const Counts of_method = method->counts();
   DisplayCounts& counted = result.counts;
-  counted.polygons = counted.pieces = counted.drawn_polygons = subject.facets.polygons();
+  counted.polygons = counted.pieces = counted.drawn_polygons = subject.facets.polygon_count();
   counted.words.polygons = 6 * subject.geometry.halfspaces();
   counted.words.pixels = 2 * subject.pixels();
   counted.words.sequences = of_method.words;

@@ -40,7 +40,7 @@ void add_corners(const convex::Polytope& polytope, std::uint32_t face, const fac
 
 }  // namespace
 
-std::size_t Facets::polygons() const {
+std::size_t Facets::polygon_count() const {
   return static_cast<std::size_t>(
       std::ranges::count_if(facets, [](const Facet& facet) { return facet.end - facet.begin >= 3; }));
 }

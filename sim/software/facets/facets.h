@@ -35,10 +35,11 @@ struct Facets {
     return std::span(corners).subspan(facets[facet].begin, facets[facet].end - facets[facet].begin);
   }
   /// Number of facets with an area, i.e. at least three corners.
-  [[nodiscard]] std::size_t polygons() const;
+  [[nodiscard]] std::size_t polygon_count() const;
 };
 
-/// Throws InputError, with the primitive's place in the file, if it stays curved: it has no faces then.
+/// The facets of all primitives. Throws InputError, with the primitive's place in the file, for a primitive that stays
+/// curved and thus has no facets.
 Facets facets_of(const model::Tree& tree, const facet::Geometry& geometry);
 
 }  // namespace csgsim::software

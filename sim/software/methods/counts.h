@@ -11,7 +11,7 @@ namespace csgsim::software {
 /// Counts of a method. Words have 32 bits.
 struct Counts {
   std::uint64_t points = 0;         ///< classified points of rays; events at the same depth are one point
-  std::uint64_t evaluations = 0;    ///< of the tree, for a point of a ray
+  std::uint64_t evaluations = 0;    ///< evaluations of the tree, each for a point of a ray
   std::uint64_t precomputed = 0;    ///< evaluations before the first ray
   std::uint64_t looked_up = 0;      ///< points whose class was already stored
   std::uint64_t pruned_nodes = 0;   ///< nodes visited to prune trees
@@ -21,7 +21,7 @@ struct Counts {
   std::uint64_t list_elements = 0;  ///< created list elements
   std::uint64_t ties = 0;           ///< points with several candidates for the visible surface
   std::uint64_t words = 0;          ///< maximum memory in use at one time
-  Operations operations;            ///< of classification, without ray intersection and sorting
+  Operations operations;            ///< operations of classification, without ray intersection and sorting
   Operations traversal;             ///< subset of `operations`: flips and evaluations by the traversal
 };
 

@@ -76,7 +76,7 @@ struct SpaceBuilt {
   std::uint64_t references = 0;     ///< total number of facets in cells
   std::uint64_t most_facets = 0;    ///< maximum per cell
   std::uint64_t overflows = 0;      ///< overfull cells that are not divided further
-  std::uint64_t splits = 0;         ///< of cells or boxes
+  std::uint64_t splits = 0;         ///< divisions of cells or boxes
   std::uint64_t overlap_tests = 0;  ///< tests of a facet against a cell
   std::uint64_t directory_words = 0;
   std::uint64_t bucket_words = 0;

@@ -63,10 +63,11 @@ struct ComparisonRow {
   std::uint64_t pixel_operations = 0;   ///< sum over instructions of clocks times pixels of the region
   std::uint64_t enabled = 0;            ///< pixel operations at pixels whose E was 1 when the instruction began
   std::uint64_t processors = 0;
-  std::uint64_t processor_clocks = 0;                  ///< processors times clocks: the available capacity
-  std::uint64_t machine_memory_bits = 0;               ///< of all processors, and of a separate frame buffer
-  std::optional<std::uint64_t> pixel_transistors{};    ///< of one processor with its memory: hw/machines/area.h
-  std::optional<std::uint64_t> machine_transistors{};  ///< of all processors
+  std::uint64_t processor_clocks = 0;     ///< processors times clocks: the available capacity
+  std::uint64_t machine_memory_bits = 0;  ///< memory bits of all processors and of a separate frame buffer
+  std::optional<std::uint64_t>
+      pixel_transistors{};  ///< transistors of one processor with its memory: hw/machines/area.h
+  std::optional<std::uint64_t> machine_transistors{};  ///< transistors of all processors
   /// Energy of a frame: from the machine's parameters, or for bit-serial pixels estimated in the process of their time.
   std::optional<double> frame_joules{};
   double utilisation = 0;  ///< enabled pixel operations / processor clocks

@@ -39,7 +39,7 @@ struct CorpusRow {
   std::uint64_t halfspaces = 0;
   std::uint32_t width = 0;            ///< pixels
   std::uint32_t height = 0;           ///< pixels
-  std::uint64_t clocks = 0;           ///< to draw a frame
+  std::uint64_t clocks = 0;           ///< clocks to draw a frame
   std::uint64_t interval_clocks = 0;  ///< between frames
   double frames_per_second = 0;
   std::string bound_by;     ///< unit that limits the frame rate; empty if the kind of machine does not report it

@@ -35,7 +35,7 @@ struct DesignPoint {
   std::string strategy{};
   unsigned stack_bits = 0;  ///< m, for strategies with a stack; otherwise 0
   std::string curves{};     ///< how curved surfaces are drawn: host/emit/curves.h
-  unsigned alu_bits = 0;    ///< of the machine; 0 if its kind has no such parameter
+  unsigned alu_bits = 0;    ///< ALU width of the machine in bits; 0 if its kind has no such parameter
 
   auto operator<=>(const DesignPoint&) const = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 sees a 0
 };
@@ -44,14 +44,14 @@ struct DesignPoint {
 /// views; depth errors are those of the worst view.
 struct DesignRow {
   DesignPoint point{};
-  std::string knob{};  ///< the varied knob; accuracy uses this in place of a point
+  std::string knob{};  ///< the varied setting; accuracy uses this in place of a point
   std::string value{};
   Inputs inputs{};
   std::string reason{};
   std::string strategy_used{};
   std::string colouring_used{};
-  std::uint64_t primitives = 0;  ///< of the model
-  std::uint64_t halfspaces = 0;  ///< of the model
+  std::uint64_t primitives = 0;  ///< primitives of the model
+  std::uint64_t halfspaces = 0;  ///< half-spaces of the model
   std::uint64_t instructions = 0;
   std::uint64_t rendered = 0;             ///< scan conversions of primitives whose surface is written into Z1
   std::uint64_t classified = 0;           ///< scan conversions of primitives of active trees that are compared with Z1
@@ -60,13 +60,14 @@ struct DesignRow {
   std::uint32_t classification_bits = 0;  ///< memory bits per pixel used for classification
   std::uint32_t used_bits = 0;            ///< memory bits per pixel used by the Program
   MemoryMap memory_map{};
-  std::uint64_t processors = 0;                        ///< of the machine
-  std::uint64_t machine_memory_bits = 0;               ///< of all processors, and of a separate frame buffer
-  std::optional<std::uint64_t> pixel_transistors{};    ///< of one processor with its memory: hw/machines/area.h
-  std::optional<std::uint64_t> machine_transistors{};  ///< of all processors
+  std::uint64_t processors = 0;           ///< processors of the machine
+  std::uint64_t machine_memory_bits = 0;  ///< memory bits of all processors and of a separate frame buffer
+  std::optional<std::uint64_t>
+      pixel_transistors{};  ///< transistors of one processor with its memory: hw/machines/area.h
+  std::optional<std::uint64_t> machine_transistors{};  ///< transistors of all processors
   std::optional<double> machine_mm2{};                 ///< area of the machine in the process: hw/process/price.h
   std::optional<double> frame_joules{};                ///< energy per frame in the process
-  std::uint64_t clock_hz = 0;                          ///< allowed by the process, or given by the description
+  std::uint64_t clock_hz = 0;           ///< clock rate that the process allows, or that of the description
   std::string clock_path{};             ///< critical path in the process; empty without a process or price
   std::uint64_t clocks = 0;             ///< until the picture is drawn, including latency
   std::uint64_t interval_clocks = 0;    ///< between frames if the host keeps up

@@ -83,8 +83,8 @@ struct SubdivideRow {
   std::optional<double>
       tolerance{};  ///< faceting tolerance of curved solids, model units; empty: the same for all points
   Inputs inputs;
-  std::uint64_t primitives = 0;  ///< of the model
-  std::uint64_t halfspaces = 0;  ///< of the model, including quadrics
+  std::uint64_t primitives = 0;  ///< primitives of the model
+  std::uint64_t halfspaces = 0;  ///< half-spaces of the model, including quadrics
   Squares segments;
   Squares subsegments;
   Stages stages;
@@ -112,7 +112,7 @@ struct Subdivided {
   const model::Tree& tree;
   const facet::Geometry& scene;
   const view::View& view;
-  const machines::Machine& machine;  ///< of a kind that draws square by square
+  const machines::Machine& machine;  ///< machine of a kind that draws square by square
   emit::Options options;
 };
 

@@ -96,7 +96,7 @@ void draw(const TraceSubject& subject, TraceRow& row) {
   const software::TraceScene& scene = subject.scene();
   row.primitives = subject.primitive_count();
   row.halfspaces = scene.geometry().halfspaces();
-  row.polygons = scene.facets().polygons();
+  row.polygons = scene.facets().polygon_count();
   row.loose_facets = scene.loose();
   const software::TraceOptions options = subject.options_of(row.point);
   const auto begin = std::chrono::steady_clock::now();

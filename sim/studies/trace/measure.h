@@ -136,7 +136,7 @@ struct TraceRow {
 
 /// Seconds of a picture by purpose; on this computer only `all` is measured.
 struct TraceSeconds {
-  double projection = 0;  ///< of facets and of an item buffer
+  double projection = 0;  ///< seconds to project facets and to fill an item buffer
   double traversal = 0;
   double intersection = 0;
   double classification = 0;

@@ -38,7 +38,7 @@ TEST_CASE("makespan() assigns each job to the first free thread") {
   CHECK(bench::makespan({}, 2) == 0);
 }
 
-TEST_CASE("threads that share tiles synchronise after each stretch of instructions") {
+TEST_CASE("threads that share tiles synchronize after each stretch of instructions") {
   const auto stretch = [](std::uint32_t segment, std::vector<double> seconds) {
     bench::StretchShares shares{segment, {}};
     for (const double each : seconds) shares.tiles.push_back({1, 0, 1, 0, each});

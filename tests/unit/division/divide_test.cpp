@@ -58,7 +58,7 @@ TEST_CASE("an empty square takes only a box test per primitive") {
   CHECK(divided.steps == std::vector<division::Counts>{{.boxes = 1}});
 }
 
-TEST_CASE("a square as large as the picture is initialised even if it is empty") {
+TEST_CASE("a square as large as the picture is initialized even if it is empty") {
   CHECK(testing::ModelDivider(testing::empty_model()).divide({0, 0, 16, 16}).instructions.size() == 3);
 }
 
@@ -128,7 +128,7 @@ TEST_CASE("a group of squares keeps the primitives in it and their deciding half
   CHECK(divider.path.take_counts() == division::Counts{2, 2, 6, 5, 0, 0});
   CHECK(left.primitives == std::vector<std::uint32_t>{0, 1});
   CHECK(left.halfspaces[0].size() == 2);
-  CHECK(left.entries() == 6);
+  CHECK(left.entry_count() == 6);
   const division::Divided from_group = divider.divide(top_left, left);
   const division::Divided from_model = divider.divide(top_left);
   CHECK(from_group.instructions == from_model.instructions);

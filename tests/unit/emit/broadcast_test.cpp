@@ -119,7 +119,7 @@ TEST_CASE("after a query no bit is assumed equal to E because a skip may end the
         }) == std::vector{Opcode::enable_load, Opcode::skip_if_none, Opcode::enable_store, Opcode::enable_load});
 }
 
-TEST_CASE("the optimised broadcast instructions have the effect of the requested ones") {
+TEST_CASE("the optimized broadcast instructions have the effect of the requested ones") {
   CHECK(rc::check([] {
     reference::ReferenceArray requested = initial_array();
     isa::Segment segment = empty_segment();

@@ -62,7 +62,7 @@ TEST_CASE("replacement_font() distinguishes missing fonts in any notation") {
   CHECK(flat::replacement_font("Nowhere,Elsewhere:style=Bold") == "DejaVu Sans");
 }
 
-TEST_CASE("tiny letters are quantised as in OpenSCAD") {
+TEST_CASE("tiny letters are quantized as in OpenSCAD") {
   check_as_openscad(flat::text({.text = "tiny", .size = 0.01, .facets = {.fn = 0, .fa = 1, .fs = 0.001}}), "text_tiny");
 }
 

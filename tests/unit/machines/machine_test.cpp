@@ -60,7 +60,7 @@ std::string message_of_change(std::string_view from, std::string_view to) { retu
 
 }  // namespace
 
-TEST_CASE("a pixel has the transistors of its logic and of its memory if synthesised") {
+TEST_CASE("a pixel has the transistors of its logic and of its memory if synthesized") {
   Machine machine = kinds::load("pixel-planes-4");
   const std::uint64_t logic = *machines::pixel_transistors(machine, 0);
   CHECK(logic > 100);

@@ -67,8 +67,9 @@ TEST_CASE("a screen that takes all clocks of the nodes is rejected") {
   figures(machine).refresh = {.rate = 100, .bits = 1, .clocks = 312};
   CHECK_NOTHROW(machines::check_runs_on(program, machine));
   ++figures(machine).refresh.clocks;
-  CHECK_THROWS_WITH_AS(machines::check_runs_on(program, machine),
-                       "the screen takes 3200 turns a second of 313 clocks each, but the memories of four have 1000000 "
-                       "clocks a second, which leaves none for drawing; increase refresh.bits",
-                       InputError);
+  CHECK_THROWS_WITH_AS(
+      machines::check_runs_on(program, machine),
+      "the screen takes 3200 turns per second of 313 clocks each, but the memories of four have 1000000 "
+      "clocks per second, which leaves none for drawing; increase refresh.bits",
+      InputError);
 }

@@ -154,7 +154,7 @@ TEST_CASE("a light path through less than the gap of a solid is in doubt") {
   CHECK(model.occlusion(ray, infinity, 1e-2).is_blocked);
 }
 
-TEST_CASE("solids thinner than the gap do not add up to a certain shadow") {
+TEST_CASE("two solids thinner than the gap leave a shadow in doubt") {
   const testing::Stage stage("union(){" + slab(1, 1.006) + slab(3, 3.006) + "}");
   const testing::RayModel model(stage.tree, stage.facets);
   CHECK_FALSE(model.occlusion({{0, 0, 0}, {0, 1, 0}}, infinity, 1e-2).is_clear);

@@ -205,7 +205,7 @@ TEST_CASE("a two-level divider tests a group first and then squares from the gro
   const isa::Region left{0, 0, 8, 8};
   const division::Divided drawn = judge.divide(left, list);
   const std::vector<isa::Command> expected = expected_commands(left, drawn);
-  const std::uint64_t group_clocks = clocks_of_group(group, list.entries());
+  const std::uint64_t group_clocks = clocks_of_group(group, list.entry_count());
   REQUIRE(group_clocks > 0);
 
   Board board(2);
@@ -266,9 +266,9 @@ void check_list_with(std::uint64_t entries_short) {
   const division::Divided drawn = judge.divide(left, list);
   const std::uint64_t from_list = clocks_of(drawn.counts(), true);
   const std::uint64_t from_all = clocks_of(judge.divide(left).counts());
-  REQUIRE(list.entries() > 0);
+  REQUIRE(list.entry_count() > 0);
   REQUIRE(from_list != from_all);
-  const std::uint64_t room = list.entries() - entries_short;
+  const std::uint64_t room = list.entry_count() - entries_short;
   Board board(2, 1, static_cast<std::uint32_t>(room));
   board.bench.edges(board.begin(slab) + tree_clocks(slab) + clocks_of_group(group, room) +
                     (entries_short == 0 ? from_list : from_all) + writing_clocks(expected_commands(left, drawn)));

@@ -109,7 +109,7 @@ TEST_CASE("scaled and mirrored rotations are restored in either order") {
 TEST_CASE("a restored matrix has the six written digits within half a unit of the last") {
   CHECK(rc::check([] {
     const auto turn = [] { return *rc::gen::inRange(-3'600'000, 3'600'001); };
-    // Angles in hundredths of hundredths of a degree: few are recognised.
+    // Angles in hundredths of hundredths of a degree: few are recognized.
     const auto about = [](int axis, int fine) {
       Exact whole = turn_about(axis, fine / 100);
       const long double rest = fine % 100 * std::numbers::pi_v<long double> / 1'800'000;
@@ -132,7 +132,7 @@ TEST_CASE("a restored matrix has the six written digits within half a unit of th
   }));
 }
 
-TEST_CASE("a matrix without recognised angles stays as written") {
+TEST_CASE("a matrix without recognized angles stays as written") {
   CHECK_FALSE(reader::restored(written(turn_about(2, 3333) * turn_about(0, 1234) * turn_about(2, 1111))));
   for (const double angle : {360.0 / 7.0, 33.333, 0.004}) {
     const double radians = angle * std::numbers::pi / 180.0;

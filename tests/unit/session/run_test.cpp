@@ -63,7 +63,7 @@ TEST_CASE("a checkpoint must not replace any file that the run reads or writes")
                                   options.run.owner, options.run.stats}) {
     CAPTURE(file);
     CHECK(refusal(options, file).find(file) != std::string::npos);
-    // A link to the file is recognised as well.
+    // A link to the file is recognized as well.
     const std::string link = file + ".link";
     fs::create_symlink(file, link);
     CHECK_FALSE(refusal(options, link).empty());

@@ -135,7 +135,7 @@ TEST_CASE("a primitive's facets are its solid's faces counter-clockwise from out
   const Scene scene = build_scene("union() { cube([2, 3, 4]); cylinder(h = 5, r1 = 2, r2 = 2, $fn = 12); }");
   const software::Facets facets = software::facets_of(scene.tree, scene.geometry);
   REQUIRE(facets.of_primitives == std::vector<std::size_t>{0, 6, 20});
-  CHECK(facets.polygons() == 20);
+  CHECK(facets.polygon_count() == 20);
   double surface = 0;
   for (std::uint32_t i = 0; i < 6; ++i) surface += area(facets.corners_of(i));
   CHECK(surface == doctest::Approx(2.0 * (2 * 3 + 3 * 4 + 2 * 4)));

@@ -185,9 +185,9 @@ TEST_CASE("cells without pieces are not drawn and pieces without area are not co
     polygons.cells.push_back(cell);
   }
   polygons.cells[3].bucket.push_back({0, Places(3), {}, {}});
-  CHECK(polygons.pieces() == 3);
+  CHECK(polygons.piece_count() == 3);
   CHECK(polygons.filled() == 4);
-  CHECK(Polygons{}.pieces() == 0);
+  CHECK(Polygons{}.piece_count() == 0);
   CHECK(Polygons{}.filled() == 0);
   polygons.cells = {polygons.cells[2]};
   CHECK(software::front_to_back(polygons, plain_eye(false), glm::dvec3{0}, 8, 4).cells.empty());

@@ -163,7 +163,7 @@ TEST_CASE("an item buffer takes a pass over facets and leaves one plane per cove
   const software::TraceCounts counts = block.counts(options);
   CHECK(clocks(counts.projection) == 1000 * 70 + hits * 16);
   CHECK(clocks(counts.intersection) == pixels * (16 + 6 + 8) + hits * distance);
-  CHECK(clocks(counts.classification.operations) == alone);  // initialisation of the tracer's own list structure
+  CHECK(clocks(counts.classification.operations) == alone);  // initialization of the tracer's own list structure
   CHECK(counts.items == 77);
   CHECK(static_cast<double>(counts.words) == 5 + 6 + 12 + 2 * pixels);
   options.item_pass = software::ItemPass::depth_lists;
