@@ -6,7 +6,7 @@ cd "$(dirname "$0")"
 usage() {
   cat <<'TEXT'
 Usage: ./setup.sh COMMAND
-  demo   draw a model at both fidelity levels; pictures and counts in build/demo/
+  demo   draw a model at the functional and the cycle level; pictures and counts in build/demo/
   test   build everything and run the whole test suite
   build  build build/release/csgsim
   package

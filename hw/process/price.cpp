@@ -81,8 +81,8 @@ double stream_bits(const Machine& machine) {
   return (machine.evaluator_degree == 1 ? 2.0 : 4.0) * machine.evaluator_bits;
 }
 
-/// Flip-flops of a pixel and its node (docs/area.md, "Logic"): those of the streams, a carry for each adder, and, if
-/// one stream bit enters per clock, one for the delayed slope. With wider streams the delay is part of the streams.
+/// Flip-flops of a pixel and its node (docs/hardware.md, "Logic"): those of the streams, a carry for each adder, and,
+/// if one stream bit enters per clock, one for the delayed slope. With wider streams the delay is part of the streams.
 double register_bits(const Machine& machine) {
   const double operand_latch = machine.memory_reads == 1 ? machine.alu_bits : 0;
   const double carries = machine.evaluator_degree == 1 ? 1 : 3;

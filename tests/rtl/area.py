@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Synthesises the Verilog with Yosys and records its cost.
 
-  area.py [--liberty FILE]   write hw/machines/area_table.h, and the tables of docs/area.md between their marks
+  area.py [--liberty FILE]   write hw/machines/area_table.h, and the tables of docs/hardware.md between their marks
   area.py --check            synthesise the narrowest ALUs again and compare; exit code 1 if a number has changed
 
 Transistors are those of static CMOS counted by `stat -tech cmos`, mapped for area to NAND, NOR, AOI and OAI gates.
@@ -21,7 +21,7 @@ CONTROLLER = "controller, receiver and sequencer"
 FIFO_DEPTH, FIFO_BITS = 16, 32
 FIFO = f"FIFO of the link, {FIFO_DEPTH} words of {FIFO_BITS} bits"
 TABLE = ROOT / "hw" / "machines" / "area_table.h"
-PAGE = ROOT / "docs" / "area.md"
+PAGE = ROOT / "docs" / "hardware.md"
 
 ALU_BITS = (1, 2, 4, 8, 16, 32)
 PAGE_ALU_BITS = (1, 2, 4, 8)

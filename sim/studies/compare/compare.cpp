@@ -160,7 +160,7 @@ void print_rows(Rows rows) {
   for (const ComparisonRow& row : rows) print_row(row, width);
   fmt::print(
       "operations: at all pixels; capacity: processors times clocks.\n"
-      "Transistor counts are estimates (docs/area.md) of the processors with their memory; -: not synthesized.\n");
+      "Transistor counts are estimates (docs/hardware.md) of the processors with their memory; -: not synthesized.\n");
 }
 
 /// The gain of each idealization of a machine relative to the machine as described, whose row precedes them.

@@ -55,7 +55,7 @@ void print_points(std::span<const SweepRow> rows) {
                row.picture.empty() ? "not drawn" : row.picture, used(row));
   }
   if (std::any_of(rows.begin(), rows.end(), [](const SweepRow& row) { return row.pixel_transistors.has_value(); }))
-    fmt::print("Transistor counts are estimates (docs/area.md) of a pixel with the total bits.\n");
+    fmt::print("Transistor counts are estimates (docs/hardware.md) of a pixel with the total bits.\n");
 }
 
 /// The rows of strategy bits in the form of the thesis's table; empty if there are none.

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Measures the size of a cell of the scan-line array without the bits of its memory, as synthesised by Yosys.
 
-  area.py            write the table of docs/area.md between its marks
+  area.py            write the table of docs/hardware.md between its marks
   area.py --check    compare; exit code 1 if it has changed
 """
 
@@ -13,7 +13,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 RTL = ROOT / "hw" / "rtl" / "scan_line"
 SCRIPT = ROOT / "tests" / "rtl" / "map_for_area.abc"
-PAGE = ROOT / "docs" / "area.md"
+PAGE = ROOT / "docs" / "hardware.md"
 ROWS = {"cell": "ROOTS=0", "cell that takes roots": "ROOTS=1", "cell that takes roots, of degree 2": "ROOTS=1 DEGREE=2",
         "cell, ALU of 8, shifter of 8": "ROOTS=0 ALU_BITS=8 SHIFT_BITS=8"}
 # The page's numbers by versions of Yosys other than 0.23, which wrote them: gates, flip-flops and transistors, per row.
@@ -58,7 +58,7 @@ def main():
     told = MARKED.sub(lambda match: match[1] + table + match[2], page)
     if sys.argv[1:] == ["--check"]:
         if told != page:
-            print("area.py: the size of a cell differs from docs/area.md; run tests/rtl/scan_line/area.py")
+            print("area.py: the size of a cell differs from docs/hardware.md; run tests/rtl/scan_line/area.py")
         return int(told != page)
     PAGE.write_text(told)
     return 0

@@ -75,14 +75,14 @@ TEST_CASE("a pixel has the transistors of its logic and of its memory if synthes
   CHECK(machines::pixel_transistors(kinds::load("multi-processor"), 72) == std::nullopt);
 }
 
-TEST_CASE("processor and node transistors match the table in docs/area.md") {
+TEST_CASE("processor and node transistors match the table in docs/hardware.md") {
   struct Row {
     std::uint32_t alu_bits;
     std::uint32_t reads;
     std::uint32_t degree;
     std::uint64_t logic;
   };
-  // docs/area.md, "A pixel, with its memory".
+  // docs/hardware.md, "A pixel with its memory".
   const std::vector<Row> rows{{1, 1, 1, 434},  {1, 2, 1, 388},  {2, 1, 1, 670},  {2, 2, 1, 586}, {4, 1, 1, 1160},
                               {4, 2, 1, 1024}, {8, 1, 1, 2196}, {8, 2, 1, 2054}, {1, 1, 2, 650}, {1, 2, 2, 608}};
   Machine machine = kinds::load("pixel-planes-4");
