@@ -22,6 +22,10 @@ add_library(csgsim_systemc INTERFACE)
 add_library(csgsim::systemc ALIAS csgsim_systemc)
 set_target_properties(csgsim_systemc PROPERTIES EXPORT_NAME systemc)
 target_compile_definitions(csgsim_systemc INTERFACE SC_CPLUSPLUS=${CSGSIM_SYSTEMC_STANDARD})
+# SystemC 3 calls SC_HAS_PROCESS obsolete, and SystemC 2 needs it; only clang reports its use.
+if(SYSTEMC_VERSION VERSION_GREATER_EQUAL 3 AND CMAKE_CXX_COMPILER_ID STREQUAL Clang)
+  target_compile_definitions(csgsim_systemc INTERFACE SC_ALLOW_DEPRECATED_IEEE_API)
+endif()
 target_link_libraries(csgsim_systemc INTERFACE $<BUILD_INTERFACE:${SYSTEMC_LIBRARY}> $<INSTALL_INTERFACE:systemc>
   Threads::Threads)
 target_include_directories(csgsim_systemc SYSTEM INTERFACE $<BUILD_INTERFACE:${SYSTEMC_INCLUDE_DIR}>)

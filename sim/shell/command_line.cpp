@@ -43,16 +43,16 @@ void add_to(CLI::App& app, Tokens& tokens) {
   }
 }
 
-/// The texts of CLI11 differ between its versions, so csgsim words the errors that users can cause.
-[[noreturn]] void refuse(const CLI::ParseError& error, const CLI::App& app) {
+// The texts of CLI11 differ between its versions, so csgsim words the errors that users can cause.
+
+[[noreturn]] void refuse(const CLI::ParseError& error) {
   const std::string message = error.what();
   if (error.get_name() == "ArgumentMismatch") throw UsageError(message.substr(0, message.find(':')), "needs a value");
-  if (error.get_name() == "ExtrasError") {
-    const std::vector<std::string> extras = app.remaining();
-    throw UsageError(
-        fmt::format("unexpected argument{} '{}'", extras.size() == 1 ? "" : "s", fmt::join(extras, "', '")));
-  }
   throw UsageError(message);
+}
+
+[[noreturn]] void refuse_extras(const std::vector<std::string>& extras) {
+  throw UsageError(fmt::format("unexpected argument{} '{}'", extras.size() == 1 ? "" : "s", fmt::join(extras, "', '")));
 }
 
 /// Validates a setting that the command line overrides.
@@ -139,8 +139,10 @@ CommandLine::Read CommandLine::read_words(std::span<const std::string> arguments
     app.parse(words);
   } catch (const CLI::CallForHelp&) {
     read.wants_help = true;
+  } catch (const CLI::ExtrasError&) {
+    refuse_extras(app.remaining());
   } catch (const CLI::ParseError& error) {
-    refuse(error, app);
+    refuse(error);
   }
   for (const Tokens& tokens : all) tokens.option->given = tokens.read->results();
   return read;
