@@ -105,7 +105,7 @@ std::vector<fs::path> shard_files(const fs::path& study, const std::optional<Sha
 ShardFile read_shard_file(const fs::path& path) {
   const std::string text = read_regular_file(path, shard_input);
   std::istringstream lines(text.substr(0, text.rfind('\n') + 1));
-  ShardFile file{path, {}, {}, {}};
+  ShardFile file{path, {}, {}, {}, {}};
   std::size_t number = 0;
   bool has_columns = false;
   try {
