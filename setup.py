@@ -41,7 +41,10 @@ def built_folder():
     """The build folder, configured for the running Python."""
     given = os.environ.get("CSGSIM_BUILD")
     if given:
-        return SOURCE / given
+        folder = SOURCE / given
+        if not (folder / "CMakeCache.txt").exists():
+            raise OptionError(f"CSGSIM_BUILD: {folder} is not a build folder; ./setup.sh build makes build/release")
+        return folder
     folder = SOURCE / "build" / f"wheel-{sys.implementation.cache_tag}"
     cmake("-S", SOURCE, "-B", folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DCSGSIM_PRECOMPILE=ON",
           "-DCMAKE_UNITY_BUILD=ON", "-DCSGSIM_BUILD_TESTS=OFF", "-DCSGSIM_PYTHON=ON",

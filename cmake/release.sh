@@ -62,7 +62,8 @@ for part in source_archive debian_packages python_wheel site web_page; do
   printf '\n== %s\n' "$part"
   "$part" || failed="$failed $part"
 done
-(cd "$out" && find . -type f ! -name SHA256SUMS -printf '%P\n' | LC_ALL=C sort | xargs -d '\n' sha256sum >SHA256SUMS)
+(cd "$out" && find . -type f -printf '%P\n' | LC_ALL=C sort | xargs -d '\n' sha256sum) >build/SHA256SUMS
+mv build/SHA256SUMS "$out"
 printf '\n== %s\n' "$out"
 cat "$out/SHA256SUMS"
 [ -z "$failed" ] || refuse "these parts are missing:$failed"

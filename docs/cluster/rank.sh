@@ -6,6 +6,10 @@
 #
 # csgsim needs no MPI: the launcher only provides the rank.
 set -eu
+[ "$#" -ge 1 ] || {
+  echo "rank.sh: usage: mpirun -n 16 rank.sh sweep model.csg -o out, or srun -n 16 rank.sh ..." >&2
+  exit 2
+}
 if [ -n "${OMPI_COMM_WORLD_RANK:-}" ]; then
   rank=$OMPI_COMM_WORLD_RANK size=$OMPI_COMM_WORLD_SIZE
 elif [ -n "${PMI_RANK:-}" ]; then

@@ -38,6 +38,9 @@ std::string study_title(const session::OptionList& command, const std::set<std::
 inline constexpr auto options_without_effect = std::to_array<std::string_view>(
     {"output", "threads", "progress", "no-plots", "report", "quiet", "shard", "openscad-time", "json"});
 
+/// Options that name the shard or its outputs; all others are the same for every shard of a study.
+inline constexpr auto options_of_shard = std::to_array<std::string_view>({"output", "report", "shard", "json"});
+
 /// The reason, prefixed by the model's name unless it already begins with it.
 std::string with_model_name(const std::string& model, const std::string& reason);
 

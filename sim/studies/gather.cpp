@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <map>
 #include <set>
 #include <utility>
 
@@ -102,7 +101,11 @@ Gathered gather(std::span<const fs::path> studies) {
   gathered.rows.resize(header.points);
   gathered.measured.resize(header.points);
   const std::vector<unsigned> shard_of = shard_of_each(header.points, header.shard.count);
-  for (const ShardFile& file : files) add_lines(file, shard_of, gathered);
+  for (const ShardFile& file : files) {
+    add_lines(file, shard_of, gathered);
+    if (!file.command.empty())
+      gathered.commands[file.header.shard.number] = {file.path, file.header, file.command, file.columns, {}};
+  }
   count_missing(shard_of, gathered);
   return gathered;
 }

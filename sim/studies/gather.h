@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,7 +18,8 @@ namespace csgsim::studies {
 struct Gathered {
   unsigned shards = 0;
   Inputs inputs;
-  std::vector<std::string> words;  ///< the study's command without options that do not affect results
+  std::vector<std::string> words;          ///< the study's command without options that do not affect results
+  std::map<unsigned, ShardFile> commands;  ///< by shard: a file that has its command; without lines
   std::string columns;
   std::vector<std::string> rows;                ///< one per point; empty if not measured
   std::vector<std::filesystem::path> measured;  ///< file with the row of each point

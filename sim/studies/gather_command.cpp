@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -25,23 +26,39 @@ namespace csgsim::studies {
 
 namespace {
 
-/// The shell command that runs one shard.
-std::string shard_command(const Gathered& gathered, unsigned number, const std::string& folder) {
-  std::string line = "csgsim";
-  for (const std::string& word :
-       with_words(gathered.words, {"--shard", to_text(Shard{number, gathered.shards}), "-o", folder}))
-    line += " " + shell_word(word);
-  return line;
+/// The words of a shard's command: as one of its runs had them, or else as another shard had them. Files of earlier
+/// versions have only the words that affect results.
+const std::vector<std::string>& words_of(const Gathered& gathered, unsigned number) {
+  const auto own = gathered.commands.find(number);
+  if (own != gathered.commands.end()) return own->second.command;
+  return gathered.commands.empty() ? gathered.words : gathered.commands.begin()->second.command;
 }
 
-void refuse_missing(const Gathered& gathered, const std::string& folder) {
+/// The shell command that runs one shard.
+std::string shard_command(const Gathered& gathered, unsigned number, const std::string& folder) {
+  return session::shell_command(
+      with_words(words_of(gathered, number), {"--shard", to_text(Shard{number, gathered.shards}), "-o", folder}));
+}
+
+/// The shell command that prints the commands of all incomplete shards.
+std::string missing_command(const std::vector<std::string>& folders) {
+  std::vector<std::string> words{"gather", "--missing"};
+  if (std::ranges::any_of(folders, [](const std::string& folder) { return folder.starts_with('-'); }))
+    words.emplace_back("--");
+  words.insert(words.end(), folders.begin(), folders.end());
+  return session::shell_command(words);
+}
+
+/// The message ends with one command, which can be copied as printed.
+void refuse_missing(const Gathered& gathered, const std::vector<std::string>& folders) {
   if (gathered.missing == 0) return;
   const bool is_one = gathered.unfinished.size() == 1;
-  throw InputError(fmt::format("{}: {} of {} points are missing: {} {} of {} {} not complete; run {}{}", folder,
-                               gathered.missing, gathered.rows.size(), is_one ? "shard" : "shards",
-                               compact(gathered.unfinished), gathered.shards, is_one ? "is" : "are",
-                               shard_command(gathered, gathered.unfinished.front(), folder),
-                               is_one ? "" : "; csgsim gather --missing prints the command of each"));
+  throw InputError(fmt::format(
+      "{}: {} of {} points are missing: {} {} of {} {}", folders.front(), gathered.missing, gathered.rows.size(),
+      is_one ? "shard" : "shards", compact(gathered.unfinished), gathered.shards,
+      is_one
+          ? "is not complete; complete it by: " + shard_command(gathered, gathered.unfinished.front(), folders.front())
+          : "are not complete; print the command of each by: " + missing_command(folders)));
 }
 
 void print_missing(const Gathered& gathered, const std::string& folder) {
@@ -57,8 +74,8 @@ class GatheredStudy {
     list_.take();
   }
 
-  /// The words as csgsim writes them into a shard.
-  [[nodiscard]] std::vector<std::string> words() const { return list_.words(options_without_effect); }
+  /// The words as csgsim writes them into a shard, without the options in `but`.
+  [[nodiscard]] std::vector<std::string> words(std::span<const std::string_view> but) const { return list_.words(but); }
   [[nodiscard]] StudyCommand& command() const { return *command_; }
 
  private:
@@ -73,23 +90,41 @@ class GatheredStudy {
   std::shared_ptr<StudyCommand> command_;
 };
 
-/// A shard's command is untrusted input. It must be exactly as csgsim writes it: a study with options that affect
-/// results. It therefore cannot name further files to be read or written.
-void refuse_other_words(std::span<const StudyRow* const> studies, const Gathered& gathered) {
-  const auto refuse = [&](const std::string& why) {
-    throw InputError(
-        fmt::format("{}:1:1: the command is not one of a shard ({}); delete the file and run its "
-                    "shard again, with csgsim {}",
-                    gathered.first.native(), why, gathered.inputs.csgsim));
-  };
-  std::vector<std::string> words;
+/// A shard's command as csgsim writes it, without the options in `but`. Throws UsageError if it is not a study's.
+std::vector<std::string> rewritten(std::span<const StudyRow* const> studies, const std::vector<std::string>& words,
+                                   std::span<const std::string_view> but) {
+  return GatheredStudy(studies, with_words(words, {"--output", "."})).words(but);  // some studies require --output
+}
+
+/// Throws InputError unless `words` equal what csgsim writes, which `write` returns.
+void refuse_other_words(const Gathered& gathered, const std::filesystem::path& file,
+                        const std::vector<std::string>& words, const std::function<std::vector<std::string>()>& write) {
+  std::string why;
   try {
-    words =
-        GatheredStudy(studies, with_words(gathered.words, {"--output", "."})).words();  // some studies require --output
+    const std::vector<std::string> written = write();
+    if (words == written) return;
+    why = "csgsim writes '" + printable(fmt::format("{}", fmt::join(written, " "))) + "'";
   } catch (const session::UsageError& error) {
-    refuse(error.what());
+    why = error.what();
   }
-  if (words != gathered.words) refuse("csgsim writes '" + printable(fmt::format("{}", fmt::join(words, " "))) + "'");
+  throw InputError(
+      fmt::format("{}:1:1: the command is not one of a shard ({}); delete the file and run its "
+                  "shard again, with csgsim {}",
+                  file.native(), why, gathered.inputs.csgsim));
+}
+
+/// A shard's commands are untrusted input. They must be exactly as csgsim writes them: a study with the options that
+/// affect results, and the same with other options. They therefore cannot name further files to be read or written.
+void refuse_other_words(std::span<const StudyRow* const> studies, const Gathered& gathered) {
+  refuse_other_words(gathered, gathered.first, gathered.words,
+                     [&] { return rewritten(studies, gathered.words, options_without_effect); });
+  for (const auto& entry : gathered.commands) {
+    const ShardFile& file = entry.second;
+    refuse_other_words(gathered, file.path, file.command,
+                       [&] { return rewritten(studies, file.command, options_of_shard); });
+    refuse_other_words(gathered, file.path, gathered.words,
+                       [&] { return rewritten(studies, file.command, options_without_effect); });
+  }
 }
 
 std::vector<std::string> output_words(const std::string& output, const GatherRequest& options) {
@@ -123,7 +158,7 @@ void run_gather(std::span<const StudyRow* const> studies, const GatherRequest& o
   const std::string output = options.output.empty() ? options.folders.front() : options.output;
   refuse_other_words(studies, gathered);
   if (options.missing) return print_missing(gathered, options.folders.front());
-  refuse_missing(gathered, options.folders.front());
+  refuse_missing(gathered, options.folders);
   warn_other_version(gathered, output);
   const GatheredStudy study(studies, with_words(gathered.words, output_words(output, options)));
   show_gathered(study.command(), gathered);

@@ -105,7 +105,7 @@ void run_shard(StudyCommand& request) {
   ShardRun run(
       folder_of(request),
       {*request.options.shard, points.size(), inputs_of(points), request.command.words(options_without_effect)},
-      request.study->format().columns);
+      request.command.words(options_of_shard), request.study->format().columns);
   {
     Progress progress(run.points(), run.points() - run.missing().size(),
                       session::shows_progress(request.options.progress));

@@ -1,6 +1,7 @@
 #include "sim/studies/shard_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -23,6 +24,7 @@ namespace fs = std::filesystem;
 constexpr InputKind shard_input{"a shard's file", std::size_t{256} << 20U, "use more shards"};
 
 constexpr std::string_view mark = "csgsim shard";
+constexpr std::string_view command_mark = "# command,";
 constexpr std::string_view point_column = "point,";
 constexpr std::string_view ending = ".shard";
 constexpr std::string_view former_ending = ".csv";
@@ -36,6 +38,13 @@ std::string title_of(const ShardHeader& header) {
                                   to_cell(header.inputs.csgsim));
   for (const std::string& word : header.words) title += "," + to_cell(word);
   return title;
+}
+
+std::string command_line(const std::vector<std::string>& words) {
+  if (words.empty()) return "";
+  std::vector<std::string> cells;
+  for (const std::string& word : words) cells.push_back(to_cell(word));
+  return fmt::format("{}{}\n", command_mark, fmt::join(cells, ","));
 }
 
 ShardHeader header_from(std::string_view title) {
@@ -97,20 +106,24 @@ std::vector<fs::path> shard_files(const fs::path& study, const std::optional<Sha
 ShardFile read_shard_file(const fs::path& path) {
   const std::string text = read_regular_file(path, shard_input);
   std::istringstream lines(text.substr(0, text.rfind('\n') + 1));
-  ShardFile file{path, {}, {}, {}};
+  ShardFile file{path, {}, {}, {}, {}};
   std::size_t number = 0;
+  bool has_columns = false;
   try {
     for (std::string line; std::getline(lines, line);) {
       if (++number == 1) {
         file.header = header_from(std::string_view(line).substr(line.starts_with("# ") ? 2 : 0));
-      } else if (number == 2) {
+      } else if (number == 2 && line.starts_with(command_mark)) {
+        file.command = split_cells(std::string_view(line).substr(command_mark.size()));
+      } else if (!has_columns) {
         if (!line.starts_with(point_column)) throw InputError("these are not the columns of a shard");
         file.columns = line.substr(point_column.size());
+        has_columns = true;
       } else {
         file.lines.push_back(line_from(line, file.header.points));
       }
     }
-    if (number < 2) throw InputError("the file ends before the columns of its shard");
+    if (!has_columns) throw InputError("the file ends before the columns of its shard");
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}:{}:1: {}; delete the file and run its shard again", path.native(),
                                  std::max<std::size_t>(number, 1), error.what()));
@@ -118,8 +131,11 @@ ShardFile read_shard_file(const fs::path& path) {
   return file;
 }
 
-ShardWriter::ShardWriter(fs::path study, ShardHeader header, std::string columns)
-    : study_(std::move(study)), header_(std::move(header)), columns_(std::move(columns)) {}
+ShardWriter::ShardWriter(fs::path study, ShardHeader header, std::vector<std::string> command, std::string columns)
+    : study_(std::move(study)),
+      header_(std::move(header)),
+      command_(std::move(command)),
+      columns_(std::move(columns)) {}
 
 void ShardWriter::add(const ShardLine& line) {
   if (!file_) {
@@ -127,7 +143,7 @@ void ShardWriter::add(const ShardLine& line) {
     make_folder(folder);
     std::random_device random;
     file_.emplace(folder / fmt::format("{}{:08x}{:08x}{}", stem_of(header_), random(), random(), ending),
-                  fmt::format("# {}\n{}{}\n", title_of(header_), point_column, columns_));
+                  fmt::format("# {}\n{}{}{}\n", title_of(header_), command_line(command_), point_column, columns_));
   }
   file_->append(fmt::format("{},{}", line.point, line.row));
 }

@@ -39,7 +39,8 @@ struct ShardLine {
 struct ShardFile {
   std::filesystem::path path;
   ShardHeader header;
-  std::string columns;  ///< column names of the rows
+  std::vector<std::string> command;  ///< the words that repeat the run, except shard and outputs; empty in old files
+  std::string columns;               ///< column names of the rows
   std::vector<ShardLine> lines;
 };
 
@@ -59,7 +60,8 @@ ShardFile read_shard_file(const std::filesystem::path& path);
 /// computers, each write their own file and need no lock. The file is created with the first row.
 class ShardWriter {
  public:
-  ShardWriter(std::filesystem::path study, ShardHeader header, std::string columns);
+  /// The words of `command` repeat the run; they include options that do not affect results, such as --threads.
+  ShardWriter(std::filesystem::path study, ShardHeader header, std::vector<std::string> command, std::string columns);
 
   /// Appends a row and syncs the file. Throws InputError on failure.
   void add(const ShardLine& line);
@@ -67,6 +69,7 @@ class ShardWriter {
  private:
   std::filesystem::path study_;
   ShardHeader header_;
+  std::vector<std::string> command_;
   std::string columns_;
   std::optional<CsvFile> file_;
 };

@@ -27,8 +27,10 @@ void refuse_other_study(const ShardFile& file, const ShardHeader& header, const 
 
 }  // namespace
 
-ShardRun::ShardRun(fs::path folder, ShardHeader header, std::string columns)
-    : folder_(std::move(folder)), header_(std::move(header)), writer_(folder_, header_, std::move(columns)) {
+ShardRun::ShardRun(fs::path folder, ShardHeader header, std::vector<std::string> command, std::string columns)
+    : folder_(std::move(folder)),
+      header_(std::move(header)),
+      writer_(folder_, header_, std::move(command), std::move(columns)) {
   if (folder_.empty()) throw session::UsageError("--output", "a shard needs a folder; specify one");
   std::set<std::size_t> known;
   std::set<std::string> changed;

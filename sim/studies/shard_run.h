@@ -15,8 +15,8 @@ namespace csgsim::studies {
 class ShardRun {
  public:
   /// Reads the points measured before. Points whose inputs have changed are reported and measured again. Throws
-  /// InputError if the folder holds another study.
-  ShardRun(std::filesystem::path folder, ShardHeader header, std::string columns);
+  /// InputError if the folder holds another study. The words of `command` repeat the run (ShardFile::command).
+  ShardRun(std::filesystem::path folder, ShardHeader header, std::vector<std::string> command, std::string columns);
 
   /// Numbers of the shard's points that remain to be measured.
   [[nodiscard]] const std::vector<std::size_t>& missing() const { return missing_; }

@@ -143,7 +143,8 @@ TEST_CASE("gather merges shards from several folders into one that the study can
   succeeded(run_words(sweep + Words{"-o", "one"}, folder.path()));
   succeeded(run_words(sweep + Words{"-o", "here"} + shard(1, 2), folder.path()));
   succeeded(run_words(sweep + Words{"-o", "there"} + shard(2, 2), folder.path()));
-  refuses_to_gather({"here", "--no-plots"}, folder.path(), {"shard 2 of 2 is not complete"});
+  refuses_to_gather({"here", "--no-plots"}, folder.path(),
+                    {"shard 2 of 2 is not complete; complete it by: csgsim sweep --shard 2/2 -o here a.csg b.csg"});
   CHECK(run_words({"gather", "here", "there"}, folder.path()).code == 2);
   succeeded(run_words({"gather", "here", "there", "-o", "out", "--no-plots"}, folder.path()));
   CHECK(results(folder / "out") == results(folder / "one"));
@@ -162,12 +163,13 @@ TEST_CASE("gather names each missing shard with the command that measures it") {
   for (const unsigned number : {2U, 5U}) REQUIRE(run_words(sweep + shard(number, 6), folder.path()).code == 0);
   refuses_to_gather(
       {"out"}, folder.path(),
-      {"out: ", "shards 1,3-4,6 of 6 are not complete", "csgsim sweep --shard 1/6 -o out a.csg b.csg --z-bits"});
+      {"out: ", "shards 1,3-4,6 of 6 are not complete; print the command of each by: csgsim gather --missing out\n"});
   const Outcome missing = succeeded(run_words({"gather", "out", "--missing"}, folder.path()));
   std::istringstream commands(missing.out);
   std::size_t count = 0;
   for (std::string command; std::getline(commands, command); ++count) {
     REQUIRE(command.starts_with("csgsim "));
+    CHECK(command.find(" --threads 2") != std::string::npos);
     const Outcome outcome =
         run_program("/bin/sh", {"-c", std::string(CSGSIM_BINARY_DIR) + "/" + command}, folder.path());
     CAPTURE(outcome.err);
@@ -177,6 +179,38 @@ TEST_CASE("gather names each missing shard with the command that measures it") {
   CHECK(run_words({"gather", "out", "--missing"}, folder.path()).out.empty());
   succeeded(run_words({"gather", "out", "--no-plots"}, folder.path()));
   CHECK(results(folder / "out") == wanted);
+}
+
+TEST_CASE("the printed command of a shard has all options of the shard, and is checked") {
+  const Folder folder;
+  write_models(folder);
+  const Words sweep{"sweep", "a.csg", "--size", "24x20", "--strategy", "stack,list"};
+  succeeded(run_words(sweep + Words{"--threads", "3", "--progress", "none", "--no-plots", "-o", "out"} + shard(1, 2),
+                      folder.path()));
+  const std::string command = succeeded(run_words({"gather", "out", "--missing"}, folder.path())).out;
+  CHECK(command.starts_with("csgsim sweep --shard 2/2 -o out a.csg "));
+  for (const std::string option : {"--threads 3", "--progress none", "--no-plots", "--size 24x20"}) {
+    CAPTURE(option);
+    CHECK(command.find(" " + option) != std::string::npos);
+  }
+  // Shards that differ only in such options are of one study.
+  succeeded(run_words(sweep + Words{"--threads", "1", "-o", "out"} + shard(2, 2), folder.path()));
+  succeeded(run_words({"gather", "out", "--no-plots"}, folder.path()));
+  // A shard's file is untrusted: its command may name no output and no other study.
+  const std::string file = shard_files(folder / "out").front();
+  const std::string text = content(file);
+  const std::size_t options = text.find("# command,sweep,a.csg,");
+  REQUIRE(options != std::string::npos);
+  for (const std::string more : {"--report,x.html,", "--output,elsewhere,", "--z-bits,12,", "--nothing,1,"}) {
+    CAPTURE(more);
+    std::string changed = text;
+    write(file, changed.insert(options + 22, more));
+    refuses_to_gather({"out", "--missing"}, folder.path(), {file + ":1:1: the command is not one of a shard"});
+  }
+  // A file of an earlier version has only the words that affect results.
+  const std::size_t end = text.find('\n', options) + 1;
+  write(file, text.substr(0, options) + text.substr(end));
+  succeeded(run_words({"gather", "out", "--no-plots"}, folder.path()));
 }
 
 TEST_CASE("the printed command of a shard is quoted so that a shell repeats its arguments") {
@@ -392,8 +426,9 @@ TEST_CASE("the scripts in docs/cluster run the shard assigned by their launcher"
   const std::string words = " sweep a.csg --size 24x20 -o out";
   const auto runs = [&](const std::string& command) {
     fs::remove_all(folder / "out");
-    return run_program("/bin/sh", {"-c", "unset OMPI_COMM_WORLD_RANK PMI_RANK SLURM_PROCID; " + path + command},
-                       folder.path());
+    return run_program(
+        "/bin/sh", {"-c", "unset OMPI_COMM_WORLD_RANK PMI_RANK SLURM_PROCID SLURM_ARRAY_TASK_ID; " + path + command},
+        folder.path());
   };
   CHECK(runs("SLURM_ARRAY_TASK_ID=3 SLURM_ARRAY_TASK_COUNT=2 " + scripts + "array.sh 4" + words)
             .out.starts_with("shard 3/4: "));
@@ -403,4 +438,13 @@ TEST_CASE("the scripts in docs/cluster run the shard assigned by their launcher"
   CHECK(runs("SLURM_PROCID=1 SLURM_STEP_NUM_TASKS=2 " + scripts + "rank.sh" + words).out.starts_with("shard 2/2: "));
   // A batch script without srun has SLURM_PROCID set to 0.
   fails(runs("SLURM_PROCID=0 " + scripts + "rank.sh" + words), 2, {"start it with mpirun or srun"});
+  // Without a launcher, and without arguments, each script says how to start it.
+  for (const std::string arguments : {" 4" + words, std::string()}) {
+    const Outcome alone = runs(scripts + "array.sh" + arguments);
+    CHECK(alone.code == 2);
+    CHECK(alone.err.find("sbatch --array=1-16 array.sh 16 sweep model.csg -o out") != std::string::npos);
+  }
+  CHECK(runs("SLURM_ARRAY_TASK_ID=3 " + scripts + "array.sh" + words).err.find("'sweep' is not a number of shards") !=
+        std::string::npos);
+  CHECK(runs(scripts + "rank.sh").err.find("usage: ") != std::string::npos);
 }

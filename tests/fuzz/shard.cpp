@@ -92,13 +92,14 @@ void put(const studies::Gathered& gathered, const fs::path& folder) {
 /// Checks that a written shard is read unchanged.
 void check_writing(const studies::ShardFile& file, const fs::path& folder) {
   fs::remove_all(folder);
-  studies::ShardWriter writer(folder, file.header, file.columns);
+  studies::ShardWriter writer(folder, file.header, file.command, file.columns);
   for (const studies::ShardLine& line : file.lines) writer.add(line);
   const std::vector<fs::path> files = studies::shard_files(folder, file.header);
   if (file.lines.empty()) return;
   fuzz::require(files.size() == 1, "a shard's file is found by its header");
   const studies::ShardFile again = studies::read_shard_file(files.front());
-  fuzz::require(again.header == file.header && again.columns == file.columns && again.lines == file.lines,
+  fuzz::require(again.header == file.header && again.command == file.command && again.columns == file.columns &&
+                    again.lines == file.lines,
                 "a shard is read as written");
 }
 

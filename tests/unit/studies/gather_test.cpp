@@ -29,10 +29,10 @@ std::string refusal(const std::string& name, std::size_t points, const std::stri
   studies::ShardHeader header{{1, 2}, 2, {"model", "machine", "csgsim"}, {"sweep"}};
   const std::vector<unsigned> shard_of = studies::shard_of_each(2, 2);
   const std::size_t first = shard_of[0] == 1 ? 0 : 1;
-  studies::ShardWriter(folder, header, "a,b").add({first, "1,2"});
+  studies::ShardWriter(folder, header, {}, "a,b").add({first, "1,2"});
   header.shard.number = 2;
   header.points = points;
-  studies::ShardWriter(folder, header, columns).add({1 - first, "3,4"});
+  studies::ShardWriter(folder, header, {}, columns).add({1 - first, "3,4"});
   const std::array<fs::path, 1> studies{folder};
   const std::string error = testing::error_of([&] { studies::gather(studies); });
   fs::remove_all(folder);
@@ -52,10 +52,10 @@ TEST_CASE("gather rejects shards with different numbers of points or columns") {
 TEST_CASE("gather merges partial results of one shard from two processes") {
   const fs::path folder = fresh_folder("twice");
   const studies::ShardHeader header{{1, 1}, 3, {"model", "machine", "csgsim"}, {"sweep"}};
-  studies::ShardWriter one(folder, header, "a,b");
+  studies::ShardWriter one(folder, header, {}, "a,b");
   one.add({0, "1,2"});
   one.add({1, "3,4"});
-  studies::ShardWriter other(folder, header, "a,b");
+  studies::ShardWriter other(folder, header, {}, "a,b");
   other.add({1, "3,4"});
   other.add({2, "5,6"});
   const studies::Gathered gathered = studies::gather(std::array<fs::path, 1>{folder});
