@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Judges the row-command traces of one machine. Usage: check.py CSGSIM FOLDER MACHINE MODEL OPTIONS...
 
-The trace is replayed and must draw csgsim's picture; its DRAM commands must obey the rules of rules.py; its clocks must
-be those of the stats, and within 1 % of a schedule by these rules alone. Each check also has to fail on a damaged trace.
+The trace is replayed and must draw csgsim's picture. Its DRAM commands must obey the rules of rules.py. Its clocks must
+be those of the stats and of a wave of the SystemC modules, and within 1 % of a schedule by these rules alone. The first
+two checks also have to fail on a damaged trace.
 """
 import json
 import pathlib
@@ -107,6 +108,38 @@ def check_clocks(trace, clocks):
     print(f"{clocks} clocks, {scheduled} by the rules alone: {100 * (scheduled - clocks) / clocks:+.3f} %")
 
 
+def waved_commands(path):
+    """(clock, command) of each change of the row command in a wave. Clock n begins at time (n + 1) periods."""
+    commands, times, code = [], [], None
+    with open(path, encoding="ascii") as wave:
+        for line in wave:
+            words = line.split()
+            if words[:2] == ["$var", "string"] and words[4] == "row_command":
+                code = words[3]
+            elif line.startswith("#"):
+                times.append(int(line[1:]))
+            elif len(words) == 2 and words[1] == code and words[0].startswith("s"):
+                commands.append((times[-1], words[0][1:].replace("\\x20", " ")))
+    period = times[0]  # clock 0 is the first of the file
+    return [(time // period - 1, text) for time, text in commands]
+
+
+def check_wave(folder, trace, end):
+    """The SystemC modules begin the same commands in the first bank at the same clocks, until clock `end`."""
+    traced, last = [], "-"
+    for line in trace.read_text().splitlines():
+        words = line.split()
+        if words[0] in ("segment", "instruction"):
+            last = "-"
+        if words[0].isdigit() and words[1] == "0" and words[2] in ("0", "*") and int(words[0]) < end:
+            text = " ".join(words[5:words.index("bus") if "bus" in words else None])
+            traced += [(int(words[0]), text)] if text != last else []
+            last = text
+    waved = [one for one in waved_commands(folder / "wave.vcd") if one[1] != "-" and one[0] < end]
+    require(len(traced) > 1_000, f"only {len(traced)} commands were compared with the wave")
+    require(waved == traced, f"the wave differs: {[pair for pair in zip(waved, traced) if pair[0] != pair[1]][:3]}")
+
+
 def check_addresses(folder):
     """All forms of DRAM commands contain the same commands."""
     full = [line.split(",") for line in (folder / "trace.drampower").read_text().splitlines()]
@@ -136,6 +169,9 @@ def main():
     stats = json.loads((folder / "stats.json").read_text())
     clocks = stats["shown_clocks"]
     check_picture(folder, folder / "trace.csgsim")
+    end = min(clocks, 100_000)
+    csgsim(program, "wave", *common, "--pixel", "1,1", "--window", f"0:{end}", "-o", str(folder / "wave.vcd"))
+    check_wave(folder, folder / "trace.csgsim", end - 100)
     check_rules(read_commands(folder / "trace.drampower"), clocks)
     check_addresses(folder)
     if "trees" not in machine and "planes" not in machine:
