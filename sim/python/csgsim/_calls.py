@@ -34,9 +34,9 @@ def _model(model, text):
 def render(model=None, /, *, text=None, **options):
     """Draws a model on a machine and counts its clocks, like `csgsim render`.
 
-    `model` names a file: .csg, an OpenSCAD source .scad, which OpenSCAD evaluates, or commands, .jan. With `text`, the
-    model is that text; `model` is then its name in messages, whose ending selects the kind of model and whose folder is
-    searched for imports. Options are named as on the command line, see `options("render")`; options that name files
+    `model` names a file: .csg, an OpenSCAD source .scad, which OpenSCAD evaluates, commands, .jan, or a mesh. With
+    `text`, the model is that text; `model` is then its name in messages, whose ending selects the kind of model and
+    whose folder is searched for imports. Options are named as on the command line, see `options("render")`; options that name files
     write them.
 
     >>> drawing = csgsim.render("part.csg", size=(512, 512), z_bits=16, machine="pixel-planes-5")
