@@ -236,7 +236,7 @@ TEST_CASE("an error in the elements of a PLY file is reported with its place") {
   CHECK(ply_error(points + "3.5 0 1") ==
         "m.ply:13:1: the count of a list must be a whole number, 0 or more; correct it");
   CHECK(ply_error(points + "3 0 1") ==
-        "m.ply:13:5: a value must be a finite number, not the end of the file; correct it");
+        "m.ply:13:6: a value must be a finite number, not the end of the file; correct it");
   std::string bytes = binary_ply(false);
   bytes.pop_back();
   CHECK(ply_error(bytes) ==
