@@ -15,15 +15,16 @@ namespace {
 /// In SVG y points down.
 glm::dvec2 turned(const glm::dvec2& point) { return {point.x, 0 - point.y}; }
 
-/// As OpenSCAD writes it: a path in millimetres, whose view box keeps the position.
+/// As OpenSCAD writes it: a path in millimetres, in a view box of whole numbers. OpenSCAD's import() moves the corner of
+/// the box to the origin, so it moves this file like OpenSCAD's own.
 std::string write(const Surface& surface, const Writing&) {
   const Rounds rounds = flat_rounds(surface);
   glm::dvec2 low(std::numeric_limits<double>::infinity());
   glm::dvec2 high = -low;
   for (const std::vector<glm::dvec2>& round : rounds) {
     for (const glm::dvec2& point : round) {
-      low = glm::min(low, turned(point));
-      high = glm::max(high, turned(point));
+      low = glm::min(low, glm::floor(turned(point)));
+      high = glm::max(high, glm::ceil(turned(point)));
     }
   }
   if (rounds.empty()) low = high = glm::dvec2(0);
