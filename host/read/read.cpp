@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "host/read/build.h"
 #include "host/read/meetings.h"
 #include "host/read/root.h"
@@ -31,15 +33,27 @@ Meetings find_meetings(Source& source, std::optional<std::uint32_t> root) {
   return finder.meetings();
 }
 
-}  // namespace
-
-model::Tree read_csg_text(std::string_view text, std::string_view name, const Options& options) {
-  Source source(text, name, options);
+model::Tree read_source(Source& source, const Options& options) {
   source.charge_to(options.work);
   const std::optional<std::uint32_t> root = find_root(source);
   TreeBuilder builder(source, options, find_meetings(source, root));
   visit_drawn(source, root, builder);
   return builder.finish();
+}
+
+}  // namespace
+
+model::Tree read_csg_text(std::string_view text, std::string_view name, const Options& options) {
+  Source source(text, name, options);
+  return read_source(source, options);
+}
+
+model::Tree read_mesh(std::string bytes, std::string_view name, const Options& options) {
+  Source source({name, std::move(bytes)}, name, options);
+  model::Tree tree = read_source(source, options);
+  if (tree.root == model::no_index)
+    throw InputError(fmt::format("{}: the mesh has no faces, so there is nothing to draw; export it again", name));
+  return tree;
 }
 
 model::Tree read_csg_file(const std::filesystem::path& path, const Options& options) {

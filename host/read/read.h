@@ -32,7 +32,11 @@ struct Options {
 /// empty, and other empty operands are dropped; an operator with one remaining child is replaced by that child.
 model::Tree read_csg_file(const std::filesystem::path& path, const Options& options = {});
 
-/// Reads the same from a text; `name` replaces the file name in messages.
+/// Reads a mesh as a model that consists of its import(); the extension of `name` selects the format. Throws InputError
+/// that begins with the name, also if the mesh has no faces.
+model::Tree read_mesh(std::string bytes, std::string_view name, const Options& options = {});
+
+/// Reads a `.csg` text; `name` replaces the file name in messages.
 model::Tree read_csg_text(std::string_view text, std::string_view name, const Options& options = {});
 
 }  // namespace csgsim::read

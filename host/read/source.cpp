@@ -30,8 +30,14 @@ Source::Source(std::string_view text, std::string_view name, Options options)
   if (text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
 }
 
+Source::Source(ImportedFile mesh, std::string_view name, Options options)
+    : Source(R"(import(file = "mesh");)", name, std::move(options)) {
+  mesh_ = std::move(mesh);
+}
+
 std::optional<ImportedFile> Source::import(std::string_view file, const InputKind& kind, std::string_view node,
                                            std::size_t offset) {
+  if (mesh_) return mesh_;
   constexpr std::string_view hint = "put the file there, or below it, or name its folder: --imports-from FOLDER";
   const std::vector<ImportPlace> places = folders_.candidate_places(file);
   for (const auto& [place, is_inside] : places) {
@@ -72,19 +78,19 @@ model::Location Source::locate(std::size_t offset) {
   return known_;
 }
 
-void Source::tell(std::size_t offset, std::string_view message) {
+std::string Source::placed(std::size_t offset, std::string_view message) {
+  if (mesh_) return message.starts_with(name_) ? std::string(message) : fmt::format("{}: {}", name_, message);
   const model::Location place = locate(offset);
-  report_line(fmt::format("{}:{}:{}: {}", name_, place.line, place.column, message));
+  return fmt::format("{}:{}:{}: {}", name_, place.line, place.column, message);
 }
+
+void Source::tell(std::size_t offset, std::string_view message) { report_line(placed(offset, message)); }
 
 void Source::warn_once(std::size_t offset, const std::string& message) {
   if (printed_.insert(message).second) tell(offset, message);
 }
 
-void Source::fail(std::size_t offset, std::string_view message) {
-  const model::Location place = locate(offset);
-  throw InputError(fmt::format("{}:{}:{}: {}", name_, place.line, place.column, message));
-}
+void Source::fail(std::size_t offset, std::string_view message) { throw InputError(placed(offset, message)); }
 
 std::string shown(std::string_view name) {
   constexpr std::size_t longest = 40;

@@ -24,6 +24,9 @@ namespace csgsim::read {
 /// The size limit of model texts.
 inline constexpr InputKind model_file{"a .csg file", max_file_bytes, "split the model"};
 
+/// The size limit of a mesh that is a model.
+inline constexpr InputKind mesh_file{"a mesh", max_file_bytes, "make it coarser"};
+
 /// A file imported by the model, with its content.
 struct ImportedFile {
   std::filesystem::path path;
@@ -35,6 +38,10 @@ class Source {
  public:
   /// Both views must outlive the source. Throws InputError if the text is longer than `max_file_bytes`.
   Source(std::string_view text, std::string_view name, Options options = {});
+
+  /// The text `import(...)` of a model that consists of this mesh. Messages have no position: they name the mesh.
+  /// `name` must outlive the source.
+  Source(ImportedFile mesh, std::string_view name, Options options);
 
   [[nodiscard]] std::string_view text() const { return text_; }
   [[nodiscard]] std::string_view name() const { return name_; }
@@ -65,8 +72,12 @@ class Source {
   [[noreturn]] void fail(std::size_t offset, std::string_view message);
 
  private:
+  /// The message with its place.
+  [[nodiscard]] std::string placed(std::size_t offset, std::string_view message);
+
   std::string_view text_;
   std::string_view name_;
+  std::optional<ImportedFile> mesh_;  ///< set if it is the model
   ImportFolders folders_;
   std::function<void(std::string_view)> imported_;  ///< Options::imported
   std::vector<std::filesystem::path> files_;

@@ -24,9 +24,10 @@ std::vector<Mesh> parse_meshes(std::string_view text, const std::filesystem::pat
   if (ending == ".stl") return {parse_stl(text, path.native())};
   if (ending == ".off") return {parse_off(text, path.native())};
   if (ending == ".obj") return {parse_obj(text, path.native())};
+  if (ending == ".ply") return {parse_ply(text, path.native())};
   if (ending == ".amf") return parse_amf(text, path.native());
   if (ending == ".3mf") return parse_3mf(text, path.native());
-  throw InputError(fmt::format("{}: meshes are read from .stl, .off, .obj, .amf and .3mf files; convert it",
+  throw InputError(fmt::format("{}: meshes are read from .stl, .off, .obj, .ply, .amf and .3mf files; convert it",
                                printable(path.native())));
 }
 

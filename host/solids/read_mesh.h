@@ -1,4 +1,4 @@
-// Readers of mesh files: STL, OFF, OBJ, AMF and 3MF.
+// Readers of mesh files: STL, OFF, OBJ, PLY, AMF and 3MF.
 // Used throughout host/solids and by host/read and sim/web.
 #pragma once
 
@@ -17,10 +17,10 @@ inline constexpr std::size_t max_mesh_faces = 4'000'000;
 /// The extension of a file name in lower case, such as `.stl`.
 std::string lower_case_extension(const std::filesystem::path& path);
 
-/// Parses the meshes of a file whose format follows from its extension: .stl, .off, .obj, .amf or .3mf. An STL, OFF or
-/// OBJ file has one mesh. Points may repeat; only finite coordinates and valid corner indices are checked. `text` is
-/// the content of the file; its name appears in messages. Throws InputError with the file name and, where known, the
-/// position in it.
+/// Parses the meshes of a file whose format follows from its extension: .stl, .off, .obj, .ply, .amf or .3mf. An STL,
+/// OFF, OBJ or PLY file has one mesh. Points may repeat; only finite coordinates and valid corner indices are checked.
+/// `text` is the content of the file; its name appears in messages. Throws InputError with the file name and, where
+/// known, the position in it.
 std::vector<Mesh> parse_meshes(std::string_view text, const std::filesystem::path& path);
 
 /// Parses STL, binary or text. Normals are ignored, as in OpenSCAD. Text files may contain triangles only.
@@ -33,6 +33,10 @@ Mesh parse_off(std::string_view text, std::string_view name);
 /// Parses Wavefront OBJ with all its objects. Materials and other attributes of appearance are ignored; curves and
 /// surfaces are rejected.
 Mesh parse_obj(std::string_view text, std::string_view name);
+
+/// Parses the Polygon File Format (PLY), as text or binary in either byte order: the points of its element `vertex` and
+/// the faces of its element `face`. Other elements and properties are ignored.
+Mesh parse_ply(std::string_view text, std::string_view name);
 
 /// Parses an Additive Manufacturing File, which may be zipped: one mesh per object, with all its volumes. As in
 /// OpenSCAD, curved triangles are treated as flat; units and constellations are ignored.

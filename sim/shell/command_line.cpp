@@ -38,6 +38,8 @@ void add_to(CLI::App& app, Tokens& tokens) {
     tokens.read = app.add_flag(names);
   } else if (tokens.option->takes == Takes::texts) {
     tokens.read = app.add_option(names, tokens.texts);
+    // One text for each `--set`, so that an operand may follow.
+    if (!tokens.option->is_operand) tokens.read->allow_extra_args(false);
   } else {
     tokens.read = app.add_option(names, tokens.text)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   }

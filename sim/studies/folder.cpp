@@ -16,6 +16,7 @@
 #include "hw/base/text.h"
 #include "sim/session/options/paths.h"
 #include "sim/session/options/usage.h"
+#include "sim/studies/plot_names.h"
 
 namespace csgsim::studies {
 
@@ -68,6 +69,14 @@ StudyFolder::StudyFolder(const std::filesystem::path& folder, const std::string&
     session::refuse_clashes(inputs, std::span(&file, 1));
     refuse_foreign(file);
   }
+}
+
+std::filesystem::path default_folder(const std::filesystem::path& model, std::string_view study) {
+  if (model == standard_stream) return fmt::format("model-{}", study);
+  std::error_code error;
+  std::filesystem::path named = std::filesystem::absolute(model, error).lexically_normal();
+  if (!named.has_filename()) named = named.parent_path();
+  return fmt::format("{}-{}", plot_stem(named), study);
 }
 
 std::string study_title(const session::OptionList& command, const std::set<std::string>& but) {

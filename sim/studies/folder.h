@@ -30,6 +30,10 @@ class StudyFolder {
   system::FolderLock lock_;
 };
 
+/// The output folder of a study if -o is not given: MODEL-STUDY in the current folder, with the name of the model's
+/// file or of the folder of models.
+std::filesystem::path default_folder(const std::filesystem::path& model, std::string_view study);
+
 /// `csgsim STUDY` with all options that differ from their defaults, except those in `but` and those that do not affect
 /// results (output, threads, progress, plots). Identifies the content of a table.
 std::string study_title(const session::OptionList& command, const std::set<std::string>& but);

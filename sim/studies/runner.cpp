@@ -39,7 +39,8 @@ using Rows = std::vector<std::string>;
 constexpr std::size_t max_pending = 8;
 
 fs::path folder_of(const StudyCommand& request) {
-  return request.options.folder.empty() ? request.study->default_folder() : request.options.folder;
+  return request.options.folder.empty() ? default_folder(request.study->named_after(), request.row->name)
+                                        : fs::path(request.options.folder);
 }
 
 std::string title_of(const StudyCommand& request) {
@@ -221,13 +222,12 @@ void add_shard(session::OptionList& command, std::optional<Shard>& shard) {
 
 void add_folder(const StudyRow& row, Folder kept, session::OptionList& command, std::string& folder) {
   std::string default_value;
-  if (kept == Folder::usual) default_value = fmt::format("; default: MODEL-{}", row.name);
+  if (kept == Folder::usual) default_value = fmt::format("; default: MODEL-{}, of the first model", row.name);
   if (kept == Folder::optional) default_value = "; without a folder, results are not kept";
-  session::Option& option =
-      command.option("-o,--output", folder,
-                     fmt::format("Folder for {}.csv, {}.json and the plots{}", row.name, row.name, default_value));
-  if (kept == Folder::named) option.required();
-  option.folder();
+  command
+      .option("-o,--output", folder,
+              fmt::format("Folder for {}.csv, {}.json and the plots{}", row.name, row.name, default_value))
+      .folder();
 }
 
 /// Adds the options that every study has.
@@ -250,7 +250,7 @@ std::shared_ptr<StudyCommand> describe_kept(session::OptionList& list, const Stu
 }  // namespace
 
 std::shared_ptr<StudyCommand> describe(session::OptionList& list, const StudyRow& row) {
-  return describe_kept(list, row, row.folder);
+  return describe_kept(list, row, Folder::usual);
 }
 
 std::shared_ptr<StudyCommand> describe_for_caller(session::OptionList& list, const StudyRow& row) {

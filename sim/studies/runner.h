@@ -31,7 +31,7 @@ struct StudyCommand {
   std::unique_ptr<Study> study;
   RunnerOptions options;
   session::OptionList& command;
-  Folder folder = Folder::named;  ///< the row's, or optional for library callers
+  Folder folder = Folder::usual;  ///< optional for library callers
 };
 
 /// Adds the study's options to the list.

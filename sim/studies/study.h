@@ -58,7 +58,7 @@ class Study {
   Study& operator=(const Study&) = delete;
 
   virtual void add_options(session::OptionList& command) = 0;
-  /// The input files, which must not be overwritten.
+  /// The input files, which must not be overwritten; the first model is the first of them.
   [[nodiscard]] virtual std::vector<std::filesystem::path> inputs() const = 0;
   /// Options whose values are part of the points, so that one table can hold points for several values.
   [[nodiscard]] virtual std::set<std::string> varied() const { return {}; }
@@ -66,8 +66,8 @@ class Study {
   [[nodiscard]] virtual std::string table_model() const { return {}; }
   /// Whether the whole table belongs to that model on one machine, which its points also depend on.
   [[nodiscard]] virtual bool is_of_one_machine() const { return false; }
-  /// The output folder if -o is not given.
-  [[nodiscard]] virtual std::string default_folder() const { return {}; }
+  /// The model, or folder of models, that the output folder is named after if -o is not given: the first input.
+  [[nodiscard]] virtual std::filesystem::path named_after() const { return inputs().front(); }
 
   /// Reads the inputs and returns the requested points. Called once, before anything is measured; not called by gather.
   virtual std::vector<PointRequest> request_points() = 0;
@@ -101,20 +101,18 @@ class Study {
   virtual void refuse() const {}
 };
 
-/// Rule for a study's output folder.
+/// Where results are kept if -o is not given.
 enum class Folder : std::uint8_t {
-  named,     ///< -o is required
-  usual,     ///< Study::default_folder() if -o is not given
-  optional,  ///< without -o, results are not kept
+  usual,     ///< in default_folder() (folder.h)
+  optional,  ///< nowhere
 };
 
 /// A row of the table of studies.
 struct StudyRow {
   const char* name;
-  const char* does;     ///< one-line summary that begins with a verb
-  const char* example;  ///< example and notes below the help text
-  const char* plots;    ///< description, such as `plots (.png, .svg) of clocks`
-  Folder folder = Folder::named;
+  const char* does;         ///< one-line summary that begins with a verb
+  const char* example;      ///< example and notes below the help text
+  const char* plots;        ///< description, such as `plots (.png, .svg) of clocks`
   bool is_parallel = true;  ///< points may be measured in parallel
   bool has_shards = true;
   bool is_quick = false;  ///< a point takes less time than writing a row, so rows are written in groups

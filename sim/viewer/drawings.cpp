@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <string_view>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "hw/base/messages.h"
 #include "hw/base/seconds.h"
 #include "hw/kinds/load.h"
+#include "sim/session/model/subject.h"
 #include "sim/session/options/paths.h"
 #include "sim/viewer/knobs.h"
 
@@ -53,8 +55,14 @@ Json knob_of(const Json& request, const char* name) { return object_in(request, 
 
 }  // namespace
 
+std::string model_text(const std::string& model) {
+  if (!session::has_mesh_name(model)) return read_regular_file(model, read::model_file);
+  static_cast<void>(read_regular_file(model, read::mesh_file));
+  return fmt::format("import(file = \"{}\");\n", std::filesystem::path(model).filename().native());
+}
+
 Drawings::Drawings(Beginning beginning) : beginning_(std::move(beginning)) {
-  static_cast<void>(read_regular_file(beginning_.model, read::model_file));
+  static_cast<void>(model_text(beginning_.model));
 }
 
 std::vector<std::string> Drawings::words_of(const Json& request) const {
@@ -82,7 +90,7 @@ Drawings::ParsedRequest Drawings::parse(const Json& request) const {
   if (source) used["source"] = *source;
   std::vector<std::string> words = words_of(used);
   session::ModelRequest options = session::model_request_in(words);
-  std::string text = source ? *source : read_regular_file(options.model, read::model_file);
+  std::string text = source ? *source : model_text(options.model);
   return {std::move(used), std::move(words), std::move(options), std::move(text)};
 }
 

@@ -54,6 +54,10 @@ struct Drawing {
   [[nodiscard]] std::string command(const std::string& name) const;
 };
 
+/// The text that the page shows for a model's file: its content or, for a mesh, an import() of it. Throws InputError if
+/// the file cannot be read or is not a regular file.
+std::string model_text(const std::string& model);
+
 /// The latest drawings. Thread-safe: different models are evaluated in parallel, and a model that several threads
 /// request is evaluated once.
 class Drawings {

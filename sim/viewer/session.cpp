@@ -7,9 +7,7 @@
 #include <span>
 #include <utility>
 
-#include "host/read/source.h"
 #include "hw/base/error.h"
-#include "hw/base/input_file.h"
 #include "hw/isa/facts.h"
 #include "hw/kinds/load.h"
 #include "sim/observe/stats_json.h"
@@ -51,15 +49,8 @@ std::optional<unsigned> number_at(const std::string& text, std::size_t& at) {
   return at == begin ? std::nullopt : std::optional(number);
 }
 
-/// Adds line and column of a message that begins with the file's name and place, or the line of an OpenSCAD message,
-/// since OpenSCAD reads the text from standard input.
+/// Adds line and column of a message that begins with the file's name and place.
 void put_place(Json& answer, const std::string& message, const std::string& file) {
-  constexpr std::string_view in_scad = "in file <stdin>, line ";
-  if (std::size_t at = message.find(in_scad); at != message.npos) {
-    at += in_scad.size();
-    if (const std::optional<unsigned> line = number_at(message, at)) answer["line"] = *line;
-    return;
-  }
   if (!message.starts_with(file + ":")) return;
   std::size_t at = file.size() + 1;
   for (const char* key : {"line", "column"}) {
@@ -269,7 +260,7 @@ Json Session::about() const {
   if (begun_with.is_string() && std::ranges::find(machines, begun_with) == machines.end())
     machines.insert(machines.begin(), begun_with);
   return {{"model", beginning.model},
-          {"source", read_regular_file(beginning.model, read::model_file)},
+          {"source", model_text(beginning.model)},
           {"knobs", beginning.knobs},
           {"names", knobs},
           {"machines", std::move(machines)},

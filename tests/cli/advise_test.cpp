@@ -176,13 +176,15 @@ TEST_CASE("advise reports an edited table row whose figures differ from the draw
          "may have been changed"});
 }
 
-TEST_CASE("advise without an output folder leaves no file behind") {
+TEST_CASE("advise without -o writes into a folder of the model's name and prints it last") {
   const Folder folder;
   const Outcome outcome = succeeded(run_words({"advise", model("old_example011"), "--size", "32x32", "--z-bits", "16",
                                                "--fraction-bits", "6", "--max-wrong-pixels", "1000"},
                                               folder.path()));
   CHECK(outcome.out.find("\nfewest bits") != std::string::npos);
-  CHECK(folder.files() == 0);
+  CHECK(outcome.out.find("\nold_example011-advise: advise.csv, advise.json, and ") != std::string::npos);
+  CHECK(folder.files() == 1);
+  CHECK(fs::exists(folder / "old_example011-advise/advise.csv"));
 }
 
 TEST_CASE("advise rejects impossible limits and ranges before it measures") {
@@ -200,5 +202,7 @@ TEST_CASE("advise rejects impossible limits and ranges before it measures") {
   misused(ask + "--machine scan-line --alu-bits 2", "has no parameter alu.bits");
   misused(ask + "--memory-bits 72", "--memory-bits");
   misused("advise", "MODEL");
-  CHECK(folder.files() == 0);
+  CHECK(outcome.out.find("\nold_example011-advise: advise.csv, advise.json, and ") != std::string::npos);
+  CHECK(folder.files() == 1);
+  CHECK(fs::exists(folder / "old_example011-advise/advise.csv"));
 }

@@ -70,10 +70,12 @@ TEST_CASE("classify sees the same surfaces with every supported tree shape") {
   const Outcome refused =
       succeeded(run("classify " + (folder / "deep.csg") +
                     " --size 32x32 --view-all --shapes written --methods standard,bit-parallel --coherences "
-                    "one-list --processors mc68000"));
+                    "one-list --processors mc68000 -o " +
+                    (folder / "d")));
   CHECK(refused.out.find("use --shapes balanced") != std::string::npos);
-  const Outcome alone = run("classify " + (folder / "deep.csg") +
-                            " --size 32x32 --view-all --shapes written --methods bit-parallel --coherences one-list");
+  const Outcome alone = run(
+      "classify " + (folder / "deep.csg") +
+      " --size 32x32 --view-all --shapes written --methods bit-parallel --coherences one-list -o " + (folder / "e"));
   CHECK(alone.code == 1);
   CHECK(one_line(alone.err));
 }

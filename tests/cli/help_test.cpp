@@ -136,7 +136,8 @@ TEST_CASE("--quiet prints nothing except errors and warnings") {
   const std::string draw = model("old_example011") + " --size 16x16 ";
   for (const std::string& words :
        {"render " + draw + "-o " + (folder / "p.png"), "compile " + draw + "-o " + (folder / "p.csgt"),
-        "run " + (folder / "p.csgt") + " --stats " + (folder / "s.json"), "levels " + draw, "effects " + draw,
+        "run " + (folder / "p.csgt") + " --stats " + (folder / "s.json"), "levels " + draw,
+        "effects " + draw + "-o " + (folder / "e"),
         "sweep " + draw + "--strategy stack -o " + (folder / "s") + " --no-plots",
         "accuracy " + draw + "--views 1 -o " + (folder / "a") + " --no-plots",
         "compare " + draw + "--machines pixel-planes-4 --sides 8 --fragments 4 -o " + (folder / "c") + " --no-plots",

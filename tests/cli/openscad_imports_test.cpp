@@ -36,6 +36,35 @@ Extent extent_of(const std::string& path) {
   return extent;
 }
 
+/// The points and triangles of OBJ, or of PLY as text, as OFF.
+std::string off_of(const std::string& mesh) {
+  std::istringstream lines(mesh);
+  std::string points;
+  std::string faces;
+  std::size_t point_count = 0;
+  std::size_t face_count = 0;
+  bool is_body = !mesh.starts_with("ply\n");
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string first;
+    words >> first;
+    if (first == "f") {
+      faces += "3";
+      for (int corner = 0; words >> corner;) faces += fmt::format(" {}", corner - 1);
+      faces += "\n";
+      ++face_count;
+    } else if (is_body && first == "3" && std::ranges::count(line, ' ') == 3) {
+      faces += line + "\n";
+      ++face_count;
+    } else if (is_body && !first.starts_with('#')) {
+      points += (first == "v" ? line.substr(2) : line) + "\n";
+      ++point_count;
+    }
+    is_body = is_body || line == "end_header";
+  }
+  return fmt::format("OFF\n{} {} 0\n{}{}", point_count, face_count, points, faces);
+}
+
 bool is_installed() { return run_program("openscad", {"--version"}).code == 0; }
 
 /// The extent of OpenSCAD's evaluation of a source text; its polyhedra must be manifolds.
@@ -75,11 +104,46 @@ TEST_CASE("OpenSCAD imports our meshes as manifolds of the volume and extent it 
     const Folder folder;
     succeeded(run_program("openscad", {"-o", folder / "own.off", path}, folder.path()));
     const Extent theirs = extent_of(folder / "own.off");
-    for (const char* const ending : {"stl", "off", "3mf"}) {
+    for (const char* const ending : {"stl", "off", "3mf", "amf"}) {
       CAPTURE(ending);
       const std::string file = std::string("mesh.") + ending;
       succeeded(run("convert " + path + " --imports-from " CSGSIM_SOURCE_DIR "/tests -o " + (folder / file)));
       compare(evaluated(folder, "intersection() { import(\"" + file + "\"); cube(10000, center = true); }"), theirs);
     }
+    // OpenSCAD 2021.01 reads neither of these.
+    for (const char* const ending : {"obj", "ply"}) {
+      CAPTURE(ending);
+      const std::string file = folder / (std::string("mesh.") + ending);
+      std::vector<std::string> words{"convert", path, "--imports-from", CSGSIM_SOURCE_DIR "/tests", "-o", file};
+      if (ending == std::string("ply")) words.emplace_back("--ascii");
+      succeeded(run_words(words));
+      write(folder / "copy.off", off_of(content(file)));
+      compare(evaluated(folder, "intersection() { import(\"copy.off\"); cube(10000, center = true); }"), theirs);
+    }
+  }
+}
+
+TEST_CASE("OpenSCAD imports our drawings with the area and extent of its own") {
+  if (!is_installed()) {
+    MESSAGE("skipped: openscad is not installed");
+    return;
+  }
+  const Folder folder;
+  const std::string flat =
+      "difference() { square([10, 8]); translate([2, 2]) circle(2, $fn = 12); }\n"
+      "translate([20, -5]) rotate(30) offset(r = 1, $fn = 20) square([3, 4]);\n"
+      "translate([-10, 2]) { difference() { circle(5); circle(4); } circle(3); }\n"
+      "translate([10, 8]) square(2);\n";
+  write(folder / "flat.scad", flat);
+  const auto extruded = [&](const std::string& shape) {
+    return evaluated(folder, "intersection() { linear_extrude(3) { " + shape + " } cube(10000, center = true); }");
+  };
+  const double volume = extruded(flat).volume;
+  for (const std::string ending : {".svg", ".dxf"}) {
+    CAPTURE(ending);
+    succeeded(run_words({"convert", "flat.scad", "-o", "ours" + ending, "--stats", "flat.json"}, folder.path()));
+    CHECK(3 * json(folder / "flat.json")["area"].get<double>() == doctest::Approx(volume).epsilon(2e-5));
+    succeeded(run_program("openscad", {"-o", "theirs" + ending, "flat.scad"}, folder.path()));
+    compare(extruded("import(\"ours" + ending + "\");"), extruded("import(\"theirs" + ending + "\");"));
   }
 }

@@ -84,6 +84,8 @@ const std::map<std::string, std::string> samples{{"projection", "\"perspective\"
                                                  {"owner", "\"o.png\""},
                                                  {"surface", "\"opaque\""},
                                                  {"openscad-time", "60"},
+                                                 {"define", "[\"n=3\"]"},
+                                                 {"format", "\"stl\""},
                                                  {"tolerance", "\"0.5px\""},
                                                  {"tolerances", "\"0.5,1\""},
                                                  {"subdivisions", "\"4\""},

@@ -1,5 +1,5 @@
-// Mesh files: STL, OFF, AMF and 3MF. Every reader gets every input; an XML document is also wrapped as the model of a
-// 3MF package, because mutations could not keep the package's checksum valid.
+// Mesh files: STL, OFF, OBJ, PLY, AMF and 3MF. Every reader gets every input; an XML document is also wrapped as the
+// model of a 3MF package, because mutations could not keep the package's checksum valid.
 
 #include <zlib.h>
 
@@ -81,6 +81,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   check([&] { return std::vector{solids::parse_stl(text, "m")}; }, solids::single_precision_tolerance);
   check([&] { return std::vector{solids::parse_off(text, "m")}; }, solids::printed_tolerance);
   check([&] { return std::vector{solids::parse_obj(text, "m")}; }, solids::printed_tolerance);
+  check([&] { return std::vector{solids::parse_ply(text, "m")}; }, solids::printed_tolerance);
   check([&] { return solids::parse_amf(text, "m"); }, solids::printed_tolerance);
   check([&] { return solids::parse_3mf(text, "m"); }, solids::single_precision_tolerance);
   if (text.starts_with('<')) {

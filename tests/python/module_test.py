@@ -135,18 +135,21 @@ class Pictures(unittest.TestCase):
     def test_evaluates_openscad_source_with_the_openscad_on_the_path(self):
         with tempfile.TemporaryDirectory() as folder:
             openscad = pathlib.Path(folder, "openscad")
-            openscad.write_text("#!/bin/sh\necho 'WARNING: kept' >&2\necho 'cube(size = [10, 10, 10], center = true);'\n",
-                                encoding="utf-8")
+            openscad.write_text("#!/bin/sh\necho 'WARNING: kept' >&2\nn=10\n"
+                                "for word; do case $word in n=*) n=${word#n=};; esac; done\n"
+                                "echo \"cube(size = [$n, 10, 10], center = true);\"\n", encoding="utf-8")
             openscad.chmod(0o755)
             path = os.environ["PATH"]
             os.environ["PATH"] = f"{folder}:{path}"
             try:
                 with self.assertWarnsRegex(csgsim.CsgsimWarning, "openscad: WARNING: kept") as warned:
                     drawing = csgsim.render("part.scad", text="cube(10, center = true);", size="32x32")
+                    narrow = csgsim.render("part.scad", text="cube(n);", define={"n": 5}, size="32x32")
             finally:
                 os.environ["PATH"] = path
         self.assertEqual(warned.filename, __file__)
         self.assertEqual(drawing.png(), csgsim.render(text="cube(size = 10, center = true);", size="32x32").png())
+        self.assertEqual(narrow.png(), csgsim.render(text="cube(size = [5, 10, 10], center = true);", size="32x32").png())
 
     def test_compiles_saves_and_runs_programs_as_the_commands_do(self):
         program = csgsim.compile(FIGURE, **SMALL, z_bits=16)

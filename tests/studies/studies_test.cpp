@@ -13,6 +13,7 @@
 #include "places.h"
 #include "sim/app/study_commands.h"
 #include "sim/session/options/usage.h"
+#include "sim/studies/folder.h"
 #include "tests/studies/collatz.h"
 #include "tests/support/error_of.h"
 
@@ -58,9 +59,9 @@ class Place {
   }
 
   /// Runs a command line.
-  static void run(const Words& words, const studies::StudyRow& row = testing::collatz_row) {
+  static void run(const Words& words) {
     shell::CommandLine line("csgsim: a study that lives here alone", "csgsim");
-    app::add_study(line, row);
+    app::add_study(line, testing::collatz_row);
     app::add_gather(line, rows);
     line.run(words, {});
   }
@@ -97,16 +98,23 @@ TEST_CASE("a new study writes a table and JSON and plots and a report") {
   for (const char* const part : {"Steps to 1: ", ">clocks<", ">111<"}) CHECK(page.find(part) != std::string::npos);
 }
 
-TEST_CASE("a study with an optional folder writes files only if -o is given") {
-  const Place place("unkept");
-  studies::StudyRow row = testing::collatz_row;
-  row.folder = studies::Folder::optional;
-  const Words words{"collatz", place / "numbers.txt", "--report", place / "page.html"};
-  Place::run(words, row);
-  CHECK(place.content("page.html").find(">111<") != std::string::npos);
-  CHECK(place.files() == Words{"numbers.txt", "page.html"});
-  Place::run({"collatz", place / "numbers.txt", "-o", place / "out", "--no-plots"}, row);
-  CHECK(place.points("out/collatz.json")[0]["clocks"] == 111);
+TEST_CASE("a study's default folder is named after the model and the study") {
+  CHECK(studies::default_folder("a/part.scad", "sweep") == "part-sweep");
+  CHECK(studies::default_folder("-", "sweep") == "model-sweep");
+  CHECK(studies::default_folder("a/models/", "corpus") == "models-corpus");
+  CHECK(studies::default_folder("a/models", "corpus") == "models-corpus");
+  CHECK(studies::default_folder("a/models/.", "corpus") == "models-corpus");
+  CHECK(studies::default_folder(".", "corpus") == std::filesystem::current_path().stem().native() + "-corpus");
+}
+
+TEST_CASE("a study without -o writes into its default folder") {
+  const Place place("usual");
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(place / ".");
+  Place::run({"collatz", "numbers.txt", "--no-plots"});
+  std::filesystem::current_path(before);
+  CHECK(place.files() == Words{"numbers-collatz", "numbers.txt"});
+  CHECK(place.points("numbers-collatz/collatz.json")[0]["clocks"] == 111);
 }
 
 TEST_CASE("a study resumes and remeasures points whose inputs changed") {

@@ -1,9 +1,11 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -31,6 +33,7 @@
 #include "sim/session/run/run_request.h"
 #include "sim/software/convert/blocks.h"
 #include "sim/software/convert/boundary.h"
+#include "sim/software/convert/flat_rounds.h"
 #include "sim/software/convert/formats.h"
 #include "sim/software/convert/surface.h"
 
@@ -43,6 +46,7 @@ namespace convert = software::convert;
 struct Options {
   ModelRequest model;
   std::string output;
+  std::string format;  ///< empty: by the ending of the output's name
   std::string stats;
   bool ascii = false;
   std::optional<std::uint32_t> resolution;
@@ -52,14 +56,37 @@ struct Options {
 constexpr std::string_view block_ending = ".bintree";
 constexpr std::uint32_t default_resolution = 64;
 
-bool writes_blocks(const Options& options) { return ends_in(options.output, block_ending); }
+/// The endings of all formats.
+std::vector<std::string> endings() {
+  std::vector<std::string> all;
+  for (const convert::Format* const one : convert::formats()) all.emplace_back(one->ending);
+  all.emplace_back(block_ending);
+  return all;
+}
+
+/// The same without the dots.
+std::vector<std::string> format_names() {
+  std::vector<std::string> names = endings();
+  for (std::string& name : names) name.erase(0, 1);
+  return names;
+}
+
+/// A file name that ends like the requested format.
+std::string format_file(const Options& options) {
+  return options.format.empty() ? options.output : "." + options.format;
+}
+
+bool writes_blocks(const Options& options) { return ends_in("a" + format_file(options), block_ending); }
 
 const convert::Format& requested_format(const Options& options) {
-  std::string endings;
-  for (const convert::Format* const one : convert::formats()) endings += fmt::format("{}, ", one->ending);
-  const convert::Format* const format = convert::format_of(options.output);
+  const convert::Format* const format = convert::format_of(format_file(options));
+  if (format == nullptr && is_unnamed_stream(options.output))
+    throw UsageError("--format", fmt::format("{} has no ending that selects a format; name one, as in --format stl",
+                                             printable(options.output)));
   if (format == nullptr)
-    throw UsageError("--output", fmt::format("unknown ending; end the name in one of {}{}", endings, block_ending));
+    throw UsageError("--output",
+                     fmt::format("unknown ending; end the name in one of {}, or name a format with --format",
+                                 fmt::join(endings(), ", ")));
   if (options.resolution) throw UsageError("--resolution", "applies to .bintree files only; leave it out");
   if (options.ascii && !format->has_text)
     throw UsageError("--ascii", fmt::format("a {} file has only one form; leave it out", format->ending));
@@ -73,13 +100,15 @@ facet::Faceting requested_faceting(const Options& options) {
   return {.tolerance = options.model.tolerance->value};
 }
 
-model::Tree solid_model(const Options& options) {
+model::Tree converted_model(const Options& options, bool is_flat) {
   model::Tree tree = read_model(options.model);
-  if (tree.is_flat) {
-    throw InputError(fmt::format("{}: the model is flat and only solids can be converted; extrude it",
-                                 printable(shown_name(options.model.model))));
-  }
-  return tree;
+  if (tree.root == model::no_index || tree.is_flat == is_flat) return tree;
+  const std::string name = printable(shown_name(options.model.model));
+  if (is_flat) throw InputError(fmt::format("{}: the model is solid; project it, or write a solid's format", name));
+  std::vector<std::string_view> flat;
+  for (const convert::Format* const one : convert::formats())
+    if (one->is_flat) flat.push_back(one->ending);
+  throw InputError(fmt::format("{}: the model is flat; extrude it, or write {}", name, fmt::join(flat, " or ")));
 }
 
 void print_model(const model::Tree& tree) {
@@ -132,13 +161,44 @@ class Outputs {
 
 Work work_of(const Options& options) { return Work(options.model.limit * std::uint64_t{1'000'000}); }
 
-void convert_to_mesh(const Options& options) {
+/// Counts and measures of a result, as JSON and as lines for people.
+struct Description {
+  nlohmann::ordered_json json;
+  std::string lines;
+};
+
+Description describe_mesh(const convert::Surface& surface, const convert::Measures& measures) {
+  return {{{"triangles", surface.triangles.size()},
+           {"points", surface.points.size()},
+           {"shells", measures.shells},
+           {"euler_number", measures.euler},
+           {"genus", measures.genus()},
+           {"volume", measures.volume},
+           {"area", measures.area}},
+          fmt::format("{:<18}{}, {}\n{:<18}{}, Euler number {}, genus {}\n"
+                      "{:<18}{:.10g} cubic units, surface {:.10g} square units\n",
+                      "mesh", counted(surface.triangles.size(), "triangle"), counted(surface.points.size(), "point"),
+                      "shape", counted(measures.shells, "shell"), measures.euler, measures.genus(), "volume",
+                      measures.volume, measures.area)};
+}
+
+Description describe_flat(const convert::Surface& surface) {
+  const convert::Rounds rounds = convert::flat_rounds(surface);
+  std::size_t points = 0;
+  for (const auto& round : rounds) points += round.size();
+  const double area = convert::area_of(rounds);
+  return {{{"outlines", rounds.size()}, {"points", points}, {"area", area}},
+          fmt::format("{:<18}{}, {}\n{:<18}{:.10g} square units\n", "shape", counted(rounds.size(), "outline"),
+                      counted(points, "point"), "area", area)};
+}
+
+void convert_to_surface(const Options& options) {
   const convert::Format& format = requested_format(options);
   const facet::Faceting faceting = requested_faceting(options);
-  if (!options.ascii) refuse_terminal("--output", options.output);
+  if (format.is_binary && !options.ascii) refuse_terminal("--output", options.output);
   Outputs outputs(options);
   const auto begin = std::chrono::steady_clock::now();
-  const model::Tree tree = solid_model(options);
+  const model::Tree tree = converted_model(options, format.is_flat);
   const convert::Surface surface = with_memory_for("the mesh", [&] {
     return convert::make_surface(convert::boundary(tree, faceting, work_of(options), options.threads));
   });
@@ -146,22 +206,13 @@ void convert_to_mesh(const Options& options) {
   const convert::Measures measures = convert::measure(surface);
   if (!has_sure_volume(measures)) refuse_thin(options, measures);
   const std::string content = format.write(surface, {.is_text = options.ascii});
+  const Description description = format.is_flat ? describe_flat(surface) : describe_mesh(surface, measures);
   nlohmann::ordered_json stats = model_json(options, tree);
-  stats["triangles"] = surface.triangles.size();
-  stats["points"] = surface.points.size();
-  stats["shells"] = measures.shells;
-  stats["euler_number"] = measures.euler;
-  stats["genus"] = measures.genus();
-  stats["volume"] = measures.volume;
-  stats["area"] = measures.area;
+  stats.update(description.json);
   stats["wall_seconds"] = seconds_since(begin);
   outputs.write(content, stats);
   print_model(tree);
-  fmt::print("{:<18}{}, {}\n", "mesh", counted(surface.triangles.size(), "triangle"),
-             counted(surface.points.size(), "point"));
-  fmt::print("{:<18}{}, Euler number {}, genus {}\n", "shape", counted(measures.shells, "shell"), measures.euler,
-             measures.genus());
-  fmt::print("{:<18}{:.10g} cubic units, surface {:.10g} square units\n", "volume", measures.volume, measures.area);
+  fmt::print("{}", description.lines);
 }
 
 void convert_to_blocks(const Options& options) {
@@ -172,7 +223,7 @@ void convert_to_blocks(const Options& options) {
   const facet::Faceting faceting = requested_faceting(options);
   Outputs outputs(options);
   const auto begin = std::chrono::steady_clock::now();
-  const model::Tree tree = solid_model(options);
+  const model::Tree tree = converted_model(options, false);
   const convert::Bintree bintree =
       with_memory_for("the blocks", [&] { return convert::blocks(tree, resolution, faceting, work_of(options)); });
   const convert::BlockCounts counts = convert::count_blocks(bintree);
@@ -197,15 +248,16 @@ void run(const Options& options) {
   if (writes_blocks(options)) {
     convert_to_blocks(options);
   } else {
-    convert_to_mesh(options);
+    convert_to_surface(options);
   }
 }
 
 void add_convert(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   Command& command = line.add("convert", everyday_group,
-                              "Convert a model into a closed mesh of its boundary, or into blocks of a bintree",
+                              "Convert a model into a closed mesh of its boundary, a drawing, or blocks of a bintree",
                               "Example:\n  csgsim convert carburettor.csg -o carburettor.stl\n"
+                              "  csgsim convert -D size=3 part.scad -o - --format ply > part.ply\n"
                               "  csgsim convert carburettor.csg -o carburettor.bintree --resolution 128\n"
                               "Curved solids are converted as facets. docs/convert.md describes the formats.");
   options->model.add_to(command);
@@ -214,16 +266,17 @@ void add_convert(CommandLine& line) {
         "--camera", "--projection", "--scene", "--colour-scheme", "--set", "--view-all", "--near", "--fraction-bits",
         "--edge-on", "--curves", "--colour-bits"})
     command.remove(of_pictures);
-  std::string endings;
-  for (const convert::Format* const one : convert::formats())
-    endings += fmt::format("; {}: {}", one->ending, one->help);
+  std::string helps;
+  for (const convert::Format* const one : convert::formats()) helps += fmt::format("; {}: {}", one->ending, one->help);
   command
-      .option("-o,--output", options->output,
-              fmt::format("The mesh or block file; the name's ending selects the format{}; {}: a bintree, as text",
-                          endings, block_ending))
+      .option(
+          "-o,--output", options->output,
+          fmt::format("The file; the name's ending selects the format{}; {}: a bintree, as text", helps, block_ending))
       .required()
       .check(not_empty);
-  command.flag("--ascii", options->ascii, "Write STL as text");
+  command.option("--format", options->format, "The format, whatever the name's ending; needed for -o -")
+      .one_of(format_names());
+  command.flag("--ascii", options->ascii, "Write STL or PLY as text");
   command
       .option("--resolution", options->resolution,
               "Cells along each side of a block model, a power of two; default: 64")

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -85,9 +84,10 @@ std::int64_t difference(std::uint64_t with, std::uint64_t without) {
   return static_cast<std::int64_t>(with) - static_cast<std::int64_t>(without);
 }
 
-Bill make_bill(const ModelRequest& options, const machines::Machine& machine) {
+/// `all_on`: drawn with all effects.
+Bill make_bill(const ModelRequest& options, const machines::Machine& machine, Variant all_on) {
   Bill bill;
-  bill.all = draw_without(options, {}, machine);
+  bill.all = std::move(all_on);
   const std::vector<std::string>& all = bill.all.program.facts->compile.effects;
   const std::vector<std::string> called(all.begin() + 1, all.end());
   bill.none = draw_without(options, called, machine);
@@ -193,17 +193,18 @@ report::Page page_of(const Options& options, const Bill& bill) {
 }
 
 void run(const Options& options) {
-  std::optional<studies::StudyFolder> folder;
-  if (!options.folder.empty()) folder.emplace(options.folder, "effects", options.model.inputs());
-  ReportFile report(options.report, options.model.inputs());
   const machines::Machine machine = machine_of(options.model);
-  const Bill bill = make_bill(options.model, machine);
+  Variant all = draw_without(options.model, {}, machine);  // an invalid model leaves no folder
+  const fs::path to =
+      options.folder.empty() ? studies::default_folder(options.model.model, "effects") : fs::path(options.folder);
+  const studies::StudyFolder folder(to, "effects", options.model.inputs());
+  ReportFile report(options.report, options.model.inputs());
+  const Bill bill = make_bill(options.model, machine, std::move(all));
   fmt::print("{} on {}: cost of its effects\n", printable(shown_name(options.model.model)), machine.name);
   print_bill(bill);
   if (report.asked()) report.write(page_of(options, bill));
-  if (!folder) return;
-  write_all(bill, *folder);
-  fmt::print("{}: all.png, none.png, a picture without each effect, effects.json\n", printable(options.folder));
+  write_all(bill, folder);
+  fmt::print("{}: all.png, none.png, a picture without each effect, effects.json\n", printable(to.native()));
 }
 
 void add_effects(CommandLine& line) {
@@ -214,7 +215,10 @@ void add_effects(CommandLine& line) {
                "Example:\n  csgsim effects carburettor.csg --scene shadows.toml --memory-bits 128 -o bill\n"
                "docs/effects.md lists the effects and their settings.");
   options->model.add_to(command);
-  command.option("-o,--output", options->folder, "Folder for the pictures and the costs, effects.json").folder();
+  command
+      .option("-o,--output", options->folder,
+              "Folder for the pictures and the costs, effects.json; default: MODEL-effects")
+      .folder();
   options->report.add_to(command);
   command.prints_summary();
   command.runs([options] { run(*options); });

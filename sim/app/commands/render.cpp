@@ -37,6 +37,7 @@ void add_render(CommandLine& line) {
                "Example:\n  csgsim render carburettor.csg -o carburettor.png --camera 220,-255,135,2,0,5 --stats "
                "carburettor.json\n"
                "  csgsim render carburettor.csg -o carburettor.png --projection perspective --level cycle\n"
+               "  csgsim render -D teeth=24 gear.scad -o gear.png\n"
                "  csgsim render carburettor.csg -o carburettor.gif --frames 60 --orbit 360");
   options->add_to(command);
   options->frames.add_to(command);

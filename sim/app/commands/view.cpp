@@ -104,7 +104,7 @@ void add_view(CommandLine& line) {
       line.add("view", everyday_group, "Show a model in a browser, redrawn by the machine as you turn and edit it",
                "Example:\n  csgsim view carburettor.csg\n"
                "  csgsim view carburettor.scad --machine pixel-planes-5 --port 8080");
-  options->model.add_to(command, "The model (.csg, .scad or .jan)");
+  options->model.add_to(command, "The model (.csg, .scad or .jan), or a mesh");
   command.option("--port", options->port, "Port of 127.0.0.1 for the page; 0 selects a free one").between(0U, 65'535U);
   command
       .option("--patience", options->patience,

@@ -88,6 +88,9 @@ class _ModelOptions(TypedDict, total=False):
     set: Texts
     imports_from: Text
     openscad_time: int
+    define: Texts
+    parameters: Text
+    parameter_set: Text
     snap: bool
     limit: int
     view_all: bool

@@ -39,11 +39,11 @@ def _model(model, text):
 def render(model=None, /, *, text=None, **options):
     """Draws a model on a machine and counts its clocks, like `csgsim render`.
 
-    `model` names a file: .csg, an OpenSCAD source .scad, which OpenSCAD evaluates, or commands, .jan. With `text`, the
-    model is that text; `model` is then its name in messages, whose ending selects the kind of model and whose folder is
-    searched for imports. Options are named as on the command line, see `options("render")`; options that name files
-    write them. Sizes are in pixels, `camera` is in model units, and `z_bits` and `memory_bits` are bits per pixel; the
-    drawing's `stats` have `clocks` of the machine and `simulated_seconds`.
+    `model` names a file: .csg, an OpenSCAD source .scad, which OpenSCAD evaluates, commands, .jan, or a mesh. With
+    `text`, the model is that text; `model` is then its name in messages, whose ending selects the kind of model and
+    whose folder is searched for imports. Options are named as on the command line, see `options("render")`; options
+    that name files write them. Sizes are in pixels, `camera` is in model units, and `z_bits` and `memory_bits` are bits
+    per pixel; the drawing's `stats` have `clocks` of the machine and `simulated_seconds`.
 
     >>> drawing = csgsim.render("part.csg", size=(512, 512), z_bits=16, machine="pixel-planes-5")
     >>> drawing = csgsim.render(text="sphere(10);", set={"alu.bits": 2})

@@ -26,6 +26,7 @@
 #include "sim/session/model/see_through.h"
 #include "sim/session/model/subject.h"
 #include "sim/session/options/paths.h"
+#include "sim/session/options/usage.h"
 #include "sim/session/run/memory.h"
 
 namespace csgsim::session {
@@ -39,6 +40,26 @@ void refuse_other_subjects(const ModelRequest& request) {
     throw InputError(fmt::format("--imports-from: {} is not a folder", printable(request.imports_from)));
 }
 
+/// Rejects options of OpenSCAD for a model that it does not evaluate.
+void refuse_scad_options(const ModelRequest& request) {
+  const std::string why = fmt::format("{} has no variables to set, only a .scad source has; leave it out",
+                                      printable(shown_name(request.model)));
+  if (!request.defines.empty()) throw UsageError("--define", why);
+  if (!request.parameters.empty()) throw UsageError("--parameters", why);
+  if (!request.parameter_set.empty()) throw UsageError("--parameter-set", why);
+}
+
+model::Tree read_tree(Subject subject, const std::string& text, const std::string& name, const read::Options& how) {
+  switch (subject) {
+    case Subject::commands: return commands::read_text(text, name, how);
+    case Subject::mesh: return read::read_mesh(text, name, how);
+    case Subject::scad: return read::read_csg_text(text, name + " (as .csg)", how);
+    case Subject::csg:
+    case Subject::program: break;
+  }
+  return read::read_csg_text(text, name, how);
+}
+
 /// Reads the text of a model or of a source that OpenSCAD has evaluated; the hash covers it and the scene.
 ModelFile read_text(const ModelRequest& request, Subject subject, const std::string& text) {
   const std::string name = shown_name(request.model);
@@ -48,9 +69,7 @@ ModelFile read_text(const ModelRequest& request, Subject subject, const std::str
   if (request.snap) hash.add("--snap");
   const read::Options how{request.snap, request.imports_from, [&](std::string_view bytes) { hash.add(bytes); },
                           work_of(request)};
-  model::Tree tree = subject == Subject::commands
-                         ? commands::read_text(text, name, how)
-                         : read::read_csg_text(text, subject == Subject::scad ? name + " (as .csg)" : name, how);
+  model::Tree tree = read_tree(subject, text, name, how);
   tree.file = name;
   return {effects::reshaped(std::move(tree), request.scene()), hash.text()};
 }
@@ -61,9 +80,11 @@ ModelFile read_model_file(const ModelRequest& request) {
   refuse_other_subjects(request);
   return with_memory_for("the model " + request.model, [&] {
     const Subject subject = subject_in(request.model);
+    if (subject == Subject::scad)
+      return read_text(request, subject, evaluate_scad(request.model, request.scad_options()));
+    refuse_scad_options(request);
     return read_text(request, subject,
-                     subject == Subject::scad ? evaluate_scad(request.model, request.openscad_time())
-                                              : read_file(request.model, read::model_file));
+                     read_file(request.model, subject == Subject::mesh ? read::mesh_file : read::model_file));
   });
 }
 
@@ -71,8 +92,10 @@ ModelFile read_model_text(const ModelRequest& request, const std::string& text) 
   refuse_other_subjects(request);
   return with_memory_for("the model " + request.model, [&] {
     const Subject subject = subject_in(request.model);
-    return read_text(request, subject,
-                     subject == Subject::scad ? evaluate_scad(request.model, text, request.openscad_time()) : text);
+    if (subject == Subject::scad)
+      return read_text(request, subject, evaluate_scad(request.model, text, request.scad_options()));
+    refuse_scad_options(request);
+    return read_text(request, subject == Subject::mesh ? Subject::csg : subject, text);
   });
 }
 

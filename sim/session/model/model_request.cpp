@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -25,7 +28,6 @@
 #include "sim/session/model/cameras.h"
 #include "sim/session/model/fast_curves.h"
 #include "sim/session/model/prices.h"
-#include "sim/session/model/scad.h"
 #include "sim/session/options/numbers.h"
 #include "sim/session/options/paths.h"
 #include "sim/session/options/prunings.h"
@@ -78,6 +80,16 @@ view::Projection projection_of(const ModelRequest& request) {
   if (!request.projection.empty()) return projections.at(request.projection);
   const bool is_perspective = request.scene().camera.is_perspective.value_or(false);
   return is_perspective ? view::Projection::perspective : view::Projection::orthographic;
+}
+
+/// What is wrong with a word of --define; empty if nothing.
+std::string define_problem(const std::string& word) {
+  const std::size_t end = word.find('=');
+  const auto is_letter = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '$'; };
+  const bool is_named = end != word.npos && end > 0 &&
+                        std::all_of(word.begin(), word.begin() + static_cast<std::ptrdiff_t>(end), is_letter);
+  return is_named && end + 1 < word.size() ? ""
+                                           : fmt::format("'{}' must be NAME=VALUE, as in width=20", printable(word));
 }
 
 /// The camera of --camera, if it is given.
@@ -138,8 +150,14 @@ ModelRequest model_request_in(std::span<const std::string> words) {
   return request;
 }
 
-std::chrono::seconds ModelRequest::openscad_time() const {
-  return openscad_seconds ? std::chrono::seconds(*openscad_seconds) : default_openscad_time;
+ScadOptions ModelRequest::scad_options() const {
+  if (parameters.empty() && !parameter_set.empty())
+    throw UsageError("--parameter-set", "name the file that has the set, with -p FILE");
+  if (!parameters.empty() && parameter_set.empty())
+    throw UsageError("--parameters", "name one of the file's sets, with -P SET");
+  ScadOptions options{defines, parameters, parameter_set};
+  if (openscad_seconds) options.time_limit = std::chrono::seconds(*openscad_seconds);
+  return options;
 }
 
 std::vector<std::string> strategy_names() {
@@ -207,6 +225,14 @@ void ModelRequest::add_view_to(OptionList& options) {
                  "folder");
   options.option("--openscad-time", openscad_seconds,
                  "Time limit in seconds for OpenSCAD to evaluate a model's source; default: 1800");
+  options
+      .option("-D,--define", defines,
+              "A variable of a model's source and its value, NAME=VALUE, as in OpenSCAD; quote texts: -D 'name=\"A\"'; "
+              "repeat for several")
+      .check(define_problem);
+  options.option("-p,--parameters", parameters, "OpenSCAD's parameter sets for a model's source: a .json file")
+      .check(not_empty);
+  options.option("-P,--parameter-set", parameter_set, "The set of --parameters to use").check(not_empty);
   options.flag("--snap", snap,
                "Restore rotations by hundredths of a degree from OpenSCAD's six-digit output, so that planes that "
                "should coincide do");
@@ -369,7 +395,10 @@ bool is_faceted_for_camera(const ModelRequest& request, const machines::Machine&
 }
 
 std::vector<std::filesystem::path> ModelRequest::inputs() const {
-  return input_files(scene_file.empty() ? std::vector{model} : std::vector{model, scene_file}, {machine});
+  std::vector<std::string> files{model};
+  for (const std::string& file : {scene_file, parameters})
+    if (!file.empty()) files.push_back(file);
+  return input_files(files, {machine});
 }
 
 }  // namespace csgsim::session

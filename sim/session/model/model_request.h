@@ -2,7 +2,6 @@
 // Used by sim/session, sim/app, sim/python, sim/studies and sim/viewer.
 #pragma once
 
-#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -19,6 +18,7 @@
 #include "hw/base/work.h"
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
+#include "sim/session/model/scad.h"
 #include "sim/session/options/option_list.h"
 
 namespace csgsim::session {
@@ -46,6 +46,9 @@ struct ModelRequest {
   bool snap = false;  ///< restore rotations from the printed digits
   std::uint32_t limit = default_work_limit;
   std::optional<std::uint32_t> openscad_seconds;
+  std::vector<std::string> defines;  ///< NAME=VALUE of the variables of a source
+  std::string parameters;            ///< file of parameter sets of a source
+  std::string parameter_set;
   std::string machine = "pixel-planes-4";
   std::string size;
   std::optional<std::uint32_t> memory_bits;
@@ -68,10 +71,11 @@ struct ModelRequest {
   unsigned colour_bits = isa::max_colour_bits;
   std::string pruning = "auto";  ///< see pruning_of
 
-  void add_to(OptionList& options,
-              const std::string& what =
-                  "The model: a .csg file exported by OpenSCAD (- reads it from standard input), an OpenSCAD source, "
-                  ".scad, or a file of the thesis's modelling commands, .jan");
+  void add_to(
+      OptionList& options,
+      const std::string& what =
+          "The model: OpenSCAD's export .csg (- reads standard input), a source .scad, commands .jan, or a mesh "
+          "(.stl, .off, .obj, .ply, .3mf, .amf)");
 
   /// Everything visible but the model's solids; read once. Throws InputError, or UsageError for an invalid --set.
   [[nodiscard]] const scene::Scene& scene() const { return loaded_scene().scene; }
@@ -81,10 +85,11 @@ struct ModelRequest {
   /// A copy with those effects switched off, even if the scene or the model enables them.
   [[nodiscard]] ModelRequest without_effects(const std::vector<std::string>& names) const;
 
-  /// Time limit for OpenSCAD.
-  [[nodiscard]] std::chrono::seconds openscad_time() const;
+  /// What is passed to OpenSCAD with a source. Throws UsageError if a file of parameter sets is given without a set, or
+  /// a set without a file.
+  [[nodiscard]] ScadOptions scad_options() const;
 
-  /// The files that are read: the model, the scene, and the machine's file if it has one.
+  /// The files that are read: the model, the scene, the parameter sets, and the machine's file if it has one.
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const;
 
   /// Adds only the options of view and accuracy, none of those that a sweep varies.

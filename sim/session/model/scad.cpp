@@ -1,43 +1,26 @@
 #include "sim/session/model/scad.h"
 
-#include <array>
-#include <chrono>
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <span>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "host/read/limits.h"
 #include "hw/base/error.h"
 #include "hw/base/inputs_kept.h"
-#include "hw/base/messages.h"
 #include "hw/base/text.h"
+#include "sim/session/model/parameter_sets.h"
+#include "sim/session/model/scad_messages.h"
 #include "sim/system/child_process.h"
 #include "sim/system/memory_file.h"
 
 namespace csgsim::session {
 
 namespace {
-
-/// Prints the first warnings and counts the rest, since a loop can repeat a warning thousands of times.
-void print_warnings(const std::string& said, const std::string& file) {
-  constexpr int most = 10;
-  int count = 0;
-  std::istringstream lines(said);
-  for (std::string line; std::getline(lines, line);) {
-    if (!line.starts_with("WARNING") && !line.starts_with("DEPRECATED")) continue;
-    if (++count <= most) report_line("openscad: " + line);
-  }
-  if (count > most) {
-    report_line("openscad: " + std::to_string(count - most) +
-                " more warnings; to see them all, run openscad -o model.csg " + shell_word(file));
-  }
-}
 
 std::string_view fix_for(system::Exceeded exceeded) {
   switch (exceeded) {
@@ -56,21 +39,35 @@ std::string reason_of(const system::ChildEnd& end, const system::ChildLimits& li
              : "OpenSCAD was stopped: " + why + "; " + std::string(fix_for(end.exceeded));
 }
 
+/// Throws InputError if OpenSCAD failed; prints its messages if it ended within its limits.
+void require_success(const system::ChildEnd& end, const system::ChildLimits& limits, const std::string& file,
+                     const ScadOptions& options) {
+  const auto fail = [&] { throw InputError(printable(file) + ": " + reason_of(end, limits)); };
+  if (end.exceeded != system::Exceeded::nothing) fail();
+  print_scad_messages(end.errors, file);
+  if (std::string error = scad_error(end.errors, file); !error.empty()) {
+    // OpenSCAD reads these values after the last line of the file.
+    if (!options.defines.empty() && error.find("Parser error") != error.npos) error += "; check the values of -D";
+    throw InputError(error);
+  }
+  if (!system::has_succeeded(end)) fail();
+}
+
 /// Output of an OpenSCAD command line, given as words.
 std::string evaluated(std::span<const std::string> words, const system::MemoryFile& input, const std::string& file,
-                      std::chrono::seconds time_limit) {
-  const system::ChildLimits limits{.time = time_limit,
+                      const ScadOptions& options) {
+  const system::ChildLimits limits{.time = options.time_limit,
                                    .output = read::max_file_bytes,
                                    .errors = std::size_t{16} << 20U,
                                    .memory = std::size_t{8} << 30U};
   std::optional<system::ChildEnd> ended = system::run_child(words, input, limits);
   if (!ended) {
     throw InputError(printable(file) +
-                     ": a .scad source needs OpenSCAD, which is not on the PATH; install it "
-                     "(Debian: openscad), or export the model elsewhere: openscad -o model.csg model.scad");
+                     ": a .scad source needs OpenSCAD, which is not on the PATH; install it (Debian, Ubuntu: sudo apt "
+                     "install openscad; Fedora: sudo dnf install openscad; Arch: sudo pacman -S openscad; others: "
+                     "openscad.org), or export the model elsewhere: openscad -o model.csg model.scad");
   }
-  if (!system::has_succeeded(*ended)) throw InputError(printable(file) + ": " + reason_of(*ended, limits));
-  print_warnings(ended->errors, file);
+  require_success(*ended, limits, file, options);
   std::string csg = std::move(ended->output);
   if (csg.find_first_not_of(" \n\r\t") == csg.npos)
     throw InputError(printable(file) +
@@ -78,23 +75,35 @@ std::string evaluated(std::span<const std::string> words, const system::MemoryFi
   return csg;
 }
 
-}  // namespace
-
-std::string evaluate_scad(const std::string& file, std::chrono::seconds time_limit) {
-  const std::string path = file.starts_with('-') ? "./" + file : file;
-  record_input(file);
-  return evaluated(std::array<std::string, 6>{"openscad", "-o", "-", "--export-format", "csg", path},
-                   system::MemoryFile(file), file, time_limit);
+/// The words of an OpenSCAD command line that evaluates `input`, after `first`.
+std::vector<std::string> openscad_words(std::vector<std::string> first, const std::string& input,
+                                        const ScadOptions& options) {
+  first.insert(first.end(), {"openscad", "-o", "-", "--export-format", "csg"});
+  for (const std::string& define : options.defines) first.insert(first.end(), {"-D", define});
+  if (!options.parameters.empty()) {
+    require_parameter_set(options.parameters, options.parameter_set);
+    // OpenSCAD may run in another folder. The set's name is in the same word because it may begin with a dash.
+    first.insert(first.end(), {"-p", std::filesystem::absolute(options.parameters).native()});
+    first.push_back("-P" + options.parameter_set);
+  }
+  first.push_back(input);
+  return first;
 }
 
-std::string evaluate_scad(const std::string& file, std::string_view text, std::chrono::seconds time_limit) {
+}  // namespace
+
+std::string evaluate_scad(const std::string& file, const ScadOptions& options) {
+  record_input(file);
+  const std::vector<std::string> words = openscad_words({}, file.starts_with('-') ? "./" + file : file, options);
+  return evaluated(words, system::MemoryFile(file), file, options);
+}
+
+std::string evaluate_scad(const std::string& file, std::string_view text, const ScadOptions& options) {
   std::string folder = std::filesystem::path(file).parent_path().native();
   if (folder.empty()) folder = ".";
   system::MemoryFile input(file);
   input.write(text);
-  return evaluated(
-      std::array<std::string, 8>{"env", "--chdir=" + folder, "openscad", "-o", "-", "--export-format", "csg", "-"},
-      input, file, time_limit);
+  return evaluated(openscad_words({"env", "--chdir=" + folder}, "-", options), input, file, options);
 }
 
 }  // namespace csgsim::session

@@ -5,17 +5,26 @@
 #include <chrono>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace csgsim::session {
 
 inline constexpr std::chrono::seconds default_openscad_time = std::chrono::minutes(30);
 
-/// Evaluates a source file with the OpenSCAD on the PATH and returns the text of a `.csg` file. Warnings go to standard
-/// error. Throws InputError if OpenSCAD is missing, reports an error, or exceeds its limits of time, memory or output.
-std::string evaluate_scad(const std::string& file, std::chrono::seconds time_limit = default_openscad_time);
+/// Options of OpenSCAD's command line that are passed on.
+struct ScadOptions {
+  std::vector<std::string> defines;  ///< NAME=VALUE of -D
+  std::string parameters;            ///< file of parameter sets of -p; empty if there is none
+  std::string parameter_set;         ///< the set of -P
+  std::chrono::seconds time_limit = default_openscad_time;
+};
+
+/// Evaluates a source file with the OpenSCAD on the PATH and returns the text of a `.csg` file. Its messages go to
+/// standard error. Throws InputError if OpenSCAD is missing, reports an error such as a failed assert(), or exceeds its
+/// limits of time, memory or output, and if the file of parameter sets lacks the set.
+std::string evaluate_scad(const std::string& file, const ScadOptions& options = {});
 
 /// Evaluates a text that replaces the file's content, in the file's folder; messages name the file.
-std::string evaluate_scad(const std::string& file, std::string_view text,
-                          std::chrono::seconds time_limit = default_openscad_time);
+std::string evaluate_scad(const std::string& file, std::string_view text, const ScadOptions& options = {});
 
 }  // namespace csgsim::session

@@ -59,6 +59,8 @@ bool has_model_name(const std::filesystem::path& path) {
   return named_subject(path).value_or(Subject::program) != Subject::program;
 }
 
+bool has_mesh_name(const std::filesystem::path& path) { return named_subject(path) == Subject::mesh; }
+
 void refuse_model(const std::filesystem::path& path) {
   const bool may_be_model = path == standard_stream || has_model_name(path);
   if (may_be_model && is_model(path))

@@ -14,6 +14,7 @@ enum class Subject : std::uint8_t {
   csg,       ///< a model exported by OpenSCAD
   scad,      ///< a model's source, evaluated by OpenSCAD
   commands,  ///< a model in the thesis's language of commands
+  mesh,      ///< a model that is a mesh file
   program    ///< a compiled model, in binary or text form
 };
 
@@ -23,8 +24,16 @@ struct NamedSubject {
   Subject subject;
 };
 
-inline constexpr auto named_subjects = std::to_array<NamedSubject>(
-    {{".csg", Subject::csg}, {".scad", Subject::scad}, {".jan", Subject::commands}, {".csgt", Subject::program}});
+inline constexpr auto named_subjects = std::to_array<NamedSubject>({{".csg", Subject::csg},
+                                                                    {".scad", Subject::scad},
+                                                                    {".jan", Subject::commands},
+                                                                    {".stl", Subject::mesh},
+                                                                    {".off", Subject::mesh},
+                                                                    {".obj", Subject::mesh},
+                                                                    {".ply", Subject::mesh},
+                                                                    {".3mf", Subject::mesh},
+                                                                    {".amf", Subject::mesh},
+                                                                    {".csgt", Subject::program}});
 
 /// Kind of an input; no other code decides it. A file that begins like a Program is one, regardless of its name.
 /// Otherwise the extension decides, and an unknown extension stands for a model's text, as does standard input. The
@@ -36,6 +45,9 @@ bool is_program(const std::filesystem::path& path);
 
 /// Whether the extension is that of a model.
 bool has_model_name(const std::filesystem::path& path);
+
+/// Whether the extension is that of a mesh.
+bool has_mesh_name(const std::filesystem::path& path);
 
 /// Throws InputError for a model, with advice, in commands that accept Programs only.
 void refuse_model(const std::filesystem::path& path);

@@ -1,4 +1,4 @@
-// File formats of surfaces.
+// File formats of surfaces and of flat shapes.
 // Used by csgsim convert.
 #pragma once
 
@@ -15,13 +15,18 @@ struct Writing {
   bool is_text = false;  ///< text form, if the format also has a binary form
 };
 
-/// A row of the table of formats for surfaces; each has a separate source file.
+/// A row of the table of formats; each has a separate source file.
 struct Format {
   std::string_view ending;  ///< file name extension, including the dot
   std::string_view help;
-  bool has_text = false;  ///< whether a text form exists in addition to the binary form
-  /// Returns the content of the file. Throws InputError if the format cannot represent the surface.
+  bool is_flat = false;    ///< for flat models only; all other formats are for solids only
+  bool is_binary = false;  ///< whether its usual form is binary
+  bool has_text = false;   ///< whether a text form exists in addition to the binary form
+  /// Returns the content of the file. A flat format receives the surface of the plates (flat_rounds.h). Throws
+  /// InputError if the format cannot represent the surface.
   std::string (*write)(const Surface& surface, const Writing& writing);
+
+  [[nodiscard]] std::string_view name() const { return ending.substr(1); }
 };
 
 std::span<const Format* const> formats();

@@ -24,7 +24,7 @@ std::string write(const Surface& surface, const Writing&) {
 
 }  // namespace
 
-extern const Format off_format{".off", "Object File Format, polygons of double precision with shared points", false,
-                               write};
+extern const Format off_format{
+    .ending = ".off", .help = "Object File Format, polygons of double precision with shared points", .write = write};
 
 }  // namespace csgsim::software::convert

@@ -107,7 +107,10 @@ std::string write(const Surface& surface, const Writing& writing) {
 
 }  // namespace
 
-extern const Format stl_format{".stl", "STL, triangles of single precision; with --ascii, text of double precision",
-                               true, write};
+extern const Format stl_format{.ending = ".stl",
+                               .help = "STL, triangles of single precision; with --ascii, text of double precision",
+                               .is_binary = true,
+                               .has_text = true,
+                               .write = write};
 
 }  // namespace csgsim::software::convert

@@ -149,7 +149,9 @@ std::string write(const Surface& surface, const Writing&) {
 
 }  // namespace
 
-extern const Format three_mf_format{".3mf", "3D Manufacturing Format, triangles of double precision with shared points",
-                                    false, write};
+extern const Format three_mf_format{.ending = ".3mf",
+                                    .help = "3D Manufacturing Format, triangles of double precision with shared points",
+                                    .is_binary = true,
+                                    .write = write};
 
 }  // namespace csgsim::software::convert

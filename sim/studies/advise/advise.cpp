@@ -270,7 +270,6 @@ extern const StudyRow advise_row{
         "in advise.csv; after an interruption, the same command resumes. Changed requirements need no new "
         "measurements.",
     .plots = "a plot (.png, .svg) of frame rate against memory",
-    .folder = Folder::optional,
     .has_shards = false,
     .is_quick = true,
     .make = [] { return std::unique_ptr<Study>(std::make_unique<Advise>()); }};

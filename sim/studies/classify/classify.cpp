@@ -189,7 +189,6 @@ extern const StudyRow classify_row{
         "and\n"
         "see the same surfaces. Their operations are counted by kind; a processor's file gives the price of each kind.",
     .plots = "plots (.png, .svg) of seconds by method",
-    .folder = Folder::optional,
     .is_parallel = false,
     .make = [] { return std::unique_ptr<Study>(std::make_unique<Classify>()); }};
 

@@ -239,7 +239,6 @@ class Compare : public StudyOf<ComparisonRow> {
   }
   [[nodiscard]] std::set<std::string> varied() const override { return {"machines", "sides", "fragments", "with"}; }
   [[nodiscard]] std::string table_model() const override { return options_.model.model; }
-  [[nodiscard]] std::string default_folder() const override { return plot_stem(options_.model.model) + "-compare"; }
 
   std::vector<PointRequest> request_points() override {
     session::ModelFile file = session::read_model_file(options_.model);
@@ -328,7 +327,6 @@ extern const StudyRow compare_row{
         "  csgsim compare carburettor.csg --camera 220,-255,135,2,0,5 --ideal -o carburettor-ideal\n"
         "Each result is written to compare.csv immediately; after an interruption, the same command resumes.",
     .plots = "plots (.png, .svg) of the machines and of the time against half-spaces and pixels",
-    .folder = Folder::usual,
     .make = [] { return std::unique_ptr<Study>(std::make_unique<Compare>()); },
     .group = session::everyday_group};
 

@@ -134,6 +134,7 @@ class Corpus : public StudyOf<CorpusRow> {
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
     return session::input_files(corpus_files(models_), session::parse_words(machines_));
   }
+  [[nodiscard]] std::filesystem::path named_after() const override { return models_.front(); }
   [[nodiscard]] std::set<std::string> varied() const override { return {"machines"}; }
 
   /// Requests all machines of a model before the next model.

@@ -22,12 +22,15 @@ bool is_source_of(const fs::path& file, const std::vector<fs::path>& files) {
          std::ranges::find(files, fs::path(file).replace_extension(".csg")) != files.end();
 }
 
+/// Meshes in a folder are usually imports of its models.
+bool is_listed(const fs::path& file) { return session::has_model_name(file) && !session::has_mesh_name(file); }
+
 std::vector<fs::path> find_models(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;
   for (auto entry = fs::recursive_directory_iterator(folder, error);
        !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
-    if (entry->is_regular_file() && session::has_model_name(entry->path())) files.push_back(entry->path());
+    if (entry->is_regular_file() && is_listed(entry->path())) files.push_back(entry->path());
   }
   if (error) throw InputError(fmt::format("{}: cannot be read ({})", printable(folder.native()), error.message()));
   std::ranges::sort(files);

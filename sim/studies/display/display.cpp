@@ -213,7 +213,6 @@ extern const StudyRow display_row{
         "that\n"
         "differ from the machines' are counted by cause.",
     .plots = "a plot (.png, .svg) of seconds against polygons",
-    .folder = Folder::optional,
     .is_parallel = false,
     .make = [] { return std::unique_ptr<Study>(std::make_unique<Display>()); }};
 

@@ -67,7 +67,7 @@ std::vector<std::string> own_explore_options() {
 void ExploreOptions::add_to(session::OptionList& command) {
   model.add_to(command);
   command.remove("MODEL");
-  command.option("MODEL", models, "Models: OpenSCAD .csg files, OpenSCAD sources (.scad), or commands (.jan)")
+  command.option("MODEL", models, "Models: OpenSCAD .csg files, OpenSCAD sources (.scad), commands (.jan), or meshes")
       .required();
   command.remove("--strategy");
   command

@@ -173,7 +173,6 @@ extern const StudyRow mesh_row{
         "the same mesh; the filter stores the elements along the border of the finished\n"
         "part, the quadtree stores all of them.",
     .plots = "plots (.png, .svg) of elements against tolerance",
-    .folder = Folder::optional,
     .make = [] { return std::unique_ptr<Study>(std::make_unique<Mesh>()); }};
 
 }  // namespace csgsim::studies

@@ -183,7 +183,6 @@ extern const StudyRow subdivide_row{
         "kind multi-processor they are its own segments, with a subsegment per node, and the times of its stages\n"
         "are shown next to those of the thesis.",
     .plots = "a plot (.png, .svg) of half-spaces and clocks",
-    .folder = Folder::optional,
     .make = [] { return std::unique_ptr<Study>(std::make_unique<Subdivide>()); }};
 
 }  // namespace csgsim::studies

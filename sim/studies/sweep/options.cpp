@@ -50,7 +50,7 @@ std::vector<session::ModelRequest> SweepOptions::designs() const {
 }
 
 void SweepOptions::add_to(session::OptionList& command) {
-  command.option("MODEL", models, "Models: OpenSCAD .csg files, OpenSCAD sources (.scad), or commands (.jan)")
+  command.option("MODEL", models, "Models: OpenSCAD .csg files, OpenSCAD sources (.scad), commands (.jan), or meshes")
       .required();
   command.option("--strategy", strategies, "Classification strategies, separated by commas")
       .list_of(names_of(emit::strategies), "strategy");

@@ -72,7 +72,12 @@ class Sweep : public StudyOf<SweepRow> {
   }
 
   void print() const override {
-    for (const Rows model : by_model(Rows(rows()))) print_sweep(model);
+    const Rows all = rows();
+    for (const Rows model : by_model(all)) print_sweep(model);
+    const bool has_drawn = !options_.no_draw && std::ranges::any_of(all, &SweepRow::is_compiled);
+    if (!has_drawn || !wrong_pictures(all).empty()) return;
+    print_text(fmt::format("\nAll pictures of a model with the same {} are identical.\n",
+                           draws_alike(all) ? "size and z bits" : "size, z bits and surfaces, curved or faceted,"));
   }
 
   [[nodiscard]] std::vector<plots::Plot> plots() const override {
@@ -97,9 +102,6 @@ class Sweep : public StudyOf<SweepRow> {
       throw InputError(all.front().reason);
     if (const std::vector<WrongPicture> wrong = wrong_pictures(all); !wrong.empty())
       refuse_pictures(all, wrong, are_read());
-    if (!options_.no_draw && std::ranges::any_of(all, &SweepRow::is_compiled))
-      print_text(fmt::format("\nAll pictures of a model with the same {} are identical.\n",
-                             draws_alike(all) ? "size and z bits" : "size, z bits and surfaces, curved or faceted,"));
     refuse_models(all, "sweep.csv");
   }
 

@@ -269,7 +269,6 @@ extern const StudyRow trace_row{
         "those\nof the machines; shadow and mirror rays use floating-point arithmetic, with the scene's lights and "
         "mirrors, or\nwith all facets as mirrors if it has none.",
     .plots = "plots (.png, .svg) of cells per ray, and of seconds against bucket size and polygons",
-    .folder = Folder::optional,
     .is_parallel = false,
     .make = [] { return std::unique_ptr<Study>(std::make_unique<Trace>()); }};
 

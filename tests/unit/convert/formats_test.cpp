@@ -5,6 +5,7 @@
 #include "host/solids/unzip.h"
 #include "places.h"
 #include "sim/software/convert/boundary.h"
+#include "sim/software/convert/flat_rounds.h"
 #include "sim/software/convert/surface.h"
 #include "tests/support/test.h"
 #include "tests/unit/convert/converted.h"
@@ -35,7 +36,7 @@ TEST_CASE("each mesh format reads back as a closed mesh of the same volume") {
     const double volume = testing::volume_of(testing::judged(surface));
     for (const convert::Format* const format : convert::formats()) {
       for (const bool is_text : {false, true}) {
-        if (is_text && !format->has_text) continue;
+        if (format->is_flat || (is_text && !format->has_text)) continue;
         CAPTURE(format->ending);
         CAPTURE(is_text);
         const testing::JudgedMesh mesh =
@@ -152,12 +153,15 @@ TEST_CASE("formats() lists each mesh format with its extension and text variant"
   std::vector<std::string> endings;
   for (const convert::Format* const format : convert::formats()) {
     endings.emplace_back(format->ending);
-    CHECK(format->has_text == (format->ending == ".stl"));
+    CHECK(format->has_text == (format->ending == ".stl" || format->ending == ".ply"));
+    CHECK(format->is_flat == (format->ending == ".svg" || format->ending == ".dxf"));
+    CHECK(format->name() == format->ending.substr(1));
+    CHECK(format->is_binary == (format->has_text || format->ending == ".3mf"));
     CHECK(convert::format_of(format->ending) == format);
     CHECK(convert::format_of(format->ending.substr(1)) == nullptr);
     CHECK(convert::format_of("a" + std::string(format->ending) + "x") == nullptr);
   }
-  CHECK(endings == std::vector<std::string>{".stl", ".off", ".3mf"});
+  CHECK(endings == std::vector<std::string>{".stl", ".off", ".obj", ".ply", ".3mf", ".amf", ".svg", ".dxf"});
   CHECK(convert::format_of("") == nullptr);
 }
 
@@ -181,6 +185,65 @@ TEST_CASE("an empty surface is written as a valid file in each format") {
   CHECK(convert::format_of(".stl")->write({}, {}).size() == 84);
   CHECK(convert::format_of(".stl")->write({}, {.is_text = true}) == "solid csgsim\nendsolid csgsim\n");
   CHECK(convert::format_of(".off")->write({}, {}) == "OFF\n0 0 0\n");
+  CHECK(convert::format_of(".obj")->write({}, {}) == "# csgsim\n");
+  CHECK(convert::format_of(".dxf")->write({}, {}) == "0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF\n");
+}
+
+TEST_CASE("OBJ text has the exact numbers and counts points from 1") {
+  CHECK(convert::format_of(".obj")->write(small_surface(), {}) ==
+        "# csgsim\nv 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 0.1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+}
+
+TEST_CASE("PLY has the exact numbers as text and the bytes of its header in binary") {
+  const auto header = [](const std::string& form) {
+    return "ply\nformat " + form +
+           " 1.0\ncomment csgsim\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\n"
+           "element face 4\nproperty list uchar int vertex_indices\nend_header\n";
+  };
+  CHECK(convert::format_of(".ply")->write(small_surface(), {.is_text = true}) ==
+        header("ascii") + "0 0 0\n1 0 0\n0 2 0\n0 0 0.1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  const std::string bytes = convert::format_of(".ply")->write(small_surface(), {});
+  const std::string begin = header("binary_little_endian");
+  REQUIRE(bytes.size() == begin.size() + 4 * 24 + 4 * 13);
+  CHECK(bytes.starts_with(begin));
+  // The x of the second point is 1; the first face is 0 2 1.
+  CHECK(word_at(bytes, begin.size() + 24) == 0);
+  CHECK(word_at(bytes, begin.size() + 28) == 0x3ff00000);
+  const std::size_t face = begin.size() + 4 * 24;
+  CHECK(word_at(bytes, face, 1) == 3);
+  CHECK(word_at(bytes, face + 1) == 0);
+  CHECK(word_at(bytes, face + 5) == 2);
+  CHECK(word_at(bytes, face + 9) == 1);
+}
+
+TEST_CASE("AMF has the exact numbers and one object in millimetres") {
+  const std::string text = convert::format_of(".amf")->write(small_surface(), {});
+  CHECK(
+      text.starts_with("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<amf unit=\"millimeter\">\n <object id=\"0\">\n"));
+  CHECK(text.find("<vertex><coordinates><x>0</x><y>0</y><z>0.1</z></coordinates></vertex>\n") != std::string::npos);
+  CHECK(text.find("<triangle><v1>1</v1><v2>2</v2><v3>3</v3></triangle>\n") != std::string::npos);
+}
+
+TEST_CASE("a flat model has counter-clockwise outlines and clockwise holes in SVG and DXF") {
+  const convert::Surface surface = testing::converted(
+      "difference() { polygon(points = [[3, 1], [13, 1], [3, 9]], paths = undef, convexity = 1); "
+      "multmatrix([[1, 0, 0, 4], [0, 1, 0, 2], [0, 0, 1, 0], [0, 0, 0, 1]]) { square(size = [2, 1], center = false); } "
+      "}");
+  const convert::Rounds rounds = convert::flat_rounds(surface);
+  REQUIRE(rounds.size() == 2);
+  CHECK(convert::area_of(rounds) == 40 - 2);
+  std::vector<double> areas{convert::area_of({rounds[0]}), convert::area_of({rounds[1]})};
+  std::ranges::sort(areas);
+  CHECK(areas == std::vector<double>{-2, 40});
+  const std::string svg = convert::format_of(".svg")->write(surface, {});
+  CHECK(svg.find("width=\"10mm\" height=\"8mm\" viewBox=\"3 -9 10 8\"") != std::string::npos);
+  CHECK(std::ranges::count(svg, 'M') == 2);
+  CHECK(std::ranges::count(svg, 'L') == 5);
+  CHECK(svg.find(" 13,-1 ") != std::string::npos);
+  const std::string dxf = convert::format_of(".dxf")->write(surface, {});
+  std::size_t lines = 0;
+  for (std::size_t at = dxf.find("LINE\n"); at != dxf.npos; at = dxf.find("LINE\n", at + 1)) ++lines;
+  CHECK(lines == 7);
 }
 
 TEST_CASE("STL text has the exact numbers and a zero normal for an empty triangle") {

@@ -54,7 +54,8 @@ std::string stl_error(const std::string& text) {
 TEST_CASE("every mesh format yields the same solid") {
   // A block of 4 by 3 by 2 minus a corner of 2.5 by 1.75.
   constexpr double volume = 2 * (4 * 3 - 2.5 * 1.75);
-  for (const char* name : {"corner.off", "corner.obj", "corner.stl", "corner.amf", "corner_zipped.amf", "corner.3mf"}) {
+  for (const char* name :
+       {"corner.off", "corner.obj", "corner.ply", "corner.stl", "corner.amf", "corner_zipped.amf", "corner.3mf"}) {
     CAPTURE(name);
     const auto meshes = solids::parse_meshes(bytes_of(name), model_file(name));
     REQUIRE(meshes.size() == 1);
@@ -143,6 +144,108 @@ TEST_CASE("corners in an OBJ file count from either end and appearance is ignore
   CHECK(mesh.faces == std::vector<std::vector<std::uint32_t>>{{2, 1, 0}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
 }
 
+namespace {
+
+constexpr auto tetrahedron_points = std::to_array<glm::dvec3>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+const std::vector<std::vector<std::uint32_t>> tetrahedron_faces{{2, 1, 0}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+
+/// Appends the bytes of a number, the last one first if `is_big`.
+template <class Number>
+void append_bytes(std::string& bytes, Number number, bool is_big) {
+  std::array<char, sizeof number> raw = std::bit_cast<std::array<char, sizeof number>>(number);
+  if (is_big) std::ranges::reverse(raw);
+  bytes.append(raw.begin(), raw.end());
+}
+
+/// A binary PLY file of a tetrahedron with further properties and a further element before its faces.
+std::string binary_ply(bool is_big) {
+  std::string bytes = fmt::format(
+      "ply\r\nformat binary_{}_endian 1.0\r\nelement vertex 4\r\nproperty double x\r\nproperty float y\r\n"
+      "property short quality\r\nproperty float32 z\r\nelement edge 1\r\nproperty int vertex1\r\n"
+      "property list uchar uchar more\r\nelement face 4\r\nproperty list char uint16 vertex_index\r\n"
+      "property uint8 red\r\nend_header\r\n",
+      is_big ? "big" : "little");
+  for (const glm::dvec3& point : tetrahedron_points) {
+    append_bytes(bytes, point.x, is_big);
+    append_bytes(bytes, static_cast<float>(point.y), is_big);
+    append_bytes(bytes, std::int16_t{-1}, is_big);
+    append_bytes(bytes, static_cast<float>(point.z), is_big);
+  }
+  append_bytes(bytes, std::int32_t{7}, is_big);
+  bytes += {2, 8, 9};
+  for (const auto& face : tetrahedron_faces) {
+    bytes += '\3';
+    for (const std::uint32_t corner : face) append_bytes(bytes, static_cast<std::uint16_t>(corner), is_big);
+    bytes += '\xff';
+  }
+  return bytes;
+}
+
+constexpr std::string_view ply_header =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+    "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+
+std::string ply_error(const std::string& text) {
+  return error_of([&] { solids::parse_ply(text, "m.ply"); });
+}
+
+}  // namespace
+
+TEST_CASE("PLY is read as text and as binary in either byte order") {
+  for (const bool is_big : {false, true}) {
+    CAPTURE(is_big);
+    const Mesh mesh = solids::parse_ply(binary_ply(is_big), "m.ply");
+    CHECK(std::ranges::equal(mesh.points, tetrahedron_points));
+    CHECK(mesh.faces == tetrahedron_faces);
+  }
+  const Mesh mesh = solids::parse_ply(std::string(ply_header) + "0 0 0\n+1e0 0 0\n0 1 0\n3 2 1 0", "m.ply");
+  CHECK(mesh.points[1] == glm::dvec3(1, 0, 0));
+  CHECK(mesh.faces == std::vector<std::vector<std::uint32_t>>{{2, 1, 0}});
+}
+
+TEST_CASE("an error in the header of a PLY file is reported with its place") {
+  CHECK(ply_error("") == "m.ply: the header of a PLY file must end with 'end_header'; export it again");
+  CHECK(ply_error("plx\nend_header\n") == "m.ply:1:1: a PLY file must start with 'ply'; export it as PLY again");
+  CHECK(ply_error("ply\nend_header\n") == "m.ply:2:1: the header names no format; export it as PLY again");
+  CHECK(ply_error("ply\nformat utf 1.0\nend_header\n") ==
+        "m.ply:2:8: the format must be ascii, binary_little_endian or binary_big_endian; export it as PLY again");
+  CHECK(ply_error("ply\nproperty float x\nend_header\n") ==
+        "m.ply:2:1: a property before the first element; export it as PLY again");
+  CHECK(ply_error("ply\nelement vertex -1\nend_header\n").starts_with("m.ply:2:16: the number of elements must be"));
+  CHECK(ply_error("ply\nelement vertex 1\nproperty real x\nend_header\n") ==
+        "m.ply:3:10: unknown type 'real'; export it as PLY again");
+  CHECK(ply_error("ply\nelement face 1\nproperty list float int vertex_indices\nend_header\n") ==
+        "m.ply:3:15: the count of a list must be a whole number; export it as PLY again");
+  CHECK(ply_error("ply\nformat ascii 1.0\nelement vertex 1\nend_header\n").find("'vertex' has no property") !=
+        std::string::npos);
+  CHECK(ply_error("ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nend_header\n")
+            .find("no element 'vertex' with x, y and z; export") != std::string::npos);
+  CHECK(ply_error("ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\n"
+                  "end_header\n")
+            .find("it may be a cloud of points: export a mesh of faces") != std::string::npos);
+}
+
+TEST_CASE("an error in the elements of a PLY file is reported with its place") {
+  const std::string points = std::string(ply_header) + "0 0 0\n1 0 0\n0 1 0\n";
+  CHECK(ply_error(std::string(ply_header) + "0 zero 0\n") ==
+        "m.ply:10:3: a value must be a finite number, not 'zero'; correct it");
+  CHECK(ply_error(points + "3 0 1 3") ==
+        "m.ply:13:7: a corner must be one of the 3 points before it, counted from 0; correct it");
+  CHECK(ply_error(points + "3 0 1 0.5").find("a corner must be one of the 3 points") != std::string::npos);
+  CHECK(ply_error(points + "2 0 1") == "m.ply:13:1: a face needs at least 3 corners; complete or remove it");
+  CHECK(ply_error(points + "3.5 0 1") ==
+        "m.ply:13:1: the count of a list must be a whole number, 0 or more; correct it");
+  CHECK(ply_error(points + "3 0 1") ==
+        "m.ply:13:6: a value must be a finite number, not the end of the file; correct it");
+  std::string bytes = binary_ply(false);
+  bytes.pop_back();
+  CHECK(ply_error(bytes) ==
+        fmt::format("m.ply: at byte {}: the file ends before its last element; export it again", bytes.size()));
+  const std::size_t first = bytes.find("end_header\r\n") + 12;
+  bytes.replace(first, 8, std::string(8, '\xff'));
+  CHECK(ply_error(bytes) == fmt::format("m.ply: at byte {}: a value is not finite; correct it", first + 8));
+}
+
 TEST_CASE("an error in an OBJ file is reported with its place") {
   const auto error = [](const std::string& text) { return error_of([&] { solids::parse_obj(text, "m.obj"); }); };
   CHECK(error("v 0 0\n") == "m.obj:1:5: a point needs three coordinates; complete it");
@@ -190,6 +293,6 @@ TEST_CASE("a damaged 3MF package is rejected") {
 }
 
 TEST_CASE("mesh files of other kinds or without an extension are rejected") {
-  CHECK(error_of([] { solids::parse_meshes("", "m.ply"); }) ==
-        "m.ply: meshes are read from .stl, .off, .obj, .amf and .3mf files; convert it");
+  CHECK(error_of([] { solids::parse_meshes("", "m.vrml"); }) ==
+        "m.vrml: meshes are read from .stl, .off, .obj, .ply, .amf and .3mf files; convert it");
 }
