@@ -105,7 +105,7 @@ BoxIndex make_index(const view::View& view) {
 
 }  // namespace
 
-Pruner::Pruner(const facet::Geometry& geometry, const view::View& view, const PositiveTree& tree,
+Pruner::Pruner(const facet::Geometry& geometry, const view::View& view, const PositiveTree& tree, PairTable& pairs,
                const PrunerSettings& settings)
     : geometry_(geometry),
       view_(view),
@@ -114,8 +114,7 @@ Pruner::Pruner(const facet::Geometry& geometry, const view::View& view, const Po
       prices_(settings.prices),
       counted_(settings.counted),
       paths_(tree),
-      own_pairs_(geometry),
-      pairs_(settings.pairs != nullptr ? *settings.pairs : own_pairs_),
+      pairs_(pairs),
       kept_(settings.kept) {
   if (pruning_.picture && view.extents.size() > few_primitives) boxes_ = make_index(view);
 }

@@ -84,18 +84,18 @@ struct PrunerSettings {
   Pruning pruning{};
   Prices prices{};
   Counted counted{};            ///< counts the work for a view
-  PairTable* pairs = nullptr;   ///< results for pairs of primitives; null: a separate table
   KeptResults* kept = nullptr;  ///< results of earlier blocks and frames of the model, which get those of this one;
                                 ///< null if none are kept
 };
 
-/// Prunes I-trees for regions of the picture. It keeps references to its arguments and is not thread-safe.
+/// Prunes I-trees for regions of the picture. `pairs` has the results for pairs of primitives of the geometry. It keeps
+/// references to its arguments and is not thread-safe.
 ///
 /// An index of boxes finds the primitives that may meet the block. Only the parts of an I-tree that contain some of
 /// these are visited; the values of the other parts are precomputed, as they do not depend on the place.
 class Pruner {
  public:
-  Pruner(const facet::Geometry& geometry, const view::View& view, const PositiveTree& tree,
+  Pruner(const facet::Geometry& geometry, const view::View& view, const PositiveTree& tree, PairTable& pairs,
          const PrunerSettings& settings = {});
 
   /// What the prunings did until now.
@@ -138,7 +138,6 @@ class Pruner {
   Prices prices_;
   Counted counted_;
   TreePaths paths_;
-  mutable PairTable own_pairs_;
   PairTable& pairs_;
   KeptResults* kept_;
   mutable Tallies tallies_;

@@ -92,7 +92,7 @@ class Counter {
     const Plan plan =
         make_plan(tree_, geometry_, view_, {squares.begin(), squares.end()}, {options_.pruning}, {}, options_.work);
     std::vector<SquareCounts> counts;
-    const csg::Pruner pruner(geometry_, view_, positive_, {options_.pruning});
+    const csg::Pruner pruner(geometry_, view_, positive_, *plan.pairs, {options_.pruning});
     const std::vector<csg::ConvexSet> sets = csg::convex_sets(positive_, true);
     const std::vector<std::vector<std::uint32_t>> active = sets_in(squares, sets, view_);
     const std::vector<std::uint64_t> boxes = boxes_before(sets, listed);

@@ -194,8 +194,8 @@ Plan make_plan(const model::Tree& tree, const facet::Geometry& geometry, const v
   csg::Tested tested;
   const bool is_kept = settings.kept != nullptr && settings.kept->serves(tree, pruning);
   const csg::Pruner pruner(
-      geometry, view, plan.positive,
-      {pruning, settings.prices, csg::Counted(counted, &tested), plan.pairs.get(), is_kept ? settings.kept : nullptr});
+      geometry, view, plan.positive, *plan.pairs,
+      {pruning, settings.prices, csg::Counted(counted, &tested), is_kept ? settings.kept : nullptr});
   const std::vector<std::vector<std::uint32_t>> active_sets = sets_in(regions, sets, view);
   plan.segments.resize(regions.size());
   for (std::size_t i = 0; i < regions.size(); ++i) plan.segments[i].region = regions[i];

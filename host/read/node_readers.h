@@ -2,22 +2,15 @@
 // Used throughout host/read.
 #pragma once
 
-#include <optional>
 #include <string_view>
 
 #include "host/flat/area.h"
-#include "host/model/tree.h"
 #include "host/read/arguments.h"
 #include "host/read/operands.h"
 
-// Readers of node arguments, one per row in nodes.cpp.
+// Readers of node arguments, one per row in nodes.cpp; those of convex solids are beside their rows in solids.cpp.
 
 namespace csgsim::read {
-
-// Convex solids; empty if the solid is empty.
-std::optional<model::Shape> read_cube(const Arguments& arguments);
-std::optional<model::Shape> read_sphere(const Arguments& arguments);
-std::optional<model::Shape> read_cylinder(const Arguments& arguments);
 
 /// Returns a convex polyhedron without unused and duplicate points, with faces that run counter-clockwise as seen from
 /// outside; any other polyhedron becomes convex pieces (host/solids/pieces.h). The result is empty if the polyhedron

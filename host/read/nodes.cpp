@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <vector>
 
 #include "host/read/node_readers.h"
 #include "host/read/source.h"
@@ -18,16 +19,9 @@ namespace {
 using Names = std::span<const std::string_view>;
 using namespace std::string_view_literals;
 
-constexpr std::array common_extras{"convexity"sv, "timestamp"sv};
-constexpr std::array solid_extras{"convexity"sv, "timestamp"sv, "$fn"sv, "$fa"sv, "$fs"sv};
-
 constexpr std::array render_parameters{"convexity"sv};
 constexpr std::array matrix_parameters{"m"sv};
 constexpr std::array colour_parameters{"c"sv, "alpha"sv};
-constexpr std::array cube_parameters{"size"sv, "center"sv};
-constexpr std::array sphere_parameters{"r"sv, "d"sv, "$fn"sv, "$fa"sv, "$fs"sv};
-constexpr std::array cylinder_parameters{"h"sv,  "r1"sv, "r2"sv,  "center"sv, "r"sv,  "d"sv,
-                                         "d1"sv, "d2"sv, "$fn"sv, "$fa"sv,    "$fs"sv};
 constexpr std::array polyhedron_parameters{"points"sv, "faces"sv, "convexity"sv, "triangles"sv};
 
 constexpr std::array square_parameters{"size"sv, "center"sv};
@@ -56,7 +50,7 @@ constexpr NodeType made(std::string_view name, Names parameters, MakerReader rea
 constexpr NodeType unsupported(std::string_view name) { return {name, NodeKind::unsupported, {}, 0, {}}; }
 constexpr NodeType source(std::string_view name) { return {name, NodeKind::source, {}, 0, {}}; }
 
-constexpr std::array node_types{
+constexpr std::array operator_nodes{
     operator_node("group", NodeKind::unite),
     operator_node("union", NodeKind::unite),
     NodeType{"render", NodeKind::unite, render_parameters, 1, common_extras},
@@ -64,9 +58,9 @@ constexpr std::array node_types{
     operator_node("intersection", NodeKind::intersect),
     NodeType{"multmatrix", NodeKind::transform, matrix_parameters, 1, common_extras},
     NodeType{"color", NodeKind::colour, colour_parameters, 2, common_extras},
-    NodeType{"cube", NodeKind::solid, cube_parameters, 2, solid_extras, read_cube},
-    NodeType{"sphere", NodeKind::solid, sphere_parameters, 1, common_extras, read_sphere},
-    NodeType{"cylinder", NodeKind::solid, cylinder_parameters, 4, common_extras, read_cylinder},
+};
+
+constexpr std::array other_nodes{
     leaf("polyhedron", polyhedron_parameters, read_polyhedron),
     leaf("import", import_parameters, read_import),
     leaf("square", square_parameters, read_square),
@@ -105,23 +99,18 @@ constexpr std::array node_types{
     source("translate"),
 };
 
-constexpr std::array usable_names = [] {
-  constexpr auto usable = [](const NodeType& node) {
-    return node.kind != NodeKind::unsupported && node.kind != NodeKind::source;
-  };
-  std::array<std::string_view, std::count_if(node_types.begin(), node_types.end(), usable)> names;
-  std::size_t count = 0;
-  for (const NodeType& node : node_types) {
-    if (usable(node)) names[count++] = node.name;
+std::array<std::span<const NodeType>, 3> node_tables() { return {operator_nodes, solid_nodes(), other_nodes}; }
+
+bool is_usable(const NodeType& node) { return node.kind != NodeKind::unsupported && node.kind != NodeKind::source; }
+
+std::vector<std::string_view> names_of(bool only_usable) {
+  std::vector<std::string_view> names;
+  for (const std::span<const NodeType> table : node_tables()) {
+    for (const NodeType& node : table)
+      if (!only_usable || is_usable(node)) names.push_back(node.name);
   }
   return names;
-}();
-
-constexpr std::array all_names = [] {
-  std::array<std::string_view, node_types.size()> names;
-  std::transform(node_types.begin(), node_types.end(), names.begin(), [](const NodeType& node) { return node.name; });
-  return names;
-}();
+}
 
 /// The candidate with the smallest edit distance; empty if none is close.
 std::string_view near_name(std::string_view name, Names candidates) {
@@ -141,14 +130,17 @@ std::string_view near_name(std::string_view name, Names candidates) {
 }  // namespace
 
 const NodeType* find_node(std::string_view name) {
-  const auto found = std::ranges::find(std::span(node_types), name, &NodeType::name);
-  return found == std::span(node_types).end() ? nullptr : &*found;
+  for (const std::span<const NodeType> table : node_tables()) {
+    const auto found = std::ranges::find(table, name, &NodeType::name);
+    if (found != table.end()) return &*found;
+  }
+  return nullptr;
 }
 
 std::string unknown_node(std::string_view name) {
-  const std::string_view near = near_name(name, all_names);
+  const std::string_view near = near_name(name, names_of(false));
   if (!near.empty()) return fmt::format("unknown node {}(); did you mean {}()?", shown(name), near);
-  return fmt::format("unknown node {}(); use one of {}", shown(name), fmt::join(usable_names, ", "));
+  return fmt::format("unknown node {}(); use one of {}", shown(name), fmt::join(names_of(true), ", "));
 }
 
 std::string unknown_argument(const NodeType& node, std::string_view name) {

@@ -2,6 +2,7 @@
 // Used by arguments.h, build.h and meetings.cpp.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -45,6 +46,13 @@ struct NodeType {
   bool has_children = false;                     ///< for kind `made` only: whether it may have children
   std::uint32_t dimensions = 0;  ///< dimensions of its children; 0 if they are those of the first non-empty child
 };
+
+/// Arguments that are accepted and ignored: of any node, and of solids whose parameters are not $fn, $fa and $fs.
+inline constexpr std::array<std::string_view, 2> common_extras{"convexity", "timestamp"};
+inline constexpr std::array<std::string_view, 5> solid_extras{"convexity", "timestamp", "$fn", "$fa", "$fs"};
+
+/// The rows of convex solids (solids.cpp).
+std::span<const NodeType> solid_nodes();
 
 /// The node type with the given name; null if there is none.
 const NodeType* find_node(std::string_view name);

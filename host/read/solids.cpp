@@ -1,17 +1,25 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+#include <span>
+#include <string_view>
 
-#include "host/read/node_readers.h"
+#include "host/model/tree.h"
+#include "host/read/arguments.h"
+#include "host/read/nodes.h"
 #include "host/read/shared_arguments.h"
 
 namespace csgsim::read {
 
 namespace {
 
+using namespace std::string_view_literals;
+
 bool is_size(double value) { return value > 0 && std::isfinite(value); }
 bool is_size_or_zero(double value) { return value == 0 || is_size(value); }
 
-}  // namespace
+// The readers return nothing if the solid is empty.
 
 std::optional<model::Shape> read_cube(const Arguments& arguments) {
   const ValueView size = arguments.required("size", "size = [x, y, z]");
@@ -49,5 +57,20 @@ std::optional<model::Shape> read_cylinder(const Arguments& arguments) {
   if (!is_solid) return std::nullopt;
   return model::Cylinder{height, *r1, *r2, center, facets};
 }
+
+constexpr std::array cube_parameters{"size"sv, "center"sv};
+constexpr std::array sphere_parameters{"r"sv, "d"sv, "$fn"sv, "$fa"sv, "$fs"sv};
+constexpr std::array cylinder_parameters{"h"sv,  "r1"sv, "r2"sv,  "center"sv, "r"sv,  "d"sv,
+                                         "d1"sv, "d2"sv, "$fn"sv, "$fa"sv,    "$fs"sv};
+
+constexpr std::array solid_rows{
+    NodeType{"cube", NodeKind::solid, cube_parameters, 2, solid_extras, read_cube},
+    NodeType{"sphere", NodeKind::solid, sphere_parameters, 1, common_extras, read_sphere},
+    NodeType{"cylinder", NodeKind::solid, cylinder_parameters, 4, common_extras, read_cylinder},
+};
+
+}  // namespace
+
+std::span<const NodeType> solid_nodes() { return solid_rows; }
 
 }  // namespace csgsim::read

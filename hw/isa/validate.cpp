@@ -171,7 +171,7 @@ void check_index(std::uint32_t index, std::uint32_t none, const Program& program
 
 /// Runs a check and adds the place to its error text.
 template <class Check, class... Args>
-void at(const Check& check, fmt::format_string<Args...> place, Args&&... args) {
+void check_at(const Check& check, fmt::format_string<Args...> place, Args&&... args) {
   try {
     check();
   } catch (const InputError& error) {
@@ -256,7 +256,8 @@ void validate_header(const Program& program) {
           "depth runs from {} to {}; use finite distances, with near below far", depth.near, depth.far);
   require(!depth.perspective || (depth.near > 0 && std::isfinite(1.0 / depth.near)),
           "near is {} in perspective; use a distance above 0 whose reciprocal is finite", depth.near);
-  if (program.colour != Field{}) at([&] { check_field(program.colour, shape.memory_bits); }, "the displayed field");
+  if (program.colour != Field{})
+    check_at([&] { check_field(program.colour, shape.memory_bits); }, "the displayed field");
   require(program.background < 1U << max_colour_bits, "background is {}; a colour has at most {} bits",
           program.background, max_colour_bits);
   require(std::isfinite(program.facts->compile.edge_on_fraction),
@@ -293,24 +294,24 @@ void validate(const Program& program) {
   validate_header(program);
   std::set<std::string_view> names;
   for (const NamedField& named : program.facts->fields) {
-    at([&] { validate_field(named, program); }, "field '{}'", named.name);
+    check_at([&] { validate_field(named, program); }, "field '{}'", named.name);
     require(names.insert(named.name).second, "field '{}' is named twice; give each field its own name", named.name);
   }
   for (const RowExtent& extent : program.extents) validate_extent(extent, program.shape);
   validate_preparations(program);
   for (std::size_t s = 0; s < program.segments.size(); ++s) {
     const Segment& segment = program.segments[s];
-    at([&] { validate_region(segment.region, program.shape); }, "segment {}", s);
+    check_at([&] { validate_region(segment.region, program.shape); }, "segment {}", s);
     require(!program.display_model.empty() || *segment.division == DivisionCounts{},
             "segment {} has division counts, but the Program has no display model; compile the model again", s);
-    at([&] { validate_steps(segment, program); }, "segment {}", s);
+    check_at([&] { validate_steps(segment, program); }, "segment {}", s);
     for (std::size_t i = 0; i < segment.instructions.size(); ++i) {
       const auto check = [&] { validate_placed(segment.instructions[i], segment.region, program); };
-      at(check, "segment {}, instruction {}", s, i);
+      check_at(check, "segment {}, instruction {}", s, i);
     }
     for (std::size_t i = 0; i < segment.instructions.size(); ++i) {
       if (!looks_ahead(segment.instructions[i].opcode)) continue;
-      at([&] { validate_ahead(segment, i); }, "segment {}, instruction {}", s, i);
+      check_at([&] { validate_ahead(segment, i); }, "segment {}, instruction {}", s, i);
     }
   }
 }

@@ -10,6 +10,7 @@
 #include "hw/base/input_file.h"
 #include "hw/base/nearest.h"
 #include "hw/base/text.h"
+#include "hw/kinds/parameters.h"
 #include "hw/kinds/rows.h"
 #include "hw/machines/description.h"
 
@@ -75,8 +76,6 @@ std::vector<std::string_view> studied_names() {
 }
 
 namespace {
-
-std::string_view key_of(std::string_view figure) { return figure.substr(0, figure.find('=')); }
 
 /// The figures of the record that differ from the machine's.
 std::vector<std::string> other_figures(const isa::MachineRecord& record, const machines::Machine& machine) {

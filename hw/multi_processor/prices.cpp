@@ -6,13 +6,12 @@
 
 #include "hw/base/quotient.h"
 #include "hw/isa/opcodes.h"
+#include "hw/isa/operands.h"
 #include "hw/isa/wire.h"
 
 namespace csgsim::multi_processor {
 
 namespace {
-
-using isa::Opcode;
 
 /// Operations of an instruction at a pixel, in words, without testing E and incrementing F.
 struct Work {
@@ -40,64 +39,64 @@ std::uint64_t shift_clocks(std::uint64_t bits, std::uint64_t places, const Figur
          (left - 1) * (shift_clocks(figures.word_bits - rest, figures.operations) + figures.operations.logic);
 }
 
-Work work_of(const isa::Instruction& instruction, const Figures& figures) {
-  const std::uint64_t field = words_of(instruction.fields[0].width, figures);
-  const std::uint64_t sum = words_of(instruction.linear.width, figures);
-  const std::uint64_t wider = std::max(field, sum);
-  switch (instruction.opcode) {
-    case Opcode::enable_all:
-    case Opcode::enable_invert: return {.writes = 1};
-    case Opcode::enable_load:
-    case Opcode::enable_and:
-    case Opcode::enable_and_not:
-    case Opcode::enable_or:
-    case Opcode::enable_xor: return {.reads = field, .writes = 1};
-    case Opcode::enable_store: return {.writes = field};
-    case Opcode::edge_not_negative:
-    case Opcode::edge_negative:
-    case Opcode::stripe: return {.writes = 1, .compares = 1};
-    case Opcode::linear_ge:
-    case Opcode::linear_gt:
-    case Opcode::linear_le:
-    case Opcode::linear_lt:
-    case Opcode::linear_eq: return {.reads = field, .writes = 1, .compares = wider};
-    case Opcode::load_linear: return {.writes = field + 1, .compares = sum};
-    case Opcode::keep_max:
-    case Opcode::keep_min: return {.reads = field, .writes = field + 1, .compares = wider + sum};
-    case Opcode::set_constant: return {.writes = field};
-    case Opcode::copy: return {.reads = field, .writes = field};
-    case Opcode::field_lt:
-    case Opcode::field_le:
-    case Opcode::field_eq: return {.reads = 2 * field, .writes = 1, .compares = field};
-    case Opcode::bit_and:
-    case Opcode::bit_or:
-    case Opcode::bit_xor:
-    case Opcode::bit_and_not: return {.reads = 2 * field, .writes = field, .combines = field};
-    case Opcode::bit_not:
-    case Opcode::xor_constant: return {.reads = field, .writes = field, .combines = field};
-    case Opcode::add:
-      return {.reads = field + words_of(instruction.fields[1].width, figures), .writes = field, .adds = field};
-    case Opcode::global_or:
-    case Opcode::skip_if_none: return {};
-    case Opcode::linear_plus:
-    case Opcode::linear_minus: return {.reads = field, .writes = field, .adds = sum};
-    case Opcode::root: {
-      std::uint64_t trials = 0;
-      std::uint64_t shifts = 0;
-      for (unsigned found = 0; found < instruction.fields[0].width / 2U; ++found) {
-        trials += words_of(found + 3, figures);
-        shifts += 2 * shift_clocks(found + 3, 2, figures);
-      }
-      return {.reads = field,
-              .writes = field,
-              .compares = trials,
-              .combines = 2 * trials,
-              .adds = trials,
-              .shifts = shifts};
-    }
-    case Opcode::squares: return {};  // rejected by the kind
+/// The fields that an instruction reads and writes; it writes E if it may change it.
+Work field_work(const isa::Instruction& instruction, const Figures& figures) {
+  const isa::OpcodeInfo& row = isa::info(instruction.opcode);
+  Work work{.writes = row.enable_effect == isa::EnableEffect::keeps ? 0U : 1U};
+  for (std::size_t i = 0; i < row.operands.size(); ++i) {
+    if (!isa::is_field(row.operands[i])) continue;
+    const std::uint64_t words = words_of(instruction.fields[i].width, figures);
+    const bool is_target = row.operands[i] == isa::OperandKind::target;
+    if (is_target) work.writes += words;
+    if (!is_target || isa::reads_target(instruction.opcode)) work.reads += words;
   }
-  return {};
+  return work;
+}
+
+/// Adds the trials of a root.
+void add_trials(const isa::Instruction& instruction, const Figures& figures, Work& work) {
+  for (unsigned found = 0; found < instruction.fields[0].width / 2U; ++found) {
+    const std::uint64_t words = words_of(found + 3, figures);
+    work.compares += words;
+    work.combines += 2 * words;
+    work.adds += words;
+    work.shifts += 2 * shift_clocks(found + 3, 2, figures);
+  }
+}
+
+/// Adds the comparison or sum of F with a field; the sign of F alone is one word.
+void add_linear_work(const isa::Instruction& instruction, const Figures& figures, Work& work) {
+  const isa::OpcodeInfo& row = isa::info(instruction.opcode);
+  const std::uint64_t sum = words_of(instruction.linear.width, figures);
+  const std::uint64_t wider = std::max(words_of(instruction.fields[0].width, figures), sum);
+  if (row.operands[0] == isa::OperandKind::linear) {
+    work.compares = 1;
+  } else if (row.enable_effect == isa::EnableEffect::keeps) {
+    work.adds = sum;
+  } else {
+    const bool writes = row.operands[0] == isa::OperandKind::target;  // F is written if it fits
+    work.compares = (work.reads > 0 ? wider : 0) + (writes ? sum : 0);
+  }
+}
+
+/// The work of an instruction, by its columns in the table of the instruction set.
+Work work_of(const isa::Instruction& instruction, const Figures& figures) {
+  const isa::OpcodeInfo& row = isa::info(instruction.opcode);
+  const std::uint64_t field = words_of(instruction.fields[0].width, figures);
+  const bool has_constant = isa::has_operand(row.operands, isa::OperandKind::constant);
+  Work work = field_work(instruction, figures);
+  if (row.clock_class == isa::ClockClass::root) {
+    add_trials(instruction, figures, work);
+  } else if (isa::has_operand(row.operands, isa::OperandKind::linear)) {
+    add_linear_work(instruction, figures, work);
+  } else if (row.widths == isa::FieldWidths::narrower) {
+    work.adds = field;
+  } else if (row.widths == isa::FieldWidths::elementwise || (has_constant && work.reads > 0)) {
+    work.combines = field;
+  } else if (row.clock_class == isa::ClockClass::two_fields) {
+    work.compares = field;
+  }
+  return work;
 }
 
 /// Clocks to compute A*x + B*y + C and `products` more products.
@@ -205,7 +204,7 @@ PixelCosts pixel_costs(const isa::Instruction& instruction, const Figures& figur
                              work.adds * operations.add + work.shifts + shift + increment;
   if (branches.over == Branches::none || isa::acts_on_disabled(instruction.opcode)) return {full, full, full};
   const std::uint64_t disabled = test_e + branches.taken + increment;
-  const bool selects = instruction.opcode == Opcode::keep_max || instruction.opcode == Opcode::keep_min;
+  const bool selects = isa::info(instruction.opcode).clock_class == isa::ClockClass::linear_twice;
   if (!selects) return {disabled, full + branches.passed, full + branches.passed};
   const std::uint64_t wider = words_of(std::max<std::uint64_t>(linear.width, instruction.fields[0].width), figures);
   return {disabled,

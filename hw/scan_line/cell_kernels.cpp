@@ -232,52 +232,26 @@ std::uint64_t keep_f(const Packet& packet, const Lanes& lanes, CellRange range) 
 }
 
 std::uint64_t act(const Packet& packet, const Lanes& lanes, CellRange range) {
-  using isa::Opcode;
-  switch (packet.instruction.opcode) {
-    case Opcode::enable_all:
+  switch (enable_function_of(packet.instruction.opcode)) {
+    case EnableFunction::keep: return count_enabled(lanes, range);
+    case EnableFunction::set:
       return change_enable(lanes, range, [](Place, Vector) HWY_ATTR { return set(~std::uint64_t{0}); });
-    case Opcode::enable_invert:
+    case EnableFunction::invert:
       return change_enable(lanes, range, [](Place, Vector before) HWY_ATTR { return hn::Not(before); });
-    case Opcode::enable_load:
+    case EnableFunction::load:
       return combine_enable(packet, lanes, range, [](Vector, Vector field) HWY_ATTR { return field; });
-    case Opcode::enable_and:
+    case EnableFunction::and_field:
       return combine_enable(packet, lanes, range, [](Vector e, Vector field) HWY_ATTR { return hn::And(e, field); });
-    case Opcode::enable_and_not:
+    case EnableFunction::and_not_field:
       return combine_enable(packet, lanes, range, [](Vector e, Vector field) HWY_ATTR { return hn::AndNot(field, e); });
-    case Opcode::enable_or:
+    case EnableFunction::or_field:
       return combine_enable(packet, lanes, range, [](Vector e, Vector field) HWY_ATTR { return hn::Or(e, field); });
-    case Opcode::enable_xor:
+    case EnableFunction::xor_field:
       return combine_enable(packet, lanes, range, [](Vector e, Vector field) HWY_ATTR { return hn::Xor(e, field); });
-    case Opcode::edge_not_negative: return keep_where_sign(packet, false, lanes, range);
-    case Opcode::edge_negative:
-    case Opcode::stripe: return keep_where_sign(packet, true, lanes, range);
-    case Opcode::linear_ge:
-    case Opcode::linear_gt:
-    case Opcode::linear_le:
-    case Opcode::linear_lt:
-    case Opcode::linear_eq:
-    case Opcode::field_lt:
-    case Opcode::field_le:
-    case Opcode::field_eq: return compare(packet, lanes, range);
-    case Opcode::load_linear:
-    case Opcode::keep_max:
-    case Opcode::keep_min: return keep_f(packet, lanes, range);
-    case Opcode::enable_store:
-    case Opcode::set_constant:
-    case Opcode::copy:
-    case Opcode::bit_and:
-    case Opcode::bit_or:
-    case Opcode::bit_xor:
-    case Opcode::bit_and_not:
-    case Opcode::bit_not:
-    case Opcode::xor_constant:
-    case Opcode::add:
-    case Opcode::linear_plus:
-    case Opcode::linear_minus:
-    case Opcode::root:
-    case Opcode::global_or:
-    case Opcode::skip_if_none:
-    case Opcode::squares: break;
+    case EnableFunction::where_not_negative: return keep_where_sign(packet, false, lanes, range);
+    case EnableFunction::where_negative: return keep_where_sign(packet, true, lanes, range);
+    case EnableFunction::where_holds: return compare(packet, lanes, range);
+    case EnableFunction::where_fits: return keep_f(packet, lanes, range);
   }
   return count_enabled(lanes, range);
 }

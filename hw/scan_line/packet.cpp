@@ -1,6 +1,8 @@
 #include "hw/scan_line/packet.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 #include "hw/base/quotient.h"
 #include "hw/isa/opcodes.h"
@@ -40,49 +42,76 @@ Accesses accesses_of(const isa::Instruction& instruction, const CellShape& cell)
   return accesses;
 }
 
-AluFunction function_of(isa::Opcode opcode) {
+/// What a cell does for an instruction.
+struct CellFunctions {
+  AluFunction alu = AluFunction::none;
+  EnableFunction enable = EnableFunction::keep;
+};
+
+struct CellRow {
+  isa::Opcode opcode;
+  CellFunctions functions;
+};
+
+/// The instructions that need the ALU or change E.
+constexpr auto cell_rows = [] {
   using isa::Opcode;
-  switch (opcode) {
-    case Opcode::linear_ge:
-    case Opcode::linear_gt:
-    case Opcode::linear_le:
-    case Opcode::linear_lt:
-    case Opcode::linear_eq:
-    case Opcode::load_linear:
-    case Opcode::keep_max:
-    case Opcode::keep_min:
-    case Opcode::field_lt:
-    case Opcode::field_le:
-    case Opcode::field_eq:
-    case Opcode::linear_minus: return AluFunction::subtract;
-    case Opcode::add:
-    case Opcode::linear_plus: return AluFunction::add;
-    case Opcode::bit_and: return AluFunction::bit_and;
-    case Opcode::bit_or: return AluFunction::bit_or;
-    case Opcode::bit_xor:
-    case Opcode::xor_constant: return AluFunction::bit_xor;
-    case Opcode::bit_and_not: return AluFunction::bit_and_not;
-    case Opcode::bit_not: return AluFunction::bit_not;
-    case Opcode::enable_all:
-    case Opcode::enable_invert:
-    case Opcode::enable_load:
-    case Opcode::enable_and:
-    case Opcode::enable_and_not:
-    case Opcode::enable_or:
-    case Opcode::enable_xor:
-    case Opcode::enable_store:
-    case Opcode::edge_not_negative:
-    case Opcode::edge_negative:
-    case Opcode::stripe:
-    case Opcode::set_constant:
-    case Opcode::copy:
-    case Opcode::global_or:
-    case Opcode::skip_if_none:
-    case Opcode::squares:
-    case Opcode::root: return AluFunction::none;
-  }
-  return AluFunction::none;
+  using Alu = AluFunction;
+  using Enable = EnableFunction;
+  return std::to_array<CellRow>({
+      {Opcode::enable_all, {Alu::none, Enable::set}},
+      {Opcode::enable_invert, {Alu::none, Enable::invert}},
+      {Opcode::enable_load, {Alu::none, Enable::load}},
+      {Opcode::enable_and, {Alu::none, Enable::and_field}},
+      {Opcode::enable_and_not, {Alu::none, Enable::and_not_field}},
+      {Opcode::enable_or, {Alu::none, Enable::or_field}},
+      {Opcode::enable_xor, {Alu::none, Enable::xor_field}},
+      {Opcode::edge_not_negative, {Alu::none, Enable::where_not_negative}},
+      {Opcode::edge_negative, {Alu::none, Enable::where_negative}},
+      {Opcode::stripe, {Alu::none, Enable::where_negative}},
+      {Opcode::linear_ge, {Alu::subtract, Enable::where_holds}},
+      {Opcode::linear_gt, {Alu::subtract, Enable::where_holds}},
+      {Opcode::linear_le, {Alu::subtract, Enable::where_holds}},
+      {Opcode::linear_lt, {Alu::subtract, Enable::where_holds}},
+      {Opcode::linear_eq, {Alu::subtract, Enable::where_holds}},
+      {Opcode::field_lt, {Alu::subtract, Enable::where_holds}},
+      {Opcode::field_le, {Alu::subtract, Enable::where_holds}},
+      {Opcode::field_eq, {Alu::subtract, Enable::where_holds}},
+      {Opcode::load_linear, {Alu::subtract, Enable::where_fits}},
+      {Opcode::keep_max, {Alu::subtract, Enable::where_fits}},
+      {Opcode::keep_min, {Alu::subtract, Enable::where_fits}},
+      {Opcode::linear_minus, {.alu = Alu::subtract}},
+      {Opcode::linear_plus, {.alu = Alu::add}},
+      {Opcode::add, {.alu = Alu::add}},
+      {Opcode::bit_and, {.alu = Alu::bit_and}},
+      {Opcode::bit_or, {.alu = Alu::bit_or}},
+      {Opcode::bit_xor, {.alu = Alu::bit_xor}},
+      {Opcode::xor_constant, {.alu = Alu::bit_xor}},
+      {Opcode::bit_and_not, {.alu = Alu::bit_and_not}},
+      {Opcode::bit_not, {.alu = Alu::bit_not}},
+  });
+}();
+
+/// By number of the opcode.
+constexpr auto cell_functions = [] {
+  std::array<CellFunctions, isa::opcode_numbers> functions{};
+  for (const CellRow& row : cell_rows) functions.at(static_cast<std::size_t>(row.opcode)) = row.functions;
+  return functions;
+}();
+
+constexpr const CellFunctions& functions_of(isa::Opcode opcode) {
+  return cell_functions[static_cast<std::size_t>(opcode)];
 }
+
+static_assert(
+    [] {
+      for (const isa::OpcodeInfo& row : isa::opcode_table) {
+        const bool keeps = functions_of(row.opcode).enable == EnableFunction::keep;
+        if (keeps != (row.enable_effect == isa::EnableEffect::keeps)) return false;
+      }
+      return true;
+    }(),
+    "the functions of E agree with the table of the instruction set");
 
 /// Aligns an operand of `bits` bits, which begins at bit `begins` of a word, with the field's position in its word.
 Move move_to(isa::Field field, std::uint32_t begins, std::uint32_t bits, const CellShape& cell) {
@@ -93,7 +122,7 @@ Move move_to(isa::Field field, std::uint32_t begins, std::uint32_t bits, const C
 /// Operands are aligned with the first field, which is the target if there is one. F is sign-extended as far as it is
 /// used; constants, and single bits combined with E, need no alignment.
 CellWork work_of(const isa::Instruction& instruction, const CellShape& cell) {
-  CellWork work{.function = function_of(instruction.opcode)};
+  CellWork work{.function = functions_of(instruction.opcode).alu};
   const isa::Field& place = instruction.fields[0];
   const isa::Operands& operands = isa::operands_of(instruction.opcode);
   const bool is_linear = isa::has_operand(operands, isa::OperandKind::linear) && place.width > 0;
@@ -159,6 +188,8 @@ void schedule(Packet& packet, const CellShape& cell) {
 }
 
 }  // namespace
+
+EnableFunction enable_function_of(isa::Opcode opcode) { return functions_of(opcode).enable; }
 
 Packet instruction_packet(const isa::Instruction& instruction, const CellShape& cell, const isa::Linear& squares) {
   Packet packet{.kind = PacketKind::instruction,

@@ -78,6 +78,24 @@ struct Move {
 /// Function of the ALU on two operands, x and y.
 enum class AluFunction : std::uint8_t { none, add, subtract, bit_and, bit_or, bit_xor, bit_and_not, bit_not };
 
+/// Effect of an instruction on a cell's E.
+enum class EnableFunction : std::uint8_t {
+  keep,
+  set,
+  invert,
+  load,  ///< from a field of one bit, as the next four
+  and_field,
+  and_not_field,
+  or_field,
+  xor_field,
+  where_not_negative,  ///< where F >= 0
+  where_negative,
+  where_holds,  ///< where the comparison holds
+  where_fits,   ///< the same; F is written there and must fit
+};
+
+EnableFunction enable_function_of(isa::Opcode opcode);
+
 /// Sequential work of a cell on a packet's operands after all have arrived: the shifter aligns operands, then the ALU
 /// processes them, lowest bits first. Functions of the sign of F, or of a single bit and E, take no work.
 struct CellWork {

@@ -9,8 +9,6 @@
 #include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
-#include "hw/machines/runs_on.h"
-#include "sim/functional/clocks.h"
 #include "sim/observe/frame.h"
 #include "sim/reference/reference_array.h"
 
@@ -157,11 +155,6 @@ isa::Field enclosing_named_field(const isa::Program& program, isa::Field field) 
     is_found = true;
   }
   return smallest;
-}
-
-machines::RunRecord make_run_record(const isa::Program& program, const machines::Machine& machine) {
-  machines::check_runs_on(program, machine);
-  return functional::make_run_record(program, machine);
 }
 
 PixelRun run_pixel(const isa::Program& program, std::span<const machines::Skip> skips, std::uint32_t x,

@@ -53,10 +53,6 @@ struct PixelRun {
 PixelRun run_pixel(const isa::Program& program, std::span<const machines::Skip> skips, std::uint32_t x,
                    std::uint32_t y);
 
-/// Run-time outcomes on which the Program's clocks depend, from a run of all pixels at the functional level. Throws
-/// InputError if the machine cannot run the Program.
-machines::RunRecord make_run_record(const isa::Program& program, const machines::Machine& machine);
-
 /// The smallest named field that contains this field (the first of several), or else the field itself. A part of a
 /// depth field does not count as contained, since effects use the bits of depth fields for intermediate values.
 isa::Field enclosing_named_field(const isa::Program& program, isa::Field field);

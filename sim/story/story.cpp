@@ -7,6 +7,8 @@
 #include "hw/isa/facts.h"
 #include "hw/isa/instruction_numbers.h"
 #include "hw/machines/kind.h"
+#include "hw/machines/runs_on.h"
+#include "sim/functional/clocks.h"
 #include "sim/story/events.h"
 #include "sim/story/pixel_run.h"
 
@@ -35,11 +37,20 @@ const Change* Event::change_of(const isa::Program& program, isa::FieldRole role)
   return nullptr;
 }
 
+namespace {
+
+const isa::Program& checked(const isa::Program& program, const machines::Machine& machine) {
+  machines::check_runs_on(program, machine);
+  return program;
+}
+
+}  // namespace
+
 Teller::Teller(const isa::Program& program, const machines::Machine& machine)
-    : program_(program),
+    : program_(checked(program, machine)),
       machine_(machine),
       first_numbers_(isa::first_numbers(program)),
-      record_(make_run_record(program, machine)),
+      record_(functional::make_run_record(program, machine)),
       timeline_(machine.kind->timeline(program, machine, record_.outcome())) {}
 
 Story Teller::story_of(std::uint32_t x, std::uint32_t y) const {

@@ -12,6 +12,7 @@
 #include "hw/base/nearest.h"
 #include "hw/base/text.h"
 #include "hw/kinds/load.h"
+#include "hw/kinds/parameters.h"
 #include "hw/kinds/rows.h"
 #include "hw/machines/description.h"
 #include "sim/session/options/lists.h"
@@ -21,17 +22,9 @@ namespace csgsim::session {
 
 namespace {
 
-std::string_view key_of(std::string_view set) { return set.substr(0, set.find('=')); }
+using kinds::key_of;
 
 std::string_view first_word(std::string_view key) { return key.substr(0, key.find('.')); }
-
-bool has_parameter(const machines::Kind& kind, std::string_view key) {
-  return std::ranges::any_of(kind.schema, [&](const machines::FigureSchema& figure) { return figure.key == key; });
-}
-
-bool is_parameter(std::string_view key) {
-  return std::ranges::any_of(kinds::all(), [&](const machines::Kind* kind) { return has_parameter(*kind, key); });
-}
 
 /// Checks the first word only; the scene's reader checks the rest of the key.
 bool is_of_scene(std::string_view key) {
@@ -66,31 +59,12 @@ std::vector<std::string> vocabulary() {
                                printable(key_of(set)), nearest(key_of(set), known)));
 }
 
-/// The kinds of machines that have the parameter.
-std::string kinds_with(std::string_view key) {
-  std::vector<std::string_view> names;
-  for (const machines::Kind* kind : kinds::all()) {
-    if (has_parameter(*kind, key)) names.push_back(kind->name);
-  }
-  return fmt::format("{}", fmt::join(names, ", "));
-}
-
-void refuse_missing(const std::string& set, const machines::Kind& kind, const std::string& name) {
-  const std::string_view key = key_of(set);
-  if (has_parameter(kind, key)) return;
-  std::vector<std::string_view> known;
-  for (const machines::FigureSchema& figure : kind.schema) known.push_back(figure.key);
-  throw UsageError("--set " + printable(set),
-                   fmt::format("{} has no such parameter, but machines of the kind {} do; its nearest is '{}'",
-                               printable(name), kinds_with(key), nearest(key, known)));
-}
-
 }  // namespace
 
 Sets sorted(const std::vector<std::string>& sets) {
   Sets all;
   for (const std::string& set : sets) {
-    if (is_parameter(key_of(set))) {
+    if (kinds::is_parameter(key_of(set))) {
       all.figures.push_back(set);
     } else if (is_of_scene(key_of(set))) {
       all.scene.push_back(set);
@@ -117,7 +91,10 @@ machines::Machine load_from(const Source& source, const std::string& name, const
   const std::vector<std::string> figures = sorted(sets).figures;
   machines::Machine plain = kinds::load(source);
   if (figures.empty()) return plain;
-  for (const std::string& figure : figures) refuse_missing(figure, *plain.kind, name);
+  for (const std::string& figure : figures) {
+    const std::string reason = kinds::why_missing(key_of(figure), *plain.kind, name);
+    if (!reason.empty()) throw UsageError("--set " + printable(figure), reason);
+  }
   try {
     return kinds::load(source, figures);
   } catch (const machines::ChangeError& error) {
@@ -144,7 +121,7 @@ std::vector<std::string> with_parameters(const std::vector<std::string>& names, 
     const machines::Machine plain = kinds::load(name);
     std::vector<std::string> own;
     for (const std::string& figure : figures) {
-      if (!has_parameter(*plain.kind, key_of(figure))) continue;
+      if (!kinds::has_parameter(*plain.kind, key_of(figure))) continue;
       own.push_back(figure);
       taken.insert(figure);
     }
@@ -153,9 +130,10 @@ std::vector<std::string> with_parameters(const std::vector<std::string>& names, 
   }
   for (const std::string& figure : figures) {
     if (!taken.contains(figure))
-      throw UsageError("--set " + printable(figure),
-                       fmt::format("none of {} has that parameter; machines of the kind {} have it",
-                                   printable(fmt::format("{}", fmt::join(names, ", "))), kinds_with(key_of(figure))));
+      throw UsageError(
+          "--set " + printable(figure),
+          fmt::format("none of {} has that parameter; machines of the kind {} have it",
+                      printable(fmt::format("{}", fmt::join(names, ", "))), kinds::kinds_with(key_of(figure))));
   }
   return edited;
 }

@@ -38,7 +38,8 @@ struct Prepared {
 
   /// The active tree for the whole picture.
   [[nodiscard]] csg::ActiveTree active_tree(std::uint32_t primitive, const csg::Pruning& pruning = {}) const {
-    const csg::Pruner pruner(scene, view, positive, {pruning});
+    csg::PairTable pairs(scene);
+    const csg::Pruner pruner(scene, view, positive, pairs, {pruning});
     const csg::Block block = pruner.surface_block({&primitive, 1}, {0, 0, 511, 511});
     return pruner.active_tree({&primitive, 1}, block);
   }

@@ -236,7 +236,8 @@ TEST_CASE("Pruner::meeting() returns the operands that a walk of the whole tree 
     const csg::Pruning pruning = random_pruning();
     const Pruned plain(testing::random_model(*rc::gen::arbitrary<std::uint64_t>(), *rc::gen::inRange(2U, 120U)),
                        pruning);
-    const csg::Pruner pruner(plain.scene, plain.view, plain.positive, {pruning});
+    csg::PairTable pairs(plain.scene);
+    const csg::Pruner pruner(plain.scene, plain.view, plain.positive, pairs, {pruning});
     const auto x = *rc::gen::inRange(0, 64);
     const auto y = *rc::gen::inRange(0, 64);
     const view::PixelRect region{x, y, *rc::gen::inRange(x, 64), *rc::gen::inRange(y, 64)};

@@ -120,7 +120,8 @@ TEST_CASE("operands that do not touch P in thesis fig. 6.2 are pruned from its t
   const facet::Geometry scene = facet::make_geometry(tree);
   const view::View view = view::make_view(scene, tree, {{30, -40, 400}, {0, 0, 0}, view::Projection::orthographic}, {});
   const csg::PositiveTree positive = csg::make_positive(tree);
-  const csg::Pruner pruner(scene, view, positive);
+  csg::PairTable pairs(scene);
+  const csg::Pruner pruner(scene, view, positive, pairs);
   const csg::ConvexSet set{P};
   const csg::ActiveTree active = pruner.active_tree(set, pruner.surface_block(set, {0, 0, 511, 511}));
   REQUIRE(active.operands.size() == 2);

@@ -25,6 +25,7 @@ TEST_CASE("in_table() is false for opcode numbers without a row") {
   CHECK_FALSE(in_table(static_cast<Opcode>(opcode_table.size())));
 }
 
+// The list has the opcodes of the first version; golden Programs (traces) guard the numbers of later ones.
 TEST_CASE("opcode numbers stay compatible with files and links") {
   const std::vector<std::string_view> names{
       "enable_all",   "enable_invert", "enable_load",  "enable_and",        "enable_and_not",

@@ -1,5 +1,6 @@
 #include "tests/unit/read/support.h"
 
+#include "host/model/shapes.h"
 #include "host/read/read.h"
 #include "hw/base/messages.h"
 #include "tests/support/test.h"
@@ -7,8 +8,6 @@
 namespace csgsim::read_test {
 
 namespace {
-
-constexpr const char* shape_names[] = {"cube", "sphere", "cylinder", "polyhedron"};
 
 const char* name_of(model::Operator op) {
   switch (op) {
@@ -21,7 +20,7 @@ const char* name_of(model::Operator op) {
 
 std::string outline(const model::Tree& tree, std::uint32_t index) {
   const model::Node& node = tree.nodes[index];
-  if (node.is_leaf) return shape_names[tree.primitives[node.primitive].shape.index()];
+  if (node.is_leaf) return std::string(model::name_of(tree.primitives[node.primitive].shape));
   std::string text;
   for (const std::uint32_t child : node.children) text += (text.empty() ? "" : ", ") + outline(tree, child);
   return fmt::format("{}({})", name_of(node.op), text);

@@ -10,6 +10,7 @@
 
 #include "hw/isa/facts.h"
 #include "sim/engine/engine.h"
+#include "sim/functional/clocks.h"
 #include "sim/story/pixel_run.h"
 #include "sim/story/story.h"
 #include "sim/story/story_json.h"
@@ -81,7 +82,7 @@ TEST_CASE("a run of one pixel equals that of the whole array for random Programs
     PixelObserver observer(program, x, y);
     const std::array<engine::Observer*, 1> observers{&observer};
     engine::make_reference_engine(machine)->run(program, observers);
-    const story::PixelRun run = story::run_pixel(program, story::make_run_record(program, machine).skips, x, y);
+    const story::PixelRun run = story::run_pixel(program, functional::make_run_record(program, machine).skips, x, y);
     RC_ASSERT(run.steps.size() == observer.left.size());
     for (std::size_t i = 0; i < run.steps.size(); ++i) {
       RC_ASSERT(run.steps[i].segment == observer.left[i].segment);

@@ -14,6 +14,7 @@
 #include "hw/isa/text.h"
 #include "hw/machines/timeline.h"
 #include "sim/engine/engine.h"
+#include "sim/functional/clocks.h"
 #include "sim/observe/frame.h"
 #include "sim/story/pixel_run.h"
 #include "sim/story/story_json.h"
@@ -319,7 +320,7 @@ TEST_CASE("each event has the clocks in which the pixel executes its instruction
   const PixelCase pixel = draw_case(blind_hole + near_box, 3, 2);
   const story::Story story = pixel.story();
   const isa::Program& program = pixel.compiled.program;
-  const machines::RunRecord record = story::make_run_record(program, pixel.machine);
+  const machines::RunRecord record = functional::make_run_record(program, pixel.machine);
   const machines::Timeline timeline = machines::timeline(program, pixel.machine, record.outcome());
   const auto clocks = machines::at_pixel(timeline, program, pixel.machine, 0, 3, 2);
   std::uint64_t last = 0;
@@ -344,7 +345,7 @@ TEST_CASE("a run of one pixel equals that of the whole array with effects") {
   const isa::Program& program = compiled.program;
   const machines::Machine machine = testing::machine_of(program.shape);
   const observe::Frame frame = testing::draw(program);
-  const std::vector<machines::Skip> skips = story::make_run_record(program, machine).skips;
+  const std::vector<machines::Skip> skips = functional::make_run_record(program, machine).skips;
   for (std::uint32_t y = 0; y < 6; ++y) {
     for (std::uint32_t x = 0; x < 8; ++x) {
       const story::PixelRun run = story::run_pixel(program, skips, x, y);
