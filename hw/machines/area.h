@@ -7,8 +7,8 @@
 
 #include "hw/machines/machine.h"
 
-// Silicon area of a machine's pixels. This is a model (docs/hardware.md): logic as synthesised by Yosys from the Verilog
-// of hw/rtl, in transistors of static CMOS, and memory as an assumed number of transistors per bit.
+// Silicon area of a machine's pixels. This is a model (docs/hardware.md): logic as synthesised by Yosys from the
+// Verilog of hw/rtl, in transistors of static CMOS, and memory as an assumed number of transistors per bit.
 namespace csgsim::machines {
 
 /// Transistors of a memory bit in a dynamic cell that can be read and written in the same clock: one for the write port
