@@ -15,7 +15,6 @@ CURVED = {"sphere": (SPHERE, "fn,tolerance,curves", "1,0.1,0.02,0.005,0.002,0.00
           "fig. 2.3": ("fig_2_3", "fn,tolerance,curves", "0.05,0.01,0.002,0.0004,0.0001"),
           "carburettor": ("carburettor", "fn,tolerance,curves", "0.11,0.06,0.0278,0.01,0.002,0.0005"),
           "vehicle": ("vehicle", "fn,tolerance,curves", "0.4,0.1,0.02,0.005,0.002,0.001")}
-# Table 7.3 of the thesis: half-spaces of the model, seconds of scan conversion and in total.
 
 
 def curves_of(figures, name):
