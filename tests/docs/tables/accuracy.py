@@ -15,8 +15,6 @@ CURVED = {"sphere": (SPHERE, "fn,tolerance,curves", "1,0.1,0.02,0.005,0.002,0.00
           "fig. 2.3": ("fig_2_3", "fn,tolerance,curves", "0.05,0.01,0.002,0.0004,0.0001"),
           "carburettor": ("carburettor", "fn,tolerance,curves", "0.11,0.06,0.0278,0.01,0.002,0.0005"),
           "vehicle": ("vehicle", "fn,tolerance,curves", "0.4,0.1,0.02,0.005,0.002,0.001")}
-# Table 7.3 of the thesis: half-spaces of the model, seconds of scan conversion and in total.
-TABLE_7_3 = {0.11: (1258, 32.6, 89.7), 0.06: (2042, 34.5, 102.5), 0.0278: (3876, 42.3, 139.7)}
 
 
 def curves_of(figures, name):
@@ -62,8 +60,8 @@ def curves(figures):
     return ruled(("", "drawn as", "half-spaces", "clocks (4 views)", "times exact", "pixels off", "depth off"), rows, numbers_from=2)
 
 
-def table_7_3(figures):
-    """The carburettor at the tolerances of table 7.3, and without facets."""
+def by_tolerance(figures):
+    """The carburettor in facets of different tolerances, and without facets."""
     points = curves_of(figures, "carburettor")
     first = next(each for each in points if each.value == "0.11")
     rows = []
@@ -71,11 +69,8 @@ def table_7_3(figures):
         if each.knob == "fn" or each.value == "facets":
             continue
         tolerance = each.value if each.knob == "tolerance" else f"`--curves {each.value}`"
-        planes, scans, seconds = TABLE_7_3.get(float(each.value) if each.knob == "tolerance" else None, ("",) * 3)
-        thesis = [f"*{planes}*", f"*{scans} s*", f"*{seconds} s, {seconds / 89.7:.2f}*"] if planes else [""] * 3
-        rows.append((tolerance, f"{each.halfspaces:,}", f"{each.clocks:,}", f"{each.clocks / first.clocks:.2f}", f"{each.facet_wrong:,}", *thesis))
-    return ruled(("tolerance", "half-spaces", "clocks (4 views)", "ratio", "pixels off", "*thesis: half-spaces*", "*scan conversion*",
-                  "*total, ratio*"), rows, numbers_from=1)
+        rows.append((tolerance, f"{each.halfspaces:,}", f"{each.clocks:,}", f"{each.clocks / first.clocks:.2f}", f"{each.facet_wrong:,}"))
+    return ruled(("tolerance", "half-spaces", "clocks (4 views)", "ratio", "pixels off"), rows, numbers_from=1)
 
 
 def by_name(points):
