@@ -198,6 +198,7 @@ TEST_CASE("advise rejects impossible limits and ranges before it measures") {
   misused(ask + "--strategy auto", "there is no strategy 'auto'");
   misused(ask + "--strategy lst", "did you mean list?");
   misused(ask + "--z-bits 3", "4 to 30");
+  misused(ask + "--fraction-bits 21", "0 to 20");
   misused(ask + "--alu-bits 0", "1 to 32");
   misused(ask + "--machine scan-line --alu-bits 2", "has no parameter alu.bits");
   misused(ask + "--memory-bits 72", "--memory-bits");

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "host/view/projection.h"
 #include "hw/base/error.h"
 #include "hw/base/text.h"
 #include "hw/isa/instruction.h"
@@ -33,7 +34,6 @@ using session::ModelRequest;
 using Texts = std::vector<std::string>;
 
 constexpr std::uint64_t default_wrong_pixels = 10;
-constexpr unsigned max_fraction_bits = 30;
 constexpr std::string_view alu_figure = "alu.bits";
 
 /// Searched axes, slowest first; they replace the options of render with the same names.
@@ -55,7 +55,7 @@ Texts texts_of_numbers(const std::string& list, unsigned minimum, unsigned maxim
 /// The values of a list; empty for an empty list of strategies or ALU widths.
 Texts parse_values(std::string_view key, const std::string& list) {
   if (key == "alu-bits") return list.empty() ? Texts{} : texts_of_numbers(list, 1, isa::max_field_width);
-  if (key == "fraction-bits") return texts_of_numbers(list, 0, max_fraction_bits);
+  if (key == "fraction-bits") return texts_of_numbers(list, 0, view::max_fraction_bits);
   if (key == "strategy" && list.empty()) return {};
   return find_axis(key)->values(list);
 }
