@@ -46,7 +46,13 @@ install(CODE "
 
 if(CSGSIM_PYTHON)
   set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME python)
-  set(CSGSIM_PYTHON_DIR lib/python3/dist-packages CACHE STRING "Where Python looks for modules")
+  set(python_dir lib/python3/dist-packages)
+  if(NOT EXISTS /etc/debian_version)
+    execute_process(COMMAND ${CSGSIM_PYTHON_PROGRAM} -c
+      "import os, sys, sysconfig; print(os.path.relpath(sysconfig.get_path('platlib'), sys.prefix))"
+      OUTPUT_VARIABLE python_dir OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  endif()
+  set(CSGSIM_PYTHON_DIR ${python_dir} CACHE STRING "Where Python looks for modules")
   file(RELATIVE_PATH module_from_python /prefix/${CSGSIM_PYTHON_DIR}/csgsim /prefix/${module_dir})
   # Modules are beside it in a wheel.
   set_target_properties(csgsim_python PROPERTIES INSTALL_RPATH "$ORIGIN;$ORIGIN/${module_from_python}"
