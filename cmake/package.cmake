@@ -57,7 +57,7 @@ if(CSGSIM_PYTHON)
 endif()
 
 # Debian requires a changelog and a copyright file in each package; `cmake --install` without a component omits these.
-# The changelog has the date of the commit, so that packages of one commit are equal.
+# The changelog has the date of the commit, not of the build.
 find_program(CSGSIM_GZIP gzip)
 if(CSGSIM_GZIP)
   execute_process(COMMAND git -C ${PROJECT_SOURCE_DIR} log -1 --format=%cD OUTPUT_VARIABLE changed
@@ -77,8 +77,11 @@ if(CSGSIM_GZIP)
     set(folder ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME})
     install(FILES ${PROJECT_BINARY_DIR}/debian/changelog.gz cmake/debian/copyright DESTINATION ${folder}
       COMPONENT ${component} EXCLUDE_FROM_ALL)
-    install(FILES cmake/debian/${CPACK_DEBIAN_${upper}_PACKAGE_NAME} DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides
-      COMPONENT ${component} EXCLUDE_FROM_ALL OPTIONAL)
+    set(overrides ${PROJECT_SOURCE_DIR}/cmake/debian/${CPACK_DEBIAN_${upper}_PACKAGE_NAME})
+    if(EXISTS ${overrides})
+      install(FILES ${overrides} DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides COMPONENT ${component}
+        EXCLUDE_FROM_ALL)
+    endif()
   endforeach()
 endif()
 include(CPack)
