@@ -123,7 +123,7 @@ TEST_CASE("OpenSCAD imports our meshes as manifolds of the volume and extent it 
   }
 }
 
-TEST_CASE("OpenSCAD imports our drawings with the area and extent of its own") {
+TEST_CASE("OpenSCAD imports our drawings with the area and extent of OpenSCAD's") {
   if (!is_installed()) {
     MESSAGE("skipped: openscad is not installed");
     return;

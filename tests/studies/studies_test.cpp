@@ -155,7 +155,6 @@ TEST_CASE("a new study rejects wrong values of the options that all studies have
   for (const Words& words : {Words{"--addends", "0"}, Words{"--shard", "3/2"}, Words{"--threads", "0"},
                              Words{"--report", "page.txt"}, Words{"--shard", "1/2", "--report", "page.html"}})
     CHECK_THROWS_AS(place.study("out", words), session::UsageError);
-  CHECK_THROWS_AS(Place::run({"collatz", place / "numbers.txt"}), session::UsageError);  // -o is missing
   place.write("numbers.txt", "none\n");
   CHECK_THROWS_AS(place.study("out", {"--no-plots"}), InputError);
 }
