@@ -13,6 +13,10 @@ void add(const RowCommand& command, std::uint64_t slots, std::uint64_t pixels, W
   if (command.from.count > 1) work.further_rows += (command.from.count - 1U) * slots;
   if (command.to.count > 1) work.further_rows += (command.to.count - 1U) * slots;
   if (command.op == RowOp::logic) work.logic += slots;
+  if (command.own != nullptr) {
+    work.own_logic += slots;
+    work.own_logic_fj += command.own->energy_fj * slots;
+  }
   if (command.op == RowOp::leaf || command.op == RowOp::leaf_copy) work.leaves += slots;
   if (command.op == RowOp::receive || command.op == RowOp::send) work.transferred_bits += pixels;
 }
@@ -33,7 +37,8 @@ FrameEnergy energy_of(const Work& work, std::uint64_t clocks, const machines::Ma
   return {
       .activation = picojoules(activation * (number(work.activations) +
                                              number(work.further_rows) * figures.energy.further_row_permille / 1000)),
-      .logic = picojoules(number(figures.energy.logic_fj) * columns * number(work.logic)),
+      .logic = picojoules(columns * (number(figures.energy.logic_fj) * number(work.logic - work.own_logic) +
+                                     number(work.own_logic_fj))),
       .leaf = picojoules(number(figures.energy.leaf_fj) * columns * number(work.leaves)),
       .transfer = picojoules(number(figures.energy.transfer_fj) * number(work.transferred_bits)),
       .refresh = picojoules(number(figures.energy.refresh_fj) * figures.chips * number(work.refreshes)),

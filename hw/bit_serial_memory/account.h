@@ -17,7 +17,9 @@ struct Work {
   std::uint64_t further_rows = 0;  ///< number of logic commands, counted per slot
   /// Number of commands that deliver a bit from the trees, counted per slot.
   std::uint64_t logic = 0;
-  std::uint64_t leaves = 0;  ///< commands that deliver a bit from the trees to a slot
+  std::uint64_t leaves = 0;        ///< commands that deliver a bit from the trees to a slot
+  std::uint64_t own_logic = 0;     ///< part of `logic` by commands of a designer's set
+  std::uint64_t own_logic_fj = 0;  ///< energy of these in one column of each slot
   std::uint64_t transferred_bits = 0;
   std::uint64_t refreshes = 0;  ///< refreshes of all chips
 

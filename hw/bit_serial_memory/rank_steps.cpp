@@ -19,13 +19,14 @@ class Step {
     zero_ = zero;
   }
 
-  void take(RowOp op) {
+  /// `gate_clocks`: clocks of a logic command.
+  void take(RowOp op, std::uint32_t gate_clocks) {
     const CommandClocks& clocks = figures_.command;
     if (activations(op) > 0) {
       for (std::uint64_t slot = 0; slot < slots_.count(); ++slot) issue(op, slot);
       return;
     }
-    const std::int64_t taken = op == RowOp::logic  ? clocks.logic
+    const std::int64_t taken = op == RowOp::logic  ? gate_clocks
                                : op == RowOp::leaf ? std::max(clocks.logic, clocks.leaf)
                                                    : clocks.global_or;
     for (std::size_t bank = 0; bank < state_.free.size(); ++bank) {
@@ -130,7 +131,7 @@ void RankSteps::step(RowOp op) {
   const auto number = static_cast<std::size_t>(op);
   if (nodes_[current_].edges[number].to == max_nodes) {
     Step step(figures_, slots_, *nodes_[current_].state);
-    step.take(op);
+    step.take(op, figures_.command.logic);
     const RankState to = step.to();
     if (nodes_.size() == max_nodes) return enter(to, step.clocks());
     const std::size_t target = find_node(to);
@@ -141,10 +142,10 @@ void RankSteps::step(RowOp op) {
   current_ = edge.to;
 }
 
-void RankSteps::step(RowOp op, std::vector<Issue>& issues) {
+void RankSteps::step(const RowCommand& command, std::vector<Issue>& issues) {
   Step step(figures_, slots_, *nodes_[current_].state);
   step.record(issues, zero_);
-  step.take(op);
+  step.take(command.op, command.own != nullptr ? command.own->clocks : figures_.command.logic);
   enter(step.to(), step.clocks());
 }
 

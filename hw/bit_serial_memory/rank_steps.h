@@ -37,7 +37,7 @@ class RankSteps {
   /// Lets all slots execute a command of the given kind.
   void step(RowOp op);
   /// The same; appends the command's clocks in each slot or, for a command without activation, in each bank.
-  void step(RowOp op, std::vector<Issue>& issues);
+  void step(const RowCommand& command, std::vector<Issue>& issues);
   /// Delays everything in progress by `clocks`.
   void delay(std::uint64_t clocks) { zero_ += static_cast<std::int64_t>(clocks); }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <span>
+
 namespace csgsim::bit_serial_memory {
 
 namespace {
@@ -13,6 +15,12 @@ std::string text_of(const WordLines& lines) {
 }
 
 std::string operands_of(const RowCommand& command) {
+  if (command.own != nullptr) {
+    const std::array latches{command.x, command.y, command.z};
+    std::string text;
+    for (const Latch latch : std::span(latches).first(command.own->inputs)) text += fmt::format(" {}", name_of(latch));
+    return text;
+  }
   switch (command.gate) {
     case Gate::zero:
     case Gate::one: return "";
@@ -41,7 +49,8 @@ std::string text_of(const RowCommand& command) {
     case RowOp::wired_or: return fmt::format("{}{}", name, text_of(command.from));
     case RowOp::write: return fmt::format("{}{}{}", name, text_of(command.to), where);
     case RowOp::logic:
-      return fmt::format("{} {} = {}{}", name, name_of(command.target), name_of(command.gate), operands_of(command));
+      return fmt::format("{} {} = {}{}", name, name_of(command.target),
+                         command.own != nullptr ? command.own->name : name_of(command.gate), operands_of(command));
     case RowOp::leaf: return fmt::format("{} {}", name, command.bit);
     case RowOp::leaf_copy:
     case RowOp::receive: return fmt::format("{} {} ->{}{}", name, command.bit, text_of(command.to), where);

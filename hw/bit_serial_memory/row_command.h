@@ -35,10 +35,24 @@ struct WordLines {
   constexpr bool operator==(const WordLines&) const = default;
 };
 
-/// Latches at each sense amplifier. Rows are read into `sense` and written from it.
-enum class Latch : std::uint8_t { sense, carry, carry_2, held, enable, select };
+/// Latches at each sense amplifier. Rows are read into `sense` and written from it. Only designers' command sets have
+/// temporaries.
+enum class Latch : std::uint8_t {
+  sense,
+  carry,
+  carry_2,
+  held,
+  enable,
+  select,
+  first_temporary,
+  second_temporary,
+  third_temporary,
+  last_temporary,
+};
 
-inline constexpr auto latch_names = std::to_array<std::string_view>({"SA", "R1", "R2", "R3", "R4", "R5"});
+inline constexpr auto latch_names =
+    std::to_array<std::string_view>({"SA", "R1", "R2", "R3", "R4", "R5", "T1", "T2", "T3", "T4"});
+inline constexpr std::size_t max_temporaries = 4;
 inline constexpr std::size_t latch_count = latch_names.size();
 
 constexpr std::string_view name_of(Latch latch) { return latch_names[static_cast<std::size_t>(latch)]; }
@@ -82,6 +96,17 @@ inline constexpr std::size_t row_op_count = row_op_names.size();
 
 constexpr std::string_view name_of(RowOp op) { return row_op_names[static_cast<std::size_t>(op)]; }
 
+/// A gate command of a designer's set (hw/bit_serial_memory/command_set.h).
+struct GateCommand {
+  std::string name;
+  std::uint32_t inputs = 0;  ///< number of latches that it reads: x, y, z in this order
+  std::uint8_t table = 0;    ///< bit i: the result where the inputs form the number i, the first as its highest bit
+  std::uint32_t clocks = 1;
+  std::uint64_t energy_fj = 0;  ///< per column
+  bool is_published = false;
+  std::string source{};
+};
+
 /// A row command with its operands; operands that its op does not use are zero.
 struct RowCommand {
   RowOp op = RowOp::activate;
@@ -95,6 +120,7 @@ struct RowCommand {
   std::uint8_t bit = 0;  ///< bit of the expression
   WordLines from{};
   WordLines to{};
+  const GateCommand* own = nullptr;  ///< logic only: the command that replaces `gate`
 
   constexpr bool operator==(const RowCommand&) const = default;
 };

@@ -1,10 +1,12 @@
 #include "hw/bit_serial_memory/timing.h"
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "hw/bit_serial_memory/gate_mapper.h"
 #include "hw/bit_serial_memory/kind.h"
 #include "hw/bit_serial_memory/micro_program.h"
 #include "hw/bit_serial_memory/row_map.h"
@@ -72,13 +74,14 @@ bool is_drawn(const isa::Program& program) {
 class FrameModel {
  public:
   FrameModel(const isa::Program& program, const Machine& machine, std::span<const machines::Skip> skips,
-             RowListener* listener = nullptr)
+             RowListener* listener = nullptr, const CommandSet* set = nullptr)
       : machine_(machine),
         figures_(machines::own<Figures>(machine)),
         slots_(slots_of(machine)),
         map_(map_of(machine)),
         tasks_(tasks_of(program, machine, skips)),
         listener_(listener),
+        mapper_(set == nullptr ? std::nullopt : std::optional<GateMapper>(*set)),
         rank_(figures_, slots_, listener),
         link_(figures_.queue, machine.link.latency),
         spans_(tasks_.size()) {}
@@ -133,7 +136,12 @@ class FrameModel {
     }
   }
 
-  void spend(const RowCommands& commands, std::uint64_t& activity) {
+  void spend(const RowCommands& gates, std::uint64_t& activity) {
+    if (mapper_) return spend_mapped(mapper_->expand(gates), activity);
+    spend_mapped(gates, activity);
+  }
+
+  void spend_mapped(const RowCommands& commands, std::uint64_t& activity) {
     const std::uint64_t refreshed = rank_.refreshing();
     free_ = rank_.carry_out(commands, task_start_ + taking_clocks);
     activity += free_ - task_start_ - (rank_.refreshing() - refreshed);
@@ -168,6 +176,7 @@ class FrameModel {
   const RowMap map_;
   const std::vector<Task> tasks_;
   RowListener* listener_;
+  std::optional<GateMapper> mapper_;
   RankTiming rank_;
   LinkTiming link_;
   std::vector<ClockSpan> spans_;
@@ -200,9 +209,9 @@ machines::FrameTiming Kind::time(const isa::Program& program, const Machine& mac
 }
 
 machines::FrameTiming time_rows(const isa::Program& program, const Machine& machine,
-                                const machines::RunOutcome& outcomes, RowListener& listener) {
+                                const machines::RunOutcome& outcomes, RowListener& listener, const CommandSet* set) {
   const Machine one = drawing(program, machine);
-  return FrameModel(program, one, outcomes.skips, &listener).time(shown_field(program));
+  return FrameModel(program, one, outcomes.skips, &listener, set).time(shown_field(program));
 }
 
 std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, const Machine& machine,

@@ -25,7 +25,7 @@ std::uint64_t RankTiming::carry_out(const RowCommands& commands, std::uint64_t b
 void RankTiming::step(const RowCommand& command) {
   if (listener_ == nullptr) return steps_.step(command.op);
   issues_.clear();
-  steps_.step(command.op, issues_);
+  steps_.step(command, issues_);
   listener_->command(command, issues_);
 }
 

@@ -34,6 +34,16 @@ std::string timing_lines(const CommandClocks& command, const RankClocks& rank) {
   return text;
 }
 
+std::string gate_lines(const bit_serial_memory::CommandSet& set) {
+  std::string text;
+  for (const bit_serial_memory::GateCommand& command : set.commands) {
+    std::string table;
+    for (unsigned i = 0; i < 1U << command.inputs; ++i) table += (command.table >> i & 1U) != 0 ? '1' : '0';
+    text += fmt::format("gate {} {} {} {}\n", command.name, table, command.clocks, command.energy_fj);
+  }
+  return text;
+}
+
 /// The complete form: commands with all operands, and the data that a replay needs. docs/row-traces.md has its grammar.
 class CsgsimForm final : public Form {
  public:
@@ -47,6 +57,7 @@ class CsgsimForm final : public Form {
     if (program.colour.width > 0) text << fmt::format("colour {} {}\n", program.colour.base, program.colour.width);
     text << fmt::format("slots {} {} {}\n", frame().slots.count(), frame().slots.row_columns, frame().slots.banks);
     text << timing_lines(frame().figures.command, frame().figures.rank);
+    if (frame().set != nullptr) text << gate_lines(*frame().set);
     bit_serial_memory::print_row_map(text, frame().map);
     return text.str();
   }

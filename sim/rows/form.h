@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hw/bit_serial_memory/command_set.h"
 #include "hw/bit_serial_memory/figures.h"
 #include "hw/bit_serial_memory/row_listener.h"
 #include "hw/bit_serial_memory/row_map.h"
@@ -28,6 +29,7 @@ struct Frame {
   const bit_serial_memory::Figures& figures;
   bit_serial_memory::RowMap map;
   bit_serial_memory::Slots slots;
+  const bit_serial_memory::CommandSet* set = nullptr;  ///< replaces the gates if not null
 };
 
 /// A line of a trace with its line end. The lines of an instruction are sorted by clock.

@@ -96,7 +96,7 @@ class Recorder final : public bit_serial_memory::RowListener {
 
 TraceSummary write_trace(const isa::Program& program, const machines::Machine& machine,
                          const machines::RunOutcome& outcomes, const FormRow& row,
-                         const std::function<void(std::string_view)>& write) {
+                         const std::function<void(std::string_view)>& write, const bit_serial_memory::CommandSet* set) {
   if (machine.kind != &bit_serial_memory::kind) {
     throw InputError(machine.name +
                      " has no row commands; choose a machine of kind bit-serial-memory, such as simdram-ddr4");
@@ -107,10 +107,16 @@ TraceSummary write_trace(const isa::Program& program, const machines::Machine& m
                     .machine = drawing,
                     .figures = machines::own<bit_serial_memory::Figures>(drawing),
                     .map = {drawing.array.memory_bits, program.shape.width, program.shape.height},
-                    .slots = bit_serial_memory::slots_of(drawing)};
+                    .slots = bit_serial_memory::slots_of(drawing),
+                    .set = set};
+  if (set != nullptr && frame.figures.design != bit_serial_memory::Design::latches) {
+    throw InputError(drawing.name +
+                     " has no gates that a command set could replace; choose a machine whose logic.design is latches, "
+                     "such as digital-bit-serial-ddr4");
+  }
   const std::unique_ptr<Form> form = row.make(frame);
   Recorder recorder(*form, write);
-  return recorder.finish(bit_serial_memory::time_rows(program, drawing, outcomes, recorder));
+  return recorder.finish(bit_serial_memory::time_rows(program, drawing, outcomes, recorder, set));
 }
 
 }  // namespace csgsim::rows

@@ -210,3 +210,22 @@ TEST_CASE("rows rejects other machines and forms and leaves no file") {
   const std::string program = compiled(folder, "q.csgt", "--machine simdram-ddr4");
   fails(run("rows " + program + " -o " + program), 2, {"the same file as the input"});
 }
+
+TEST_CASE("rows replaces the gates of a memory by those of a command set") {
+  const Folder folder;
+  const std::string options = "rows " + model("old_example011") + " --size 8x6 -o " + (folder / "trace.rows");
+  const std::string set =
+      " --command-set " + std::string(CSGSIM_SOURCE_DIR) + "/hw/bit_serial_memory/command_sets/nand.toml";
+  const Outcome usual = succeeded(run(options + " --machine digital-bit-serial-ddr4"));
+  const Outcome replaced = succeeded(run(options + " --machine digital-bit-serial-ddr4" + set));
+  CHECK(replaced.out != usual.out);
+  const std::string trace = content(folder / "trace.rows");
+  CHECK(trace.find("\ngate NAND 1110 4 23\n") != std::string::npos);
+  CHECK(trace.find(" LOGIC T1 = NAND ") != std::string::npos);
+  CHECK(trace.find(" XOR ") == std::string::npos);
+  fails(run(options + " --machine simdram-ddr4" + set), 1,
+        {"simdram-ddr4 has no gates that a command set could replace"});
+  write(folder / "set.toml", "name = \"t\"\ndescription = 1\n");
+  fails(run(options + " --machine digital-bit-serial-ddr4 --command-set " + (folder / "set.toml")), 1,
+        {"set.toml:2:15: 'description' is an integer; make it a string"});
+}

@@ -61,6 +61,7 @@ const std::map<std::string, std::string> samples{{"projection", "\"perspective\"
                                                  {"machine-b", "\"scan-line\""},
                                                  {"machines", "\"scan-line\""},
                                                  {"curves", "\"facets\""},
+                                                 {"form", "\"drampower\""},
                                                  {"knobs", "\"curves,size\""},
                                                  {"vary", "[\"alu.bits=1,2\"]"},
                                                  {"axes", "\"time,memory\""},

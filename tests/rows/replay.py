@@ -13,7 +13,7 @@ class Slot:
         self.pixels = pixels  # numbers of the pixels in its columns
         self.all = (1 << len(pixels)) - 1
         self.rows = {}
-        self.latches = dict.fromkeys(["SA", "R1", "R2", "R3", "R4", "R5"], 0)
+        self.latches = dict.fromkeys(["SA", "R1", "R2", "R3", "R4", "R5", "T1", "T2", "T3", "T4"], 0)
 
     def column_bits(self, value_of):
         return sum(1 << column for column, pixel in enumerate(self.pixels) if value_of(pixel))
@@ -38,6 +38,16 @@ class Slot:
         self.latches["SA"] = (a & b) | (b & c) | (a & c)
         self.write(lines)
 
+    def table_value(self, table, operands):
+        """A bit of the table for each column: the operands form its index, the first as the highest bit."""
+        value = 0
+        for index, bit in enumerate(table):
+            match = self.all if bit == "1" else 0
+            for place, name in enumerate(reversed(operands)):
+                match &= self.latches[name] ^ (0 if index >> place & 1 else self.all)
+            value |= match
+        return value
+
     def logic(self, target, gate, operands):
         x, y, z = ([self.latches[name] for name in operands] + [0, 0, 0])[:3]
         self.latches[target] = {"SET0": 0, "SET1": self.all, "MOVE": x, "NOT": x ^ self.all, "AND": x & y, "OR": x | y,
@@ -47,6 +57,7 @@ class Slot:
 class Memory:
     def __init__(self):
         self.facts, self.slots, self.sent, self.expression, self.is_scan_out = {}, [], [], [0] * 7, False
+        self.tables = {}  # of the declared gates
 
     def declare(self, words):
         self.facts[words[0]] = words[1:]
@@ -61,6 +72,8 @@ class Memory:
             for slot in self.slots:
                 for bit in range(int(words[3])):
                     slot.rows[int(words[2]) + bit] = slot.column_bits(lambda p, b=bit: value_of(p) >> b & 1)
+        if words[0] == "gate":
+            self.tables[words[1]] = words[2]
         if words[0] == "expression":
             self.expression = list(map(int, words[1:]))
         if words[0] == "scan_out":
@@ -91,7 +104,9 @@ class Memory:
             slot.write(words[arrow + 1:], mask)
         if op == "WRITE":
             slot.write(words[1:], mask)
-        if op == "LOGIC":
+        if op == "LOGIC" and self.tables:
+            slot.latches[words[1]] = slot.table_value(self.tables[words[3]], words[4:])
+        elif op == "LOGIC":
             slot.logic(words[1], words[3], words[4:])
         if op == "SEND" and self.is_scan_out:
             self.sent.append((slot, slot.latches["SA"]))

@@ -88,10 +88,10 @@ class Rank:
         self.due += REFI
         self.free = dict.fromkeys(self.free, begin + RFC)
 
+    def gate(self, clocks):
+        self.free = {bank: at + clocks for bank, at in self.free.items()}
+
     def command(self, op):
-        if op == "LOGIC":
-            self.free = {bank: at + GATE for bank, at in self.free.items()}
-            return
         if op != "WRITE" and self.free[0] >= self.due:
             self.refresh()
         for bank, pixels in self.slots:
@@ -116,13 +116,15 @@ def schedule(lines):
 
     An instruction begins one clock after the previous one has ended in all banks. Waiting for the host is left out.
     """
-    rank, pixels, end = None, 0, 0
+    rank, pixels, end, gates = None, 0, 0, {}
     for line in lines:
         words = line.split()
         if words[0] == "picture":
             pixels = int(words[1]) * int(words[2])
         elif words[0] == "slots":
             rank = Rank(int(words[1]), int(words[2]), int(words[3]), pixels)
+        elif words[0] == "gate":
+            gates[words[1]] = int(words[3])
         elif words[0] in ("segment", "instruction"):
             rank.settle(1)
         elif words[0] == "scan_out":
@@ -130,7 +132,10 @@ def schedule(lines):
         elif words[0] == "end":
             end = rank.settle(0)
         elif words[0].isdigit() and words[1] == "0" and words[2] in ("0", "*"):
-            rank.command(words[5])
+            if words[5] == "LOGIC":
+                rank.gate(gates[words[8]] if gates else GATE)
+            else:
+                rank.command(words[5])
     return end
 
 

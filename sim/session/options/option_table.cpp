@@ -56,6 +56,7 @@ constexpr auto options = std::to_array<KnownOption>({
     {view, "cameras", "FILE", FileRole::input},
     {machine, "machine", "NAME|FILE", FileRole::machines},
     {machine, "machines", "LIST", FileRole::machines},
+    {machine, "command-set", "FILE", FileRole::input},
     {machine, "memory-bits"},
     {machine, "ideal"},
     {algorithm, "strategy"},

@@ -77,7 +77,7 @@ TEST_CASE("the complete form lists commands with their clocks, place and operand
                                 drawn, drawn + 70));
 }
 
-TEST_CASE("DRAM commands are the activations and precharges, and the bursts of transferred rows") {
+TEST_CASE("DRAM commands are activations, precharges and bursts of transferred rows") {
   const isa::Program program = two_instructions(true);
   const Traced power = trace(program, "ambit-ddr4", "drampower");
   const std::uint64_t drawn = power.summary.timing.clocks;
