@@ -1,5 +1,7 @@
 #include "host/convex/near_faces.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -7,11 +9,13 @@
 #include <numeric>
 #include <set>
 #include <span>
+#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "host/convex/face_polygon.h"
+#include "hw/base/messages.h"
 
 namespace csgsim::convex {
 
@@ -267,6 +271,22 @@ class PairSearch {
 
 NearFaces near_faces(const model::Tree& tree, const facet::Geometry& geometry) {
   return PairSearch(tree, geometry).find();
+}
+
+void warn_of_near_faces(const model::Tree& tree, const facet::Geometry& geometry, bool is_snapped) {
+  const NearFaces found = near_faces(tree, geometry);
+  if (found.pairs == 0) return;
+  const std::string others =
+      found.pairs == 1 && !found.is_incomplete
+          ? ""
+          : fmt::format(" ({}{} more such pairs)", found.is_incomplete ? "at least " : "", found.pairs - 1);
+  const std::string first = model::place_of(tree, found.first[0]);
+  const std::string second = model::place_of(tree, found.first[1]);
+  report_line(
+      fmt::format("{}: warning: one of its faces and one of {} are nearly, but not exactly, coplanar{}; specks or a "
+                  "thin skin may be "
+                  "visible: {}let one solid reach well into the other",
+                  first, second, others, is_snapped ? "" : "use --snap, or "));
 }
 
 }  // namespace csgsim::convex

@@ -34,4 +34,7 @@ inline constexpr std::uint64_t max_near_faces = 1'000'000;
 /// in nearly equal planes.
 NearFaces near_faces(const model::Tree& tree, const facet::Geometry& geometry);
 
+/// Prints a one-line warning if there are such pairs. `is_snapped`: rotations have been restored from printed digits.
+void warn_of_near_faces(const model::Tree& tree, const facet::Geometry& geometry, bool is_snapped);
+
 }  // namespace csgsim::convex

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "host/csg/positive_tree.h"
 #include "hw/base/error.h"
 
 namespace csgsim::emit {
@@ -21,6 +22,13 @@ std::vector<EffectRequest> called_effects(const Options& options, const Look& lo
     }
   }
   return called;
+}
+
+const EffectRow* transparency_in(const Options& options, const model::Tree& tree, const view::Camera& camera) {
+  const Look look = make_look(options.scene, tree, csg::make_positive(tree), camera);
+  for (const EffectRequest& one : called_effects(options, look))
+    if (one.row->sees_through) return one.row;
+  return nullptr;
 }
 
 std::vector<EffectFields> effect_fields(const Drawing& drawing, const Workshop& workshop) {

@@ -148,6 +148,9 @@ struct EffectRow {
 /// rows; flat shading is the first.
 std::vector<EffectRequest> called_effects(const Options& options, const Look& look);
 
+/// The first of these effects that makes something transparent; null if there is none.
+const EffectRow* transparency_in(const Options& options, const model::Tree& tree, const view::Camera& camera);
+
 /// Fields of pixel memory that the effects request for the camera's drawing.
 std::vector<EffectFields> effect_fields(const Drawing& drawing, const Workshop& workshop);
 

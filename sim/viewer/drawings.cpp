@@ -100,14 +100,16 @@ session::ModelFile Drawings::model_of(const ParsedRequest& parsed) const {
   const auto is_same = [&](const char* name) { return knob_of(last->request, name) == knob_of(parsed.request, name); };
   const bool is_read = last != nullptr && last->text == parsed.text && is_same("snap") && is_same("set");
   return is_read ? session::ModelFile{last->model.tree, last->model.hash}
-                 : session::read_model_text(parsed.options, parsed.text);
+                 : session::read_model_file(parsed.options, parsed.text);
 }
 
 std::shared_ptr<Drawing> Drawings::evaluate(ParsedRequest parsed) const {
   const CollectedLines messages;
   const auto begin = std::chrono::steady_clock::now();
   machines::Machine machine = session::machine_of(parsed.options);
-  session::CompiledModel model = session::compile_model(model_of(parsed), parsed.options, machine);
+  session::ModelFile file = model_of(parsed);
+  session::CompiledModel model =
+      session::compile_model(std::move(file), session::choices_of(parsed.options, machine), machine);
   return std::make_shared<Drawing>(Drawing{.request = std::move(parsed.request),
                                            .text = std::move(parsed.text),
                                            .options = std::move(parsed.options),

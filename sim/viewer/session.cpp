@@ -86,7 +86,7 @@ std::vector<std::string> probing_options(const Json& request) {
 void put_active_tree(const Drawing& drawing, Json& instant) {
   if (!instant.contains("piece")) return;
   std::unique_ptr<ActiveTrees>& trees = drawing.found->active_trees;
-  if (!trees) trees = std::make_unique<ActiveTrees>(drawing.model, drawing.options, drawing.machine);
+  if (!trees) trees = std::make_unique<ActiveTrees>(drawing.model, drawing.machine);
   std::optional<Json> active =
       trees->of(instant["piece"].get<std::uint32_t>(), instant["segment"].get<std::uint32_t>());
   if (active) instant["active"] = std::move(*active);
@@ -147,7 +147,7 @@ Json Session::explain(const Json& request, Evaluation& evaluation) {
   std::optional<std::uint32_t> missed;
   if (!why_not.empty()) missed = session::primitive_named(program, why_not, "why not");
   return session::with_memory_for_picture(drawing.machine.array, [&]() -> Json {
-    const story::HalfspaceFinder finder = session::halfspaces_of(drawing.model, drawing.options, drawing.machine);
+    const story::HalfspaceFinder finder = session::halfspaces_of(drawing.model);
     story::Answer history = story::answer_of({program, &finder}, drawing.machine, pixel.x, pixel.y, missed);
     return {{"text", std::move(history.text)}, {"story", std::move(history.json)}};
   });
@@ -232,7 +232,7 @@ Json Session::advice(const Json& request, Evaluation& evaluation) {
 Json Session::verdict(const Json& request, Evaluation& evaluation) {
   const std::shared_ptr<Drawing> drawing = drawings_.draw(request, evaluation);
   Json accuracy;
-  std::string text = session::verdict(drawing->model, drawing->options, drawing->found->drawn->frame, accuracy);
+  std::string text = session::verdict(drawing->model, drawing->found->drawn->frame, accuracy);
   return {{"accuracy", std::move(accuracy)}, {"text", std::move(text)}};
 }
 
@@ -245,7 +245,7 @@ Json Session::two(const Json& request, Evaluation& evaluation) {
 std::string Session::report() const {
   const std::shared_ptr<const Drawing> drawing = drawings_.latest();
   if (drawing == nullptr || !is_drawn(*drawing)) throw RequestError("nothing has been drawn yet");
-  const story::HalfspaceFinder finder = session::halfspaces_of(drawing->model, drawing->options, drawing->machine);
+  const story::HalfspaceFinder finder = session::halfspaces_of(drawing->model);
   return report::to_html(
       report::run_page(stats_of(drawing->model, drawing->machine, *drawing->found->drawn), drawing->found->drawn->frame,
                        drawing->model.program, drawing->machine,

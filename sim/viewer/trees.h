@@ -24,9 +24,8 @@ nlohmann::ordered_json tree_json(const model::Tree& tree, const isa::Facts& fact
 class ActiveTrees {
  public:
   /// Computes nothing before the first request. The arguments must outlive this object.
-  ActiveTrees(const session::CompiledModel& model, const session::ModelRequest& options,
-              const machines::Machine& machine)
-      : model_(model), options_(options), machine_(machine) {}
+  ActiveTrees(const session::CompiledModel& model, const machines::Machine& machine)
+      : model_(model), machine_(machine) {}
 
   /// The active tree of the surface of that piece in the segment, in the form of tree_json. The surface must be inside
   /// every operand at depth 0, or outside if it is `complemented`. Several primitives that are compared as one convex
@@ -36,7 +35,6 @@ class ActiveTrees {
 
  private:
   const session::CompiledModel& model_;
-  const session::ModelRequest& options_;
   const machines::Machine& machine_;
   std::optional<emit::SegmentPlan> plan_;  ///< plan of the last segment
   std::uint32_t segment_ = 0;

@@ -15,7 +15,7 @@ HERE = Path(__file__).resolve().parent
 EMSCRIPTEN = Path("/usr/share/emscripten/system/lib")
 
 ROOMS = """base toml isa machines division processors host pixel_planes scan_line pixel_square multi_processor bit_serial_memory kinds
-model view facet csg scene lighting convex emit effects functional observe read flat solids judges reference checkpoint
+model view facet csg scene lighting convex emit setup effects functional observe read flat solids judges reference checkpoint
 lockstep swept commands""".split()
 # Rooms whose files use JSON.
 JSON_ROOMS = "debug story plots report session viewer".split()

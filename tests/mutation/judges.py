@@ -47,6 +47,7 @@ JUDGES_OF = {  # in the order of execution
     "host/lighting": ["scene", "emit", "effects", "scenes"],
     "host/csg": ["csg", "emit", *PICTURES, "studies"],
     "host/emit": ["emit", *PICTURES, "lockstep_models", "studies"],
+    "host/setup": ["setup", "session", "studies"],
     "host/effects": ["effects", "scene", "story", "scenes"],
     "sim/reference": ["reference", "functional_lockstep", "lockstep_functional", "checkpoint"],
     "sim/functional": ["functional", "functional_lockstep", "lockstep_functional", "threads", "golden"],

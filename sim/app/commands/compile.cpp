@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "host/convex/near_faces.h"
 #include "hw/base/output_file.h"
 #include "hw/base/text.h"
 #include "hw/isa/binary.h"
@@ -13,7 +14,6 @@
 #include "sim/app/commands/commands.h"
 #include "sim/session/model/compiled_model.h"
 #include "sim/session/model/model_request.h"
-#include "sim/session/model/near_faces_warning.h"
 #include "sim/session/options/numbers.h"
 #include "sim/session/options/paths.h"
 #include "sim/session/options/progress.h"
@@ -40,7 +40,7 @@ void add_compile(CommandLine& line) {
     refuse_terminal("--output", options->output);
     OutputFile file(options->output);
     const CompiledModel model = compile_model(options->model, machine_of(options->model));
-    warn_of_near_faces(model, options->model);
+    convex::warn_of_near_faces(model.tree, model.scene, options->model.snap);
     const isa::Program& program = model.program;
     const std::vector<std::byte> bytes = isa::encode(program);
     file.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});

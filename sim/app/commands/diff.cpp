@@ -290,7 +290,7 @@ void add_side(Command& command, SideOptions& side, const std::string& letter) {
   command.option("--strategy-" + letter, side.strategy, "Strategy of " + name + ", if different")
       .one_of(strategy_names(), "strategy");
   command.option("--pruning-" + letter, side.pruning, "Prunings applied to " + name + ", if different")
-      .words(pruning_words(), is_read_by(pruning_of));
+      .words(pruning_words(), is_read_by(parse_pruning));
   command.option("--set-" + letter, side.sets,
                  "A parameter of the machine of " + name + ", or a key of its scene; repeat for several");
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <filesystem>
 #include <mutex>
 #include <optional>
@@ -13,9 +14,12 @@
 #include "host/effects/rows.h"
 #include "host/effects/transparency.h"
 #include "host/emit/compile.h"
+#include "host/emit/effect.h"
 #include "host/emit/no_room.h"
 #include "host/read/read.h"
 #include "host/read/source.h"
+#include "host/setup/camera.h"
+#include "host/setup/faceting.h"
 #include "hw/base/error.h"
 #include "hw/base/hash.h"
 #include "hw/base/input_file.h"
@@ -23,7 +27,6 @@
 #include "hw/base/text.h"
 #include "sim/functional/clocks.h"
 #include "sim/session/model/scad.h"
-#include "sim/session/model/see_through.h"
 #include "sim/session/model/subject.h"
 #include "sim/session/options/paths.h"
 #include "sim/session/options/usage.h"
@@ -33,11 +36,14 @@ namespace csgsim::session {
 
 namespace {
 
-void refuse_other_subjects(const ModelRequest& request) {
-  if (is_program(request.model))
+/// The kind of model; throws InputError for a Program.
+Subject model_subject(const ModelRequest& request) {
+  const Subject subject = subject_in(request.model);
+  if (subject == Subject::program)
     throw InputError(request.model + ": that is a Program; use csgsim run " + shell_word(request.model));
   if (!request.imports_from.empty() && !std::filesystem::is_directory(request.imports_from))
     throw InputError(fmt::format("--imports-from: {} is not a folder", printable(request.imports_from)));
+  return subject;
 }
 
 /// Rejects options of OpenSCAD for a model that it does not evaluate.
@@ -47,6 +53,17 @@ void refuse_scad_options(const ModelRequest& request) {
   if (!request.defines.empty()) throw UsageError("--define", why);
   if (!request.parameters.empty()) throw UsageError("--parameters", why);
   if (!request.parameter_set.empty()) throw UsageError("--parameter-set", why);
+}
+
+/// The text of a model; a source has been evaluated by OpenSCAD. `instead` replaces the file's content.
+std::string text_of(const ModelRequest& request, Subject subject, const std::optional<std::string>& instead) {
+  if (subject == Subject::scad) {
+    const ScadOptions options = request.scad_options();
+    return instead ? evaluate_scad(request.model, *instead, options) : evaluate_scad(request.model, options);
+  }
+  refuse_scad_options(request);
+  if (instead) return *instead;
+  return read_file(request.model, subject == Subject::mesh ? read::mesh_file : read::model_file);
 }
 
 model::Tree read_tree(Subject subject, const std::string& text, const std::string& name, const read::Options& how) {
@@ -60,8 +77,11 @@ model::Tree read_tree(Subject subject, const std::string& text, const std::strin
   return read::read_csg_text(text, name, how);
 }
 
-/// Reads the text of a model or of a source that OpenSCAD has evaluated; the hash covers it and the scene.
-ModelFile read_text(const ModelRequest& request, Subject subject, const std::string& text) {
+/// Reads the model; the hash covers its text, the scene and imported files. A text instead of a mesh is in OpenSCAD's
+/// language.
+ModelFile read_model_text(const ModelRequest& request, const std::optional<std::string>& instead) {
+  const Subject subject = model_subject(request);
+  const std::string text = text_of(request, subject, instead);
   const std::string name = shown_name(request.model);
   Hash hash;
   hash.add(text);
@@ -69,45 +89,29 @@ ModelFile read_text(const ModelRequest& request, Subject subject, const std::str
   if (request.snap) hash.add("--snap");
   const read::Options how{request.snap, request.imports_from, [&](std::string_view bytes) { hash.add(bytes); },
                           work_of(request)};
-  model::Tree tree = read_tree(subject, text, name, how);
+  const Subject kind = instead && subject == Subject::mesh ? Subject::csg : subject;
+  model::Tree tree = read_tree(kind, text, name, how);
   tree.file = name;
   return {effects::reshaped(std::move(tree), request.scene()), hash.text()};
 }
 
 }  // namespace
 
-ModelFile read_model_file(const ModelRequest& request) {
-  refuse_other_subjects(request);
-  return with_memory_for("the model " + request.model, [&] {
-    const Subject subject = subject_in(request.model);
-    if (subject == Subject::scad)
-      return read_text(request, subject, evaluate_scad(request.model, request.scad_options()));
-    refuse_scad_options(request);
-    return read_text(request, subject,
-                     read_file(request.model, subject == Subject::mesh ? read::mesh_file : read::model_file));
-  });
-}
-
-ModelFile read_model_text(const ModelRequest& request, const std::string& text) {
-  refuse_other_subjects(request);
-  return with_memory_for("the model " + request.model, [&] {
-    const Subject subject = subject_in(request.model);
-    if (subject == Subject::scad)
-      return read_text(request, subject, evaluate_scad(request.model, text, request.scad_options()));
-    refuse_scad_options(request);
-    return read_text(request, subject == Subject::mesh ? Subject::csg : subject, text);
-  });
+ModelFile read_model_file(const ModelRequest& request, const std::optional<std::string>& instead) {
+  return with_memory_for("the model " + request.model, [&] { return read_model_text(request, instead); });
 }
 
 model::Tree read_model(const ModelRequest& request) { return read_model_file(request).tree; }
 
 namespace {
 
-CompiledModel with_facets(ModelFile file, const ModelRequest& request, const machines::Machine& machine) {
-  model::Tree& tree = file.tree;
-  facet::Geometry scene = facet::make_geometry(tree, faceting_of(request, machine, tree));
-  const view::Camera camera = camera_of(request, machine, tree, scene);
-  return {std::move(file.hash), std::move(tree), std::move(scene), camera, {}};
+CompiledModel with_facets(ModelFile file, setup::Choices choices, const machines::Machine& machine) {
+  const model::Tree& tree = file.tree;
+  return with_memory_for("the half-spaces of " + tree.file, [&]() -> CompiledModel {
+    facet::Geometry scene = facet::make_geometry(tree, setup::faceting_for(choices, machine, tree));
+    const view::Camera camera = setup::camera_for(choices.camera, machine.picture, tree, scene);
+    return {std::move(file.hash), std::move(file.tree), std::move(choices), std::move(scene), camera, {}};
+  });
 }
 
 /// Warns if the near plane is so close that few depth steps remain for distant surfaces.
@@ -118,22 +122,23 @@ void warn_of_coarse_depth(const view::View& view) {
 }
 
 /// Warns, once per message, about the substitute for layers that do not fit into memory.
-void warn_of_pattern(const emit::NoRoom& layers, const ModelRequest& request, const machines::Machine& machine) {
+void warn_of_pattern(const emit::NoRoom& layers, const std::string& file, const machines::Machine& machine) {
   static std::mutex mutex;
   static std::set<std::string> reported;
   const std::string line = fmt::format(
       "{}: warning: transparent parts are drawn by a screen-door pattern: layers would need {} memory bits per pixel, "
       "and the machine has {}; use --memory-bits {}, or choose the pattern with --set "
       "effects.transparency.method=screen-door",
-      shown_name(request.model), layers.needed, machine.array.memory_bits, layers.needed);
+      file, layers.needed, machine.array.memory_bits, layers.needed);
   const std::lock_guard lock(mutex);
   if (reported.insert(line).second) report_line(line);
 }
 
 /// Uses screen-door transparency where only colours of the model are transparent and memory has no room for layers.
-isa::Program compile_with_room(const CompiledModel& model, const view::Camera& camera, view::View view,
-                               const ModelRequest& request, const machines::Machine& machine, csg::KeptResults* kept) {
-  emit::Options emit = emit_options_of(request);
+isa::Program compile_with_room(const CompiledModel& model, view::View view, const machines::Machine& machine,
+                               csg::KeptResults* kept) {
+  emit::Options emit = model.choices.options;
+  const view::Camera camera = view.camera;
   const auto compiled = [&](view::View seen) {
     return emit::compile(
         model.tree, model.scene, std::move(seen), machine, emit,
@@ -143,48 +148,47 @@ isa::Program compile_with_room(const CompiledModel& model, const view::Camera& c
     return compiled(std::move(view));
   } catch (const emit::NoRoom& layers) {
     std::optional<scene::Scene> by_pattern = effects::by_screen_door(emit.scene);
-    if (!by_pattern || see_through(emit, model.tree, camera) == nullptr) throw;
+    if (!by_pattern || emit::transparency_in(emit, model.tree, camera) == nullptr) throw;
     emit.scene = std::move(*by_pattern);
-    isa::Program program = compiled(view::make_view(model.scene, model.tree, camera, sampling_of(request, machine)));
-    warn_of_pattern(layers, request, machine);
+    isa::Program program = compiled(view::make_view(model.scene, model.tree, camera, model.choices.sampling));
+    warn_of_pattern(layers, model.tree.file, machine);
     return program;
   }
 }
 
 }  // namespace
 
-view::View view_of(const CompiledModel& model, const ModelRequest& request, const machines::Machine& machine) {
-  return view::make_view(model.scene, model.tree, model.camera, sampling_of(request, machine));
+view::View view_of(const CompiledModel& model) {
+  return view::make_view(model.scene, model.tree, model.camera, model.choices.sampling);
 }
 
-story::HalfspaceFinder halfspaces_of(const CompiledModel& model, const ModelRequest& request,
-                                     const machines::Machine& machine) {
-  return {model.tree, model.scene, view_of(model, request, machine)};
-}
+story::HalfspaceFinder halfspaces_of(const CompiledModel& model) { return {model.tree, model.scene, view_of(model)}; }
 
-isa::Program compile_for_camera(const view::Camera& camera, const CompiledModel& model, const ModelRequest& request,
+isa::Program compile_for_camera(const view::Camera& camera, const CompiledModel& model,
                                 const machines::Machine& machine, csg::KeptResults* kept) {
-  view::View view = view::make_view(model.scene, model.tree, camera, sampling_of(request, machine));
+  view::View view = view::make_view(model.scene, model.tree, camera, model.choices.sampling);
   warn_of_coarse_depth(view);
   std::size_t halfspaces = 0;
   for (const facet::Convex& solid : model.scene.solids) halfspaces += solid.halfspaces.size();
-  return with_memory([&] { return short_of_memory(request.model, halfspaces); },
-                     [&] { return compile_with_room(model, camera, std::move(view), request, machine, kept); });
+  return with_memory([&] { return short_of_memory(model.tree.file, halfspaces); },
+                     [&] { return compile_with_room(model, std::move(view), machine, kept); });
 }
 
-CompiledModel facet_model(ModelFile file, const ModelRequest& request, const machines::Machine& machine) {
-  return with_memory_for("the half-spaces of " + request.model,
-                         [&] { return with_facets(std::move(file), request, machine); });
+CompiledModel facet_model(const ModelRequest& request, const machines::Machine& machine) {
+  ModelFile file = read_model_file(request);
+  setup::Choices choices = choices_of(request, machine);
+  return with_facets(std::move(file), std::move(choices), machine);
 }
 
-CompiledModel compile_model(ModelFile file, const ModelRequest& request, const machines::Machine& machine) {
-  CompiledModel model = facet_model(std::move(file), request, machine);
-  model.program = compile_for_camera(model.camera, model, request, machine);
+CompiledModel compile_model(ModelFile file, setup::Choices choices, const machines::Machine& machine) {
+  CompiledModel model = with_facets(std::move(file), std::move(choices), machine);
+  model.program = compile_for_camera(model.camera, model, machine);
   return model;
 }
 
 CompiledModel compile_model(const ModelRequest& request, const machines::Machine& machine) {
-  return compile_model(read_model_file(request), request, machine);
+  ModelFile file = read_model_file(request);
+  return compile_model(std::move(file), choices_of(request, machine), machine);
 }
 
 }  // namespace csgsim::session

@@ -2,11 +2,13 @@
 // Used by sim/session, sim/app, sim/studies and sim/viewer.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "host/csg/kept_results.h"
 #include "host/facet/geometry.h"
 #include "host/model/tree.h"
+#include "host/setup/choices.h"
 #include "host/view/camera.h"
 #include "host/view/projection.h"
 #include "hw/isa/program.h"
@@ -22,40 +24,37 @@ struct ModelFile {
   std::string hash;  ///< hash of the bytes of the file and of the scene
 };
 
-/// Reads the model. Throws InputError.
-ModelFile read_model_file(const ModelRequest& request);
-
-/// Reads the model from a text that replaces the file's content. Throws InputError.
-ModelFile read_model_text(const ModelRequest& request, const std::string& text);
+/// Reads the model, or a text that replaces the file's content. Throws InputError.
+ModelFile read_model_file(const ModelRequest& request, const std::optional<std::string>& instead = {});
 model::Tree read_model(const ModelRequest& request);
 
 /// A model that has been read, faceted, viewed and compiled.
 struct CompiledModel {
   std::string hash;  ///< hash of the files that were read
   model::Tree tree;
+  setup::Choices choices;
   facet::Geometry scene;
   view::Camera camera;
   isa::Program program;
 };
 
 /// The model with its half-spaces and camera, without a Program. Throws as compile_model does.
-CompiledModel facet_model(ModelFile file, const ModelRequest& request, const machines::Machine& machine);
+CompiledModel facet_model(const ModelRequest& request, const machines::Machine& machine);
 
 /// Reads and compiles the model. Throws InputError, or UsageError for invalid options.
 CompiledModel compile_model(const ModelRequest& request, const machines::Machine& machine);
-CompiledModel compile_model(ModelFile file, const ModelRequest& request, const machines::Machine& machine);
+CompiledModel compile_model(ModelFile file, setup::Choices choices, const machines::Machine& machine);
 
 /// The model as its camera sees it.
-view::View view_of(const CompiledModel& model, const ModelRequest& request, const machines::Machine& machine);
+view::View view_of(const CompiledModel& model);
 
 /// Finds the half-space of the model that an instruction of its Program belongs to. The model has to outlive the
 /// finder.
-story::HalfspaceFinder halfspaces_of(const CompiledModel& model, const ModelRequest& request,
-                                     const machines::Machine& machine);
+story::HalfspaceFinder halfspaces_of(const CompiledModel& model);
 
 /// The Program of the same facets for another camera, with the results kept from earlier frames (host/emit/compile.h).
 /// Throws as compile_model does.
-isa::Program compile_for_camera(const view::Camera& camera, const CompiledModel& model, const ModelRequest& request,
+isa::Program compile_for_camera(const view::Camera& camera, const CompiledModel& model,
                                 const machines::Machine& machine, csg::KeptResults* kept = nullptr);
 
 }  // namespace csgsim::session

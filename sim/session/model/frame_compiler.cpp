@@ -2,28 +2,27 @@
 
 #include <utility>
 
-#include "sim/session/model/near_faces_warning.h"
+#include "host/convex/near_faces.h"
+#include "host/setup/faceting.h"
 
 namespace csgsim::session {
 
 FrameCompiler::FrameCompiler(const ModelRequest& request, const machines::Machine& machine)
-    : request_(request), machine_(machine), model_(facet_model(read_model_file(request), request, machine)) {
-  warn_of_near_faces(model_, request);
+    : machine_(machine), model_(facet_model(request, machine)) {
+  convex::warn_of_near_faces(model_.tree, model_.scene, request.snap);
 }
 
 isa::Program FrameCompiler::compile(const view::Camera& camera) {
   kept_.begin_frame();
-  ModelRequest frame = request_;
-  frame.frame_camera = camera;
-  if (is_faceted_for_camera(request_, machine_)) {
-    facet::Faceting faceting = faceting_of(frame, machine_, model_.tree);
+  if (setup::depends_on_camera(model_.choices.faceting, machine_)) {
+    facet::Faceting faceting = setup::faceting_at(camera, model_.choices, machine_, model_.tree);
     if (faceting != faceting_) {
       kept_.forget_geometry();
       model_.scene = facet::make_geometry(model_.tree, faceting);
     }
     faceting_ = std::move(faceting);
   }
-  return compile_for_camera(camera, model_, frame, machine_, &kept_);
+  return compile_for_camera(camera, model_, machine_, &kept_);
 }
 
 }  // namespace csgsim::session

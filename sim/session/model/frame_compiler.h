@@ -16,9 +16,9 @@
 namespace csgsim::session {
 
 /// Compiles a model for one camera after another. The model is read once, and its half-spaces are computed once unless
-/// they depend on the camera (is_faceted_for_camera). Each Program has the instructions that compile_model gives for
+/// they depend on the camera (setup::depends_on_camera). Each Program has the instructions that compile_model gives for
 /// its camera; the host work that results of earlier frames replace is not counted again, and work for the model is
-/// counted in the frame that does it, mostly the first. Request and machine have to outlive it.
+/// counted in the frame that does it, mostly the first. The machine has to outlive it.
 class FrameCompiler {
  public:
   /// Reads the model. Throws as compile_model does.
@@ -33,7 +33,6 @@ class FrameCompiler {
   [[nodiscard]] const csg::Reused& reused() const { return kept_.reused(); }
 
  private:
-  const ModelRequest& request_;
   const machines::Machine& machine_;
   CompiledModel model_;
   std::optional<facet::Faceting> faceting_;  ///< only if it depends on the camera

@@ -12,21 +12,19 @@
 #include <optional>
 #include <vector>
 
-#include "host/convex/extent.h"
-#include "host/csg/positive_tree.h"
 #include "host/effects/rows.h"
 #include "host/emit/curves.h"
 #include "host/emit/effect.h"
 #include "host/facet/geometry.h"
 #include "host/lighting/colour_schemes.h"
 #include "host/scene/read.h"
+#include "host/setup/camera.h"
+#include "host/setup/faceting.h"
 #include "host/view/projection.h"
 #include "hw/base/error.h"
 #include "hw/base/input_file.h"
-#include "hw/base/prints.h"
 #include "hw/base/text.h"
 #include "sim/session/model/cameras.h"
-#include "sim/session/model/fast_curves.h"
 #include "sim/session/model/prices.h"
 #include "sim/session/options/numbers.h"
 #include "sim/session/options/paths.h"
@@ -65,7 +63,7 @@ auto by_name(const Choices& choices) {
 }
 
 /// Parses a number, or a number followed by px.
-Tolerance parse_tolerance(const std::string& text) {
+setup::Tolerance parse_tolerance(const std::string& text) {
   const bool is_in_pixels = text.ends_with("px");
   const std::string number = is_in_pixels ? text.substr(0, text.size() - 2) : text;
   const double value = numbers<double>(number, ',', 1, "--tolerance", is_in_pixels ? "0.5px" : "0.1, or 0.5px")[0];
@@ -92,11 +90,11 @@ std::string define_problem(const std::string& word) {
                                            : fmt::format("'{}' must be NAME=VALUE, as in width=20", printable(word));
 }
 
-/// The camera of --camera, if it is given.
-std::optional<view::Camera> given_camera(const ModelRequest& request) {
-  if (request.camera.empty()) return std::nullopt;
+/// The camera of --camera; an empty text gives none.
+std::optional<view::Camera> read_camera(const std::string& text) {
+  if (text.empty()) return std::nullopt;
   try {
-    return parse_camera(request.camera);
+    return parse_camera(text);
   } catch (const CameraError& error) {
     throw UsageError("--camera", error.what());
   }
@@ -199,14 +197,14 @@ void ModelRequest::add_to(OptionList& options, const std::string& what) {
               "Prunings to apply: auto (all, where their tests take the host less time than they save), all, none, the "
               "named "
               "ones (space+hidden) or all but the named ones (no-space+no-hidden)")
-      .words(pruning_words(), is_read_by(pruning_of));
+      .words(pruning_words(), is_read_by(parse_pruning));
 }
 
 void ModelRequest::add_view_to(OptionList& options) {
   options.option("--size,--imgsize", size,
                  "Picture and array size in pixels, WxH; default: as in the machine's description");
-  options.option(
-      "--camera", camera,
+  options.read_option(
+      "--camera", [this](const std::string& text) { camera = read_camera(text); },
       "As in OpenSCAD: eye and centre, ex,ey,ez,cx,cy,cz; or centre, rotations and distance, x,y,z,rx,ry,rz,d");
   options
       .option("--projection", projection, "ortho (o) or perspective (p); default: that of the scene, otherwise ortho")
@@ -285,71 +283,10 @@ emit::Options emit_options_of(const ModelRequest& request) {
   emit.colour_bits = request.colour_bits;
   emit.scene = request.scene();
   emit.effects = effects::all();
-  emit.pruning = pruning_of(request.pruning);
+  emit.pruning = parse_pruning(request.pruning);
   emit.prices_on = request.pruning == all_that_pay ? weighed_prices_on : prices_on;
   emit.work = work_of(request);
   return emit;
-}
-
-namespace {
-
-/// The faceting of the request without curved surfaces.
-facet::Faceting planar_faceting_of(const ModelRequest& request, const machines::Machine& machine,
-                                   const model::Tree& tree) {
-  if (!request.tolerance) return {};
-  if (!request.tolerance->is_in_pixels) return {.tolerance = request.tolerance->value};
-  const facet::Geometry scene = facet::make_geometry(tree);
-  const view::Camera camera = camera_of(request, machine, tree, scene);
-  const double nearest = view::make_view(scene, tree, camera, sampling_of(request, machine)).depth.near;
-  const double tolerance = request.tolerance->value * view::pixel_size(camera, machine.picture.height, nearest);
-  if (!request.frame_camera) {
-    print_text(fmt::format("{:<18}--tolerance {:.6g}: {:g} pixels at the nearest point of the model\n", "chosen",
-                           tolerance, request.tolerance->value));
-  }
-  return {.tolerance = tolerance};
-}
-
-}  // namespace
-
-std::vector<bool> unfit_primitives(const facet::Geometry& scene, const view::View& view) {
-  std::vector<bool> unfit(scene.solids.size());
-  bool any = false;
-  for (std::size_t i = 0; i < unfit.size(); ++i) {
-    const std::vector<facet::QuadricSide>& quadrics = scene.solids[i].quadrics;
-    unfit[i] = std::ranges::any_of(quadrics, [&](const facet::QuadricSide& side) {
-      return view.quadrics[side.quadric].kind == view::ScreenQuadricKind::unfit;
-    });
-    any = any || unfit[i];
-  }
-  return any ? unfit : std::vector<bool>{};
-}
-
-facet::Faceting faceting_of(const ModelRequest& request, const machines::Machine& machine, const model::Tree& tree) {
-  facet::Faceting faceting = planar_faceting_of(request, machine, tree);
-  const emit::Curves curves = by_name(emit::curve_choices).at(request.curves);
-  if (curves == emit::Curves::facets) return faceting;
-  if (curves == emit::Curves::automatic && machine.evaluator_degree < 2) return faceting;
-  const emit::Options emit = emit_options_of(request);
-  const view::Camera camera = camera_of(request, machine, tree, facet::make_geometry(tree));
-  const emit::Look look = emit::make_look(emit.scene, tree, csg::make_positive(tree), camera);
-  if (curves == emit::Curves::fast)
-    return with_fast_spheres(std::move(faceting), tree, camera, sampling_of(request, machine), machine, emit, look);
-  const std::optional<std::string> reason = emit::why_no_quadrics(machine, emit, look);
-  if (reason && curves == emit::Curves::exact) throw InputError(*reason + ", or allow facets with --curves auto");
-  if (reason) return faceting;
-  faceting.exact_curves = true;
-  if (curves == emit::Curves::exact) return faceting;
-  const facet::Geometry scene = facet::make_geometry(tree, faceting);
-  faceting.faceted = unfit_primitives(scene, view::make_view(scene, tree, camera, sampling_of(request, machine)));
-  return faceting;
-}
-
-facet::Faceting flat_faceting_of(const ModelRequest& request, const machines::Machine& machine,
-                                 const model::Tree& tree) {
-  const emit::Curves curves = by_name(emit::curve_choices).at(request.curves);
-  if (curves == emit::Curves::exact || curves == emit::Curves::fast)
-    throw UsageError("--curves", "this command supports facets only; leave it out");
-  return planar_faceting_of(request, machine, tree);
 }
 
 view::Sampling sampling_of(const ModelRequest& request, const machines::Machine& machine) {
@@ -365,33 +302,45 @@ view::Sampling sampling_of(const ModelRequest& request, const machines::Machine&
   return {picture.width, picture.height, request.z_bits, request.fraction_bits, request.edge_on, near};
 }
 
+namespace {
+
+setup::CameraChoice camera_choice_of(const ModelRequest& request) {
+  const scene::Camera& seen_by = request.scene().camera;
+  return {.given = request.camera,
+          .eye = seen_by.eye,
+          .centre = seen_by.centre,
+          .projection = projection_of(request),
+          .shows_all = request.view_all || seen_by.view_all.value_or(false)};
+}
+
+emit::Curves curves_of(const ModelRequest& request) { return by_name(emit::curve_choices).at(request.curves); }
+
+}  // namespace
+
+setup::Choices choices_of(const ModelRequest& request, const machines::Machine& machine) {
+  return {.sampling = sampling_of(request, machine),
+          .camera = camera_choice_of(request),
+          .faceting = {request.tolerance, curves_of(request)},
+          .options = emit_options_of(request)};
+}
+
+facet::Faceting faceting_of(const ModelRequest& request, const machines::Machine& machine, const model::Tree& tree) {
+  return setup::faceting_for(choices_of(request, machine), machine, tree);
+}
+
+facet::Faceting flat_faceting_of(const ModelRequest& request, const machines::Machine& machine,
+                                 const model::Tree& tree) {
+  setup::Choices choices = choices_of(request, machine);
+  emit::Curves& curves = choices.faceting.curves;
+  if (curves == emit::Curves::exact || curves == emit::Curves::fast)
+    throw UsageError("--curves", "this command supports facets only; leave it out");
+  curves = emit::Curves::facets;
+  return setup::faceting_for(choices, machine, tree);
+}
+
 view::Camera camera_of(const ModelRequest& request, const machines::Machine& machine, const model::Tree& tree,
                        const facet::Geometry& scene) {
-  return request.frame_camera ? *request.frame_camera : camera_of(request, machine, tree, scene, given_camera(request));
-}
-
-view::Camera camera_of(const ModelRequest& request, const machines::Machine& machine, const model::Tree& tree,
-                       const facet::Geometry& scene, const std::optional<view::Camera>& given) {
-  const machines::Size picture = machine.picture;
-  const scene::Camera& seen_by = request.scene().camera;
-  const bool is_given = given || (seen_by.eye && seen_by.centre);
-  const bool sees_all = request.view_all || seen_by.view_all.value_or(false);
-  // The view must not depend on how curved surfaces are drawn.
-  const bool has_quadrics = !scene.quadrics.quadrics().empty();
-  const facet::Box box = is_given && !sees_all ? scene.box
-                         : has_quadrics        ? convex::extent(facet::make_geometry(tree), csg::make_positive(tree))
-                                               : convex::extent(scene, csg::make_positive(tree));
-  view::Camera camera = view::default_camera(box, picture.width, picture.height);
-  camera.eye = seen_by.eye.value_or(camera.eye);
-  camera.centre = seen_by.centre.value_or(camera.centre);
-  if (given) camera = *given;
-  camera.projection = projection_of(request);
-  return sees_all ? view::view_all(camera, box, picture.width, picture.height) : camera;
-}
-
-bool is_faceted_for_camera(const ModelRequest& request, const machines::Machine& machine) {
-  if (request.tolerance && request.tolerance->is_in_pixels) return true;
-  return by_name(emit::curve_choices).at(request.curves) != emit::Curves::facets && machine.evaluator_degree >= 2;
+  return setup::camera_for(camera_choice_of(request), machine.picture, tree, scene);
 }
 
 std::vector<std::filesystem::path> ModelRequest::inputs() const {

@@ -1,4 +1,4 @@
-// Options of compiling a model, and the settings derived from them.
+// Options of compiling a model, and the values that they stand for.
 // Used by sim/session, sim/app, sim/python, sim/studies and sim/viewer.
 #pragma once
 
@@ -13,6 +13,7 @@
 #include "host/facet/geometry.h"
 #include "host/scene/read.h"
 #include "host/scene/scene.h"
+#include "host/setup/choices.h"
 #include "host/view/camera.h"
 #include "host/view/projection.h"
 #include "hw/base/work.h"
@@ -22,12 +23,6 @@
 #include "sim/session/options/option_list.h"
 
 namespace csgsim::session {
-
-/// Maximum distance of facets from the curved surface.
-struct Tolerance {
-  double value = 0;
-  bool is_in_pixels = false;  ///< otherwise in model units
-};
 
 /// Upper limit for strategy bits; no tree needs this many.
 inline constexpr unsigned max_stack_bits = 64;
@@ -52,9 +47,8 @@ struct ModelRequest {
   std::string machine = "pixel-planes-4";
   std::string size;
   std::optional<std::uint32_t> memory_bits;
-  std::string camera;
-  std::optional<view::Camera> frame_camera;  ///< camera of one of several frames; replaces all other cameras
-  std::string projection;                    ///< empty: that of the scene
+  std::optional<view::Camera> camera;
+  std::string projection;  ///< empty: that of the scene
   bool view_all = false;
   std::optional<double> near;
   std::string scene_file;
@@ -63,13 +57,13 @@ struct ModelRequest {
   unsigned z_bits = 20;
   unsigned fraction_bits = 12;
   double edge_on = 1.0 / 256;
-  std::optional<Tolerance> tolerance;
+  std::optional<setup::Tolerance> tolerance;
   std::string curves = "auto";
   std::string strategy = "stack";
   unsigned stack_bits = emit::min_stack_bits;
   std::string colouring = "rebroadcast";
   unsigned colour_bits = isa::max_colour_bits;
-  std::string pruning = "auto";  ///< see pruning_of
+  std::string pruning = "auto";  ///< see parse_pruning
 
   void add_to(
       OptionList& options,
@@ -117,17 +111,9 @@ std::vector<std::string> strategy_names();
 /// The requested machine with the requested picture size and memory.
 machines::Machine machine_of(const ModelRequest& request);
 
-/// The requested faceting. Converts a tolerance in pixels to model units at the point of the model nearest to the eye,
-/// and prints the result, except for a frame's camera.
-facet::Faceting faceting_of(const ModelRequest& request, const machines::Machine& machine, const model::Tree& tree);
-
-/// faceting_of() for callers that support facets only: throws UsageError if --curves requests curved surfaces.
-facet::Faceting flat_faceting_of(const ModelRequest& request, const machines::Machine& machine,
-                                 const model::Tree& tree);
-
-/// Marks the primitives whose quadrics, as seen by the camera, exceed the number range of the machine; empty if none
-/// does.
-std::vector<bool> unfit_primitives(const facet::Geometry& scene, const view::View& view);
+/// Everything else that the request asks of the compiler, as values. Throws InputError, or UsageError for invalid
+/// options.
+setup::Choices choices_of(const ModelRequest& request, const machines::Machine& machine);
 
 view::Sampling sampling_of(const ModelRequest& request, const machines::Machine& machine);
 emit::Options emit_options_of(const ModelRequest& request);
@@ -135,15 +121,15 @@ emit::Options emit_options_of(const ModelRequest& request);
 /// Work limit of reading and of compiling the model.
 Work work_of(const ModelRequest& request);
 
-/// The camera. With --view-all, or without a camera, it shows the extent of the model (convex/extent.h).
+/// The faceting of the model (host/setup/faceting.h).
+facet::Faceting faceting_of(const ModelRequest& request, const machines::Machine& machine, const model::Tree& tree);
+
+/// The same for callers that support facets only: throws UsageError if --curves requests curved surfaces.
+facet::Faceting flat_faceting_of(const ModelRequest& request, const machines::Machine& machine,
+                                 const model::Tree& tree);
+
+/// The camera (host/setup/camera.h).
 view::Camera camera_of(const ModelRequest& request, const machines::Machine& machine, const model::Tree& tree,
                        const facet::Geometry& scene);
-
-/// The camera, with `given` in place of --camera; its projection is that of the request.
-view::Camera camera_of(const ModelRequest& request, const machines::Machine& machine, const model::Tree& tree,
-                       const facet::Geometry& scene, const std::optional<view::Camera>& given);
-
-/// Whether faceting_of depends on the camera.
-bool is_faceted_for_camera(const ModelRequest& request, const machines::Machine& machine);
 
 }  // namespace csgsim::session

@@ -46,9 +46,9 @@ std::optional<Subject> named_subject(const std::filesystem::path& path) {
 }  // namespace
 
 Subject subject_in(const std::filesystem::path& path) {
+  const Subject by_name = path == standard_stream ? Subject::csg : named_subject(path).value_or(Subject::csg);
   const std::string begin = beginning_of(path);
-  if (isa::begins_as_program(std::as_bytes(std::span(begin)))) return Subject::program;
-  return path == standard_stream ? Subject::csg : named_subject(path).value_or(Subject::csg);
+  return isa::begins_as_program(std::as_bytes(std::span(begin))) ? Subject::program : by_name;
 }
 
 bool is_model(const std::filesystem::path& path) { return !is_program(path); }

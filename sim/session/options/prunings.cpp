@@ -44,7 +44,7 @@ csg::Pruning uniform(bool is_done) {
 
 }  // namespace
 
-csg::Pruning pruning_of(const std::string& text) {
+csg::Pruning parse_pruning(const std::string& text) {
   if (text == all_that_pay || text == "all" || text == "none") return uniform(text != "none");
   const std::vector<std::string_view> words = split(text, "+");
   const bool are_left_out = words.front().starts_with(left_out);
@@ -62,7 +62,7 @@ csg::Pruning pruning_of(const std::string& text) {
 
 std::vector<std::string> prunings_of(const std::string& text) {
   std::vector<std::string> prunings = parse_words(text);
-  for (const std::string& one : prunings) pruning_of(one);
+  for (const std::string& one : prunings) parse_pruning(one);
   return prunings;
 }
 

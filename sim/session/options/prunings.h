@@ -15,7 +15,7 @@ inline constexpr std::string_view all_that_pay = "auto";
 
 /// Parses a selection of prunings: `auto`, `all`, `none`, those to apply (`space+hidden`), or those to leave out
 /// (`no-space+no-hidden`). Throws UsageError.
-csg::Pruning pruning_of(const std::string& text);
+csg::Pruning parse_pruning(const std::string& text);
 
 /// Splits and validates a comma-separated list of selections. Throws UsageError.
 std::vector<std::string> prunings_of(const std::string& text);

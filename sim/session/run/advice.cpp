@@ -69,8 +69,9 @@ std::vector<std::string> tried_prunings() {
 std::optional<observe::FrameClocks> clocks_with(const ModelRequest& request, const CompiledModel& model,
                                                 const machines::Machine& machine) {
   try {
+    view::View view = view::make_view(model.scene, model.tree, model.camera, sampling_of(request, machine));
     const isa::Program program =
-        emit::compile(model.tree, model.scene, view_of(model, request, machine), machine, emit_options_of(request),
+        emit::compile(model.tree, model.scene, std::move(view), machine, emit_options_of(request),
                       [&](const isa::Program& one) { return functional::measure_clocks(one, machine); });
     return observe::frame_clocks(functional::measure_timing(program, machine));
   } catch (const InputError&) {

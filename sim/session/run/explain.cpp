@@ -65,8 +65,8 @@ Explained explained_by(const ExplainRequest& request, const OptionList& options,
     return {std::move(found.machine), std::move(found.program), {}};
   }
   Explained subject{machine_of(request.model), {}, {}};
-  ModelFile file = in_place.text ? read_model_text(request.model, *in_place.text) : read_model_file(request.model);
-  subject.model = compile_model(std::move(file), request.model, subject.machine);
+  ModelFile file = read_model_file(request.model, in_place.text);
+  subject.model = compile_model(std::move(file), choices_of(request.model, subject.machine), subject.machine);
   subject.program = std::move(subject.model->program);
   return subject;
 }
@@ -104,7 +104,7 @@ std::optional<std::uint32_t> missed_in(const ExplainRequest& request, const isa:
 story::Answer answer_of(const ExplainRequest& request, const Explained& subject) {
   const isa::Program& program = subject.program;
   std::optional<story::HalfspaceFinder> finder;
-  if (subject.model) finder.emplace(halfspaces_of(*subject.model, request.model, subject.machine));
+  if (subject.model) finder.emplace(halfspaces_of(*subject.model));
   const bool is_point = !request.point.empty();
   const Seen seen =
       is_point ? seen_at(request.point, finder->view()) : Seen{pixel_named(program, request.pixel, "--pixel"), 0};

@@ -12,6 +12,7 @@
 #include <span>
 #include <utility>
 
+#include "host/setup/camera.h"
 #include "hw/base/output_file.h"
 #include "hw/base/text.h"
 #include "hw/isa/describe.h"
@@ -35,31 +36,38 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-void refuse_for_one_frame(const RenderRequest& request, const FramesRequest& wanted) {
+/// Refuses options for one frame, and reads the cameras of --cameras; empty without.
+std::vector<view::Camera> checked_cameras(const RenderRequest& request, const FramesRequest& wanted) {
   const char* const remedy = wanted.cameras.empty() ? "--frames" : "--cameras";
-  const auto refuse = [&](const std::string& option, bool is_given) {
+  const auto for_one_frame = std::to_array<std::pair<const char*, bool>>({
+      {"--depth", !request.run.depth.empty()},
+      {"--owner", !request.run.owner.empty()},
+      {"--report", !request.run.report.file.empty()},
+      {"--check", request.check},
+      {"--advice", request.run.advice},
+      {"--max-wrong-pixels", request.max_wrong_pixels.has_value()},
+  });
+  for (const auto& [option, is_given] : for_one_frame)
     if (is_given) throw UsageError(option, fmt::format("is for one frame; leave out {}", remedy));
-  };
-  refuse("--depth", !request.run.depth.empty());
-  refuse("--owner", !request.run.owner.empty());
-  refuse("--report", !request.run.report.file.empty());
-  refuse("--check", request.check);
-  refuse("--advice", request.run.advice);
-  refuse("--max-wrong-pixels", request.max_wrong_pixels.has_value());
+  if (wanted.orbit && !std::isfinite(*wanted.orbit)) throw UsageError("--orbit", "must be a finite angle");
+  std::vector<view::Camera> cameras;
+  if (!wanted.cameras.empty()) cameras = read_cameras(wanted.cameras, max_frames);
   if (!request.run.picture.empty() && is_stream(request.run.picture))
     throw UsageError("--output",
                      fmt::format("several pictures have several names; name a file, or leave out {}", remedy));
+  return cameras;
 }
 
-/// The camera of each frame.
-std::vector<view::Camera> cameras_of(const CompiledModel& model, const RenderRequest& request,
+/// The camera of each frame; `given` are those of --cameras.
+std::vector<view::Camera> cameras_of(const CompiledModel& model, const std::vector<view::Camera>& given,
                                      const FramesRequest& wanted, const machines::Machine& machine) {
   std::vector<view::Camera> cameras;
-  if (!wanted.cameras.empty()) {
-    for (const view::Camera& camera : read_cameras(wanted.cameras, max_frames))
-      cameras.push_back(camera_of(request.model, machine, model.tree, model.scene, camera));
-    return cameras;
+  setup::CameraChoice choice = model.choices.camera;
+  for (const view::Camera& camera : given) {
+    choice.given = camera;
+    cameras.push_back(setup::camera_for(choice, machine.picture, model.tree, model.scene));
   }
+  if (!given.empty()) return cameras;
   const double step = wanted.orbit.value_or(0) / wanted.frames;
   for (std::uint32_t i = 0; i < wanted.frames; ++i)
     cameras.push_back(view::turned(model.camera, i * step * std::numbers::pi / 180.0));
@@ -135,7 +143,7 @@ class FrameDrawing {
 
   DrawnFrames of_still_camera(FrameCompiler& compiler) {
     repeats_ = true;
-    const isa::Program program = compile_for_camera(cameras_.front(), compiler.model(), request_.model, machine_);
+    const isa::Program program = compile_for_camera(cameras_.front(), compiler.model(), machine_);
     if (request_.run.level == "cycle") {
       run_sequence(std::vector(cameras_.size(), program));
     } else {
@@ -311,12 +319,11 @@ double DrawnFrames::hosted_frames_per_second() const {
 
 DrawnFrames draw_frames(const OptionList& options, const RenderRequest& request, const FramesRequest& wanted,
                         const FrameProgress& progress) {
-  refuse_for_one_frame(request, wanted);
-  if (wanted.orbit && !std::isfinite(*wanted.orbit)) throw UsageError("--orbit", "must be a finite angle");
+  const std::vector<view::Camera> given = checked_cameras(request, wanted);
   const machines::Machine machine = machine_of(request.model);
   FrameCompiler compiler(request.model, machine);
   const CompiledModel& model = compiler.model();
-  const std::vector<view::Camera> cameras = cameras_of(model, request, wanted, machine);
+  const std::vector<view::Camera> cameras = cameras_of(model, given, wanted, machine);
   std::vector<fs::path> paths = frame_paths(request.run.picture, static_cast<std::uint32_t>(cameras.size()));
   std::vector<fs::path> inputs = request.model.inputs();
   if (!wanted.cameras.empty()) inputs.emplace_back(wanted.cameras);

@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
+#include "host/convex/near_faces.h"
 #include "hw/base/error.h"
-#include "sim/session/model/near_faces_warning.h"
-#include "sim/session/model/see_through.h"
+#include "sim/session/model/transparent_parts.h"
 #include "sim/session/options/progress.h"
 #include "sim/session/run/verdict.h"
 
@@ -25,10 +25,10 @@ void RenderRequest::add_to(OptionList& options) {
 
 Compiled compile(RenderRequest& request, const ChooseBits& choose, const InPlace& in_place) {
   machines::Machine machine = machine_of(request.model);
-  ModelFile file = in_place.text ? read_model_text(request.model, *in_place.text) : read_model_file(request.model);
+  ModelFile file = read_model_file(request.model, in_place.text);
   if (request.max_wrong_pixels) choose(request, machine, file.tree);
-  CompiledModel model = compile_model(std::move(file), request.model, machine);
-  warn_of_near_faces(model, request.model);
+  CompiledModel model = compile_model(std::move(file), choices_of(request.model, machine), machine);
+  convex::warn_of_near_faces(model.tree, model.scene, request.model.snap);
   std::vector<std::filesystem::path> inputs = request.model.inputs();
   inputs.insert(inputs.end(), model.tree.imports.begin(), model.tree.imports.end());
   return {std::move(machine), std::move(model), std::move(inputs), in_place.text.has_value()};
@@ -36,10 +36,9 @@ Compiled compile(RenderRequest& request, const ChooseBits& choose, const InPlace
 
 Judge judge_of(const RenderRequest& request, const Compiled& compiled) {
   if (!request.check) return {};
-  refuse_see_through(request.model, compiled.model.tree, compiled.model.camera);
-  return [&](const observe::Frame& frame, nlohmann::ordered_json& json) {
-    return verdict(compiled.model, request.model, frame, json);
-  };
+  const CompiledModel& model = compiled.model;
+  refuse_transparent_parts(model.choices.options, model.tree, model.camera);
+  return [&](const observe::Frame& frame, nlohmann::ordered_json& json) { return verdict(model, frame, json); };
 }
 
 Advice advice_of(const RenderRequest& request, const Compiled& compiled) {

@@ -43,7 +43,7 @@ struct Compiled {
             .hash = model.hash,
             .camera = &model.camera,
             .scene = &request.model.scene_values(),
-            .halfspaces = [this, &request] { return halfspaces_of(model, request.model, machine); },
+            .halfspaces = [this] { return halfspaces_of(model); },
             .is_in_place = is_text};
   }
 };

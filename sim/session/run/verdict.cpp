@@ -6,13 +6,12 @@
 #include "sim/judges/errors.h"
 #include "sim/judges/explain.h"
 #include "sim/judges/truth.h"
-#include "sim/session/model/see_through.h"
+#include "sim/session/model/transparent_parts.h"
 
 namespace csgsim::session {
 
-std::string verdict(const CompiledModel& compiled, const ModelRequest& request, const observe::Frame& frame,
-                    nlohmann::ordered_json& json) {
-  refuse_see_through(request, compiled.tree, compiled.camera);
+std::string verdict(const CompiledModel& compiled, const observe::Frame& frame, nlohmann::ordered_json& json) {
+  refuse_transparent_parts(compiled.choices.options, compiled.tree, compiled.camera);
   const isa::Program& program = compiled.program;
   const judges::Truth truth = judges::exact_truth(compiled.tree, compiled.scene, compiled.camera, program.shape.width,
                                                   program.shape.height, program.facts->depth_scale);

@@ -13,7 +13,6 @@ namespace csgsim::session {
 
 /// Compares the picture with the exact one of the same half-spaces. `json` receives the number of wrong pixels by kind,
 /// for the stats; the return value is the same as a line of the summary. Throws InputError for transparent parts.
-std::string verdict(const CompiledModel& compiled, const ModelRequest& request, const observe::Frame& frame,
-                    nlohmann::ordered_json& json);
+std::string verdict(const CompiledModel& compiled, const observe::Frame& frame, nlohmann::ordered_json& json);
 
 }  // namespace csgsim::session

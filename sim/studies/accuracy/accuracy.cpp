@@ -12,7 +12,7 @@
 #include "hw/base/messages.h"
 #include "hw/machines/hash.h"
 #include "sim/session/model/compiled_model.h"
-#include "sim/session/model/see_through.h"
+#include "sim/session/model/transparent_parts.h"
 #include "sim/session/options/lists.h"
 #include "sim/session/options/read_by.h"
 #include "sim/session/options/version.h"
@@ -109,7 +109,7 @@ class Accuracy : public StudyOf<Measurement> {
     const facet::Geometry scene = facet::make_geometry(tree_, faceting);
     if (scene.box.empty()) throw InputError(options_.model.model + ": nothing to measure; every solid is empty");
     const view::Camera camera = session::camera_of(options_.model, machine_, tree_, scene);
-    session::refuse_see_through(options_.model, tree_, camera);
+    session::refuse_transparent_parts(session::emit_options_of(options_.model), tree_, camera);
     points_ = points(session::sampling_of(options_.model, machine_), faceting,
                      knobs_of(options_, machine_, tree_, scene, camera));
     // Small pictures cannot be divided as often, so some sizes coincide.

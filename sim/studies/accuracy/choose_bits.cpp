@@ -4,7 +4,7 @@
 
 #include "hw/base/error.h"
 #include "hw/base/prints.h"
-#include "sim/session/model/see_through.h"
+#include "sim/session/model/transparent_parts.h"
 #include "sim/studies/accuracy/measure.h"
 
 namespace csgsim::studies {
@@ -12,8 +12,9 @@ namespace csgsim::studies {
 void choose_bits(session::RenderRequest& request, const machines::Machine& machine, const model::Tree& tree) {
   const facet::Faceting faceting = session::faceting_of(request.model, machine, tree);
   const view::Camera camera = session::camera_of(request.model, machine, tree, facet::make_geometry(tree, faceting));
-  session::refuse_see_through(request.model, tree, camera);
-  Meter meter(tree, {camera}, machine, session::emit_options_of(request.model));
+  const emit::Options options = session::emit_options_of(request.model);
+  session::refuse_transparent_parts(options, tree, camera);
+  Meter meter(tree, {camera}, machine, options);
   const auto chosen =
       cheapest(meter, grid(session::sampling_of(request.model, machine), faceting), *request.max_wrong_pixels);
   if (!chosen) {

@@ -17,7 +17,7 @@
 #include "hw/machines/regions.h"
 #include "sim/report/page.h"
 #include "sim/session/model/compiled_model.h"
-#include "sim/session/model/see_through.h"
+#include "sim/session/model/transparent_parts.h"
 #include "sim/session/options/lists.h"
 #include "sim/session/options/read_by.h"
 #include "sim/session/options/usage.h"
@@ -106,7 +106,7 @@ std::map<unsigned, Job> jobs_of(const AdviseOptions& options, const machines::Ma
   if (scene.box.empty()) throw InputError(options.model.model + ": nothing to draw; every solid is empty");
   const auto subject = std::make_shared<Subject>(Subject{std::move(file.tree), std::move(scene), std::move(file.hash)});
   const view::Camera camera = session::camera_of(options.model, machine, subject->tree, subject->scene);
-  session::refuse_see_through(options.model, subject->tree, camera);
+  session::refuse_transparent_parts(session::emit_options_of(options.model), subject->tree, camera);
   const Inputs inputs{subject->hash, machines::hash_of(machine), session::version_and_build()};
   std::map<unsigned, Job> jobs;
   for (const unsigned bits : alu_bits) {

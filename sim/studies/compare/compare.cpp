@@ -10,7 +10,7 @@
 #include "sim/observe/bound.h"
 #include "sim/report/points.h"
 #include "sim/session/model/compiled_model.h"
-#include "sim/session/model/see_through.h"
+#include "sim/session/model/transparent_parts.h"
 #include "sim/session/options/lists.h"
 #include "sim/session/options/machine_list.h"
 #include "sim/session/options/numbers.h"
@@ -248,8 +248,8 @@ class Compare : public StudyOf<ComparisonRow> {
     for (const Named& machine : machines) add_jobs(machine, std::nullopt, file.hash, scene);
     // Software draws the pictures of the first machine, and only opaque solids.
     for (const SoftwareChoice& software : software_of(options_.with)) {
-      session::refuse_see_through(options_.model, tree_,
-                                  session::camera_of(options_.model, machines.front().machine, tree_, scene));
+      session::refuse_transparent_parts(session::emit_options_of(options_.model), tree_,
+                                        session::camera_of(options_.model, machines.front().machine, tree_, scene));
       add_jobs({software.name, machines.front().machine}, software, file.hash, scene);
     }
     std::vector<PointRequest> requested;

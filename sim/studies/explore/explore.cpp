@@ -12,7 +12,7 @@
 #include "hw/machines/hash.h"
 #include "hw/machines/names.h"
 #include "sim/report/points.h"
-#include "sim/session/model/see_through.h"
+#include "sim/session/model/transparent_parts.h"
 #include "sim/session/options/paths.h"
 #include "sim/session/options/usage.h"
 #include "sim/session/options/version.h"
@@ -228,10 +228,10 @@ class Explore : public StudyOf<ExploreRow> {
   /// Rejects designs with transparent solids, which cannot be compared with an exact picture.
   void refuse_unseen(const session::ModelRequest& design, Job& job) {
     if (!job.reason.empty()) return;
-    const auto [known, is_new] = see_through_.try_emplace(job.subject.get());
+    const auto [known, is_new] = transparency_.try_emplace(job.subject.get());
     if (is_new) {
       try {
-        session::refuse_see_through(design, job.subject->tree, job.camera);
+        session::refuse_transparent_parts(session::emit_options_of(design), job.subject->tree, job.camera);
       } catch (const InputError& error) {
         known->second = escaped(error.what());
       }
@@ -271,7 +271,7 @@ class Explore : public StudyOf<ExploreRow> {
   std::vector<std::size_t> design_of_point_;  ///< index in the grid
   std::vector<Job> jobs_;
   std::map<const Subject*, std::string>
-      see_through_;  ///< why a model cannot be compared with an exact picture; empty if it can
+      transparency_;  ///< why a model cannot be compared with an exact picture; empty if it can
   std::unique_ptr<DesignMeter> meter_;
   std::vector<ShownGroup> groups_;
 };

@@ -42,7 +42,8 @@ isa::Program compiled_box(const std::string& machine) {
   const session::ModelRequest options =
       session::model_request_in(seen({"--machine", machine, "--fraction-bits", "10"}));
   const machines::Machine built = session::machine_of(options);
-  return session::compile_model(session::read_model_text(options, box), options, built).program;
+  return session::compile_model(session::read_model_file(options, box), session::choices_of(options, built), built)
+      .program;
 }
 
 }  // namespace

@@ -58,10 +58,11 @@ isa::Preparation host_work(const isa::Program& program) {
 }
 
 /// The Program of one frame, compiled from nothing.
-isa::Program compiled_alone(session::ModelRequest request, const machines::Machine& machine,
+isa::Program compiled_alone(const session::ModelRequest& request, const machines::Machine& machine,
                             const view::Camera& camera) {
-  request.frame_camera = camera;
-  return session::compile_model(request, machine).program;
+  setup::Choices choices = session::choices_of(request, machine);
+  choices.camera = {.given = camera, .projection = camera.projection};
+  return session::compile_model(session::read_model_file(request), std::move(choices), machine).program;
 }
 
 /// Checks that each frame of a path has the instructions of a Program compiled from nothing.
@@ -193,7 +194,7 @@ TEST_CASE("a sequence of frames does the work for the model once") {
 
 TEST_CASE("the work for the model is done again when the camera changes its facets") {
   session::ModelRequest request = request_of("basics_csg", "pixel-planes-4", "64x64");
-  request.tolerance = session::Tolerance{0.5, true};
+  request.tolerance = setup::Tolerance{0.5, true};
   const machines::Machine machine = session::machine_of(request);
   session::FrameCompiler compiler(request, machine);
   std::vector<view::Camera> path = path_around(compiler.model().camera);

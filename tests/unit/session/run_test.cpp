@@ -109,8 +109,9 @@ namespace {
 isa::Program small_program() {
   const std::vector<std::string> words{"box.csg", "--size", "16x12", "--camera", "0,-50,0,0,0,0"};
   const session::ModelRequest options = session::model_request_in(words);
-  return session::compile_model(session::read_model_text(options, "cube(size=[8,6,4],center=true);"), options,
-                                session::machine_of(options))
+  const machines::Machine machine = session::machine_of(options);
+  return session::compile_model(session::read_model_file(options, "cube(size=[8,6,4],center=true);"),
+                                session::choices_of(options, machine), machine)
       .program;
 }
 

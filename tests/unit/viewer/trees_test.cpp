@@ -74,7 +74,7 @@ TEST_CASE("a surface's active tree has the Program's compared primitives on each
       CAPTURE(model);
       CAPTURE(machine);
       const Compiled one = compiled(model, {"--machine", machine, "--size", "64x48", "--view-all"});
-      viewer::ActiveTrees trees(one.model, one.options, one.machine);
+      viewer::ActiveTrees trees(one.model, one.machine);
       const isa::Program& program = one.model.program;
       for (std::uint32_t segment = 0; segment < program.segments.size(); ++segment) {
         for (const auto& known : compared_in(program.segments[segment], *program.facts)) {
@@ -111,7 +111,7 @@ TEST_CASE("the model's tree has each node of the file once with operands after o
 
 TEST_CASE("a primitive that is not drawn has no active tree") {
   const Compiled one = compiled("thesis_fig_2_3", {"--size", "64x48", "--view-all"});
-  viewer::ActiveTrees trees(one.model, one.options, one.machine);
+  viewer::ActiveTrees trees(one.model, one.machine);
   CHECK_FALSE(trees.of(1000, 0));
 }
 
@@ -137,9 +137,9 @@ TEST_CASE("a surface's active tree is that of the requested segment in any reque
   const isa::Program& program = one.model.program;
   REQUIRE(program.segments.size() > 2);
   const auto fresh = [&](std::uint32_t piece, std::uint32_t segment) {
-    return viewer::ActiveTrees(one.model, one.options, one.machine).of(piece, segment);
+    return viewer::ActiveTrees(one.model, one.machine).of(piece, segment);
   };
-  viewer::ActiveTrees trees(one.model, one.options, one.machine);
+  viewer::ActiveTrees trees(one.model, one.machine);
   std::size_t differing = 0;
   for (std::uint32_t piece = 0; piece < 12; ++piece) {
     for (const std::uint32_t segment : {0U, 4U, 4U, 0U}) CHECK(trees.of(piece, segment) == fresh(piece, segment));
@@ -221,7 +221,7 @@ TEST_CASE("pieces of a node are named as the node and an unnamed primitive by it
 TEST_CASE("a surface must be in intersected operands and outside subtracted ones") {
   const auto active = [](const std::string& text, std::uint32_t piece) {
     const Compiled one = small_compiled(text);
-    viewer::ActiveTrees trees(one.model, one.options, one.machine);
+    viewer::ActiveTrees trees(one.model, one.machine);
     const auto rows = trees.of(piece, 0);
     REQUIRE(rows);
     return rows_text(*rows);
@@ -248,7 +248,7 @@ TEST_CASE("primitives of one convex solid are one row except with the products s
   const auto active = [](const char* strategy) {
     const Compiled one = small_compiled("difference(){" + cube_a + "intersection(){" + sphere_b + cylinder_c + "}}",
                                         {"--strategy", strategy});
-    viewer::ActiveTrees trees(one.model, one.options, one.machine);
+    viewer::ActiveTrees trees(one.model, one.machine);
     return trees.of(0, 0).value().dump();
   };
   CHECK(active("stack").find(R"("primitive":1,"complemented":true,"others":[2])") != std::string::npos);
