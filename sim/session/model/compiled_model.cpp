@@ -20,6 +20,7 @@
 #include "hw/base/hash.h"
 #include "hw/base/input_file.h"
 #include "hw/base/messages.h"
+#include "hw/base/standard_streams.h"
 #include "hw/base/text.h"
 #include "sim/functional/clocks.h"
 #include "sim/session/model/scad.h"
@@ -36,7 +37,21 @@ void refuse_other_subjects(const ModelRequest& request) {
   if (is_program(request.model))
     throw InputError(request.model + ": that is a Program; use csgsim run " + shell_word(request.model));
   if (!request.imports_from.empty() && !std::filesystem::is_directory(request.imports_from))
-    throw InputError(fmt::format("--imports-from: {} is not a folder", printable(request.imports_from)));
+    throw InputError(fmt::format("--imports-from: {} is not a folder; name the folder of the imports",
+                                 printable(request.imports_from)));
+}
+
+/// Calls a reader of the model. Errors of a file without the name of a model suggest that it may be no model.
+template <class Read>
+ModelFile read_as_model(const ModelRequest& request, Read read) {
+  try {
+    return read();
+  } catch (const InputError& error) {
+    const std::string_view message = error.what();
+    const bool may_be_model = request.model == standard_stream || has_model_name(request.model);
+    if (may_be_model || message.find(": expected ") == message.npos) throw;
+    throw InputError(fmt::format("{}; is this a model? {}", message, model_endings()));
+  }
 }
 
 /// Reads the text of a model or of a source that OpenSCAD has evaluated; the hash covers it and the scene.
@@ -61,9 +76,9 @@ ModelFile read_model_file(const ModelRequest& request) {
   refuse_other_subjects(request);
   return with_memory_for("the model " + request.model, [&] {
     const Subject subject = subject_in(request.model);
-    return read_text(request, subject,
-                     subject == Subject::scad ? evaluate_scad(request.model, request.openscad_time())
-                                              : read_file(request.model, read::model_file));
+    const std::string text = subject == Subject::scad ? evaluate_scad(request.model, request.openscad_time())
+                                                      : read_file(request.model, read::model_file);
+    return read_as_model(request, [&] { return read_text(request, subject, text); });
   });
 }
 

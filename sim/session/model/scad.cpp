@@ -10,10 +10,12 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "host/read/limits.h"
 #include "hw/base/error.h"
+#include "hw/base/input_file.h"
 #include "hw/base/inputs_kept.h"
 #include "hw/base/messages.h"
 #include "hw/base/text.h"
@@ -81,6 +83,10 @@ std::string evaluated(std::span<const std::string> words, const system::MemoryFi
 }  // namespace
 
 std::string evaluate_scad(const std::string& file, std::chrono::seconds time_limit) {
+  // OpenSCAD's own message does not say why the file cannot be opened.
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored))
+    static_cast<void>(read_regular_file(file, {"a .scad file", read::max_file_bytes, ""}));
   const std::string path = file.starts_with('-') ? "./" + file : file;
   record_input(file);
   return evaluated(std::array<std::string, 6>{"openscad", "-o", "-", "--export-format", "csg", path},

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace csgsim::session {
@@ -36,6 +37,9 @@ bool is_program(const std::filesystem::path& path);
 
 /// Whether the extension is that of a model.
 bool has_model_name(const std::filesystem::path& path);
+
+/// A sentence about the names of models: `models end in .csg, .scad or .jan`.
+std::string model_endings();
 
 /// Throws InputError for a model, with advice, in commands that accept Programs only.
 void refuse_model(const std::filesystem::path& path);
