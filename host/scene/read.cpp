@@ -1,6 +1,7 @@
 #include "host/scene/read.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,10 +22,14 @@ constexpr std::string_view effects_prefix = "effects.";
 constexpr std::string_view on_key = "on";  ///< key of every effect
 constexpr std::size_t max_in_list = 1000;  ///< maximum number of tables or colours in a list
 
+bool is_set(const toml::node& node) {
+  const toml::source_region& place = node.source();
+  return place.path && place.path->starts_with(set_mark);
+}
+
 /// The first value in the node that was set by KEY=VALUE instead of the file; null if there is none.
 const toml::node* set_value(const toml::node& node) {
-  const toml::source_region& place = node.source();
-  if (place.path && place.path->starts_with(set_mark)) return &node;
+  if (is_set(node)) return &node;
   const toml::node* found = nullptr;
   const auto look = [&](const toml::node& inner) {
     if (found == nullptr) found = set_value(inner);
@@ -34,6 +39,13 @@ const toml::node* set_value(const toml::node& node) {
   if (const toml::array* const list = node.as_array())
     for (const toml::node& inner : *list) look(inner);
   return found;
+}
+
+std::string unknown_key(std::string_view key, std::span<const std::string_view> known, std::string_view prefix) {
+  const std::string_view near = nearest_similar(key, known);
+  return fmt::format("unknown key '{}{}'; {}", prefix, printable(key),
+                     near.empty() ? fmt::format("the keys here are {}", fmt::join(known, ", "))
+                                  : fmt::format("the nearest known is '{}{}'", prefix, near));
 }
 
 class Reader {
@@ -47,30 +59,29 @@ class Reader {
     check_keys(root, known, "");
     for (const Section& section : common_sections()) read_if_present(root, section, section.name);
     const toml::node* const effects = root.get("effects");
-    if (effects != nullptr) read_effects(require_table(*effects, "effects"));
+    if (effects != nullptr) read_effects(require_table(*effects, "effects", "NAME.on"));
     return std::move(scene_);
   }
 
  private:
   [[noreturn]] void fail(const toml::node& at, std::string_view message) const {
-    const toml::source_region& place = at.source();
-    if (place.path && place.path->starts_with(set_mark)) throw SetError(fmt::format("{}: {}", *place.path, message));
-    throw InputError(fmt::format("{}: {}", show(place.begin, file_), message));
+    if (is_set(at)) throw SetError(fmt::format("{}: {}", *at.source().path, message));
+    throw InputError(fmt::format("{}: {}", show(at.source().begin, file_), message));
   }
 
-  const toml::table& require_table(const toml::node& node, std::string_view name) const {
+  /// `key` is a key of the table, for messages.
+  const toml::table& require_table(const toml::node& node, std::string_view name, std::string_view key) const {
     const toml::table* const table = node.as_table();
-    if (table == nullptr) fail(node, fmt::format("'{0}' is {1}; make it a table [{0}]", name, type_name(node)));
-    return *table;
+    if (table != nullptr) return *table;
+    if (is_set(node)) fail(node, fmt::format("'{0}' is a group of keys; name one of them, as in {0}.{1}", name, key));
+    fail(node, fmt::format("'{0}' is {1}; make it a table [{0}]", name, type_name(node)));
   }
 
   void check_keys(const toml::table& table, std::span<const std::string_view> known, std::string_view prefix) const {
     for (const auto& [key, node] : table) {
       if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
-      const std::string message = prefix == effects_prefix
-                                      ? no_such("effect", printable(key.str()), known)
-                                      : fmt::format("unknown key '{0}{1}'; the nearest known is '{0}{2}'", prefix,
-                                                    printable(key.str()), nearest(key.str(), known));
+      const std::string message = prefix == effects_prefix ? no_such("effect", printable(key.str()), known)
+                                                           : unknown_key(key.str(), known, prefix);
       if (const toml::node* const value = set_value(node)) fail(*value, message);
       throw InputError(fmt::format("{}: {}", show(key.source().begin, file_), message));
     }
@@ -96,9 +107,14 @@ class Reader {
       if (always_holds) report_values(section, section.blank());
       return;
     }
-    if (!section.is_list) return read_section(require_table(*node, section.name), section);
+    const std::string_view example =
+        section.name.starts_with(effects_prefix) ? on_key : section.blank().front().key.name;
+    if (!section.is_list) return read_section(require_table(*node, section.name, example), section);
     const toml::array* const list = node->as_array();
     if (list == nullptr) {
+      if (const toml::node* const value = set_value(*node))
+        fail(*value,
+             fmt::format("'{0}' is a list; number its elements from 0, as in {0}.0.{1}", section.name, example));
       fail(*node, fmt::format("'{0}' is {1}; make it a list of tables, [[{0}]] each", section.name, type_name(*node)));
     }
     if (list->size() > max_in_list) {

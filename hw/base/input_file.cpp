@@ -14,6 +14,7 @@
 #include "hw/base/descriptor.h"
 #include "hw/base/error.h"
 #include "hw/base/inputs_kept.h"
+#include "hw/base/nearest.h"
 #include "hw/base/standard_streams.h"
 
 namespace csgsim {
@@ -24,6 +25,47 @@ namespace {
   throw InputError(fmt::format("{}: cannot be read: {}", path.native(), why));
 }
 
+/// Whether a name is probably a slip of the other: without its extension, or with one or two other letters.
+bool is_slip_of(const std::filesystem::path& other, const std::filesystem::path& path) {
+  constexpr std::size_t shortest = 4;
+  constexpr std::size_t long_name = 8;
+  const std::string name = path.filename().native();
+  if (other.filename() == name) return false;  // a broken link
+  if (other.stem() == name) return true;
+  return name.size() >= shortest &&
+         edit_distance(name, other.filename().native()) <= (name.size() >= long_name ? 2U : 1U);
+}
+
+/// A file of the same folder with a similar name; empty if there is none.
+std::filesystem::path similar_file(const std::filesystem::path& path) {
+  constexpr int max_entries = 10'000;
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  std::filesystem::path found;
+  std::error_code error;
+  auto entry = std::filesystem::directory_iterator(folder, error);
+  for (int i = 0; i < max_entries && !error && entry != std::filesystem::directory_iterator(); ++i) {
+    const std::filesystem::path& other = entry->path();
+    // the order of a folder is arbitrary
+    if (is_slip_of(other, path) && (found.empty() || other < found)) found = other;
+    entry.increment(error);
+  }
+  return found.empty() || path.has_parent_path() ? found : found.filename();
+}
+
+/// Advice for a file that does not exist: a similar name, or what to check.
+std::string advice_for_missing(const std::filesystem::path& path, std::string_view what_to_check) {
+  const std::filesystem::path similar = similar_file(path);
+  return similar.empty() ? std::string(what_to_check) : fmt::format("did you mean {}?", similar.native());
+}
+
+[[noreturn]] void fail_to_open(const std::filesystem::path& path) {
+  if (path.empty()) throw InputError("the name of a file is empty; name the file");
+  constexpr std::string_view check = "check the path and its permissions";
+  const std::error_code error = last_error();
+  const bool is_missing = error == std::errc::no_such_file_or_directory;
+  fail(path, fmt::format("{}; {}", error.message(), is_missing ? advice_for_missing(path, check) : std::string(check)));
+}
+
 /// System calls would end the name at the zero byte.
 void refuse_zero_byte(const std::filesystem::path& path) {
   if (path.native().find('\0') != std::string::npos) fail(path, "its name contains a zero byte; remove it");
@@ -31,8 +73,7 @@ void refuse_zero_byte(const std::filesystem::path& path) {
 
 std::string read_all(const Descriptor& file, const std::filesystem::path& path, const InputKind& kind) {
   struct stat status {};
-  if (!file.is_open() || ::fstat(file.number(), &status) != 0)
-    fail(path, last_error().message() + "; check the path and its permissions");
+  if (!file.is_open() || ::fstat(file.number(), &status) != 0) fail_to_open(path);
   if (S_ISDIR(status.st_mode)) fail(path, fmt::format("it is a folder; name {}", kind.what));
   const auto expected = static_cast<std::size_t>(std::max<off_t>(status.st_size, 0));
   check_length(path.native(), expected, kind);
@@ -99,7 +140,7 @@ Descriptor open_regular_file(const std::filesystem::path& path, const InputKind&
 
 std::string read_regular_file(const std::filesystem::path& path, const InputKind& kind) {
   const Descriptor file = open_regular_file(path, kind);
-  if (!file.is_open()) fail(path, "there is no such file; check the path");
+  if (!file.is_open()) fail(path, "there is no such file; " + advice_for_missing(path, "check the path"));
   return read_file(file, path, kind);
 }
 

@@ -54,7 +54,8 @@ std::string plural(std::string_view kind) {
   constexpr std::string_view vowels = "aeiou";
   const bool has_vowel = kind.size() > 1 && vowels.find(kind[kind.size() - 2]) != vowels.npos;
   if (kind.ends_with('y') && !has_vowel) return fmt::format("{}ies", kind.substr(0, kind.size() - 1));
-  return fmt::format("{}s", kind);
+  if (kind == "axis") return "axes";
+  return fmt::format("{}{}", kind, kind.ends_with('s') || kind.ends_with('x') ? "es" : "s");
 }
 
 }  // namespace

@@ -74,6 +74,13 @@ std::error_code sync_folder(const fs::path& folder) {
 }  // namespace
 
 void fail_to_write(const fs::path& path, const std::error_code& error) {
+  const fs::path folder = parent_folder(path);
+  std::error_code ignored;
+  if (error == std::errc::is_a_directory)
+    throw InputError(fmt::format("{}: cannot be written: it is a folder; name a file", path.native()));
+  if (error == std::errc::no_such_file_or_directory && !fs::exists(folder, ignored) && !ignored)
+    throw InputError(fmt::format("{}: cannot be written: the folder {} does not exist; create it first", path.native(),
+                                 folder.native()));
   throw InputError(fmt::format("{}: cannot be written: {}; check the path, its permissions and the free disk space",
                                path.native(), error.message()));
 }

@@ -55,7 +55,11 @@ toml::table parse_toml(std::string_view text, std::string_view file) {
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {
-    throw InputError(fmt::format("{}: {}", show(error.source().begin, file), error.description()));
+    // A description names the construct first: `Error while parsing key-value pair: expected value`.
+    const std::string_view what = error.description();
+    const std::size_t colon = what.starts_with("Error while parsing ") ? what.find(": ") : what.npos;
+    throw InputError(fmt::format("{}: this is not valid TOML: {}", show(error.source().begin, file),
+                                 colon == what.npos ? what : what.substr(colon + 2)));
   }
 }
 

@@ -40,7 +40,7 @@ const BuiltIn* built_in_named(std::string_view name) {
 }
 
 machines::Machine read(const BuiltIn& machine, std::span<const std::string> changes) {
-  return machines::read_description(machine.text, fmt::format("{}.toml", machine.name), all(), changes);
+  return machines::read_description(machine.text, machine.name, all(), changes);
 }
 
 machines::Machine load_file(const std::string& file, std::span<const std::string> changes) {

@@ -34,8 +34,9 @@ std::string why_missing(std::string_view key, const machines::Kind& kind, std::s
   if (has_parameter(kind, key)) return "";
   std::vector<std::string_view> known;
   for (const machines::FigureSchema& figure : kind.schema) known.push_back(figure.key);
-  return fmt::format("{} has no such parameter, but machines of the kind {} do; its nearest is '{}'", printable(name),
-                     kinds_with(key), nearest(key, known));
+  const std::string_view near = nearest_similar(key, known);
+  return fmt::format("{} has no such parameter, but machines of the kind {} do; {}", printable(name), kinds_with(key),
+                     near.empty() ? "choose one of them with --machine" : fmt::format("did you mean {}?", near));
 }
 
 }  // namespace csgsim::kinds

@@ -50,7 +50,7 @@ struct Catalogue {
   }
 
   [[nodiscard]] Described read_built_in(const BuiltIn& known, std::span<const std::string> changes) const {
-    return read(known.text, fmt::format("{}.toml", known.name), changes);
+    return read(known.text, known.name, changes);
   }
 
   [[nodiscard]] Described load_file(const std::string& file, std::span<const std::string> changes) const {

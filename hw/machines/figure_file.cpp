@@ -1,13 +1,17 @@
 #include "hw/machines/figure_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "hw/base/error.h"
 #include "hw/base/nearest.h"
 #include "hw/base/text.h"
 #include "hw/base/toml_text.h"
+#include "hw/machines/quantity.h"
 #include "hw/machines/schema.h"
 
 namespace csgsim::machines {
@@ -19,6 +23,12 @@ constexpr std::string_view figure_keys[] = {"value", "unit", "provenance", "sour
 
 bool is_one_of(std::string_view word, std::span<const std::string_view> words) {
   return std::ranges::find(words, word) != words.end();
+}
+
+/// ` did you mean X?`, or an empty string if no known word is similar.
+std::string suggestion(std::string_view word, std::span<const std::string_view> known) {
+  const std::string_view near = nearest_similar(word, known);
+  return near.empty() ? "" : fmt::format(" did you mean {}?", near);
 }
 
 class FigureReader {
@@ -52,7 +62,8 @@ class FigureReader {
     for (const FigureForm& form : forms)
       if (form.key.starts_with(prefix)) {
         const std::string_view rest = form.key.substr(prefix.size());
-        known.push_back(rest.substr(0, rest.find('.')));
+        const std::string_view word = rest.substr(0, rest.find('.'));
+        if (!is_one_of(word, known)) known.push_back(word);
       }
     for (const auto& [key, node] : table) {
       if (!is_one_of(key.str(), known)) fail_unknown(key, known, prefix);
@@ -78,8 +89,10 @@ class FigureReader {
 
   [[noreturn]] void fail_unknown(const toml::key& key, std::span<const std::string_view> known,
                                  std::string_view prefix) const {
-    fail(key.source().begin, fmt::format("unknown key '{0}{1}'; the nearest known is '{0}{2}'", prefix, key.str(),
-                                         nearest(key.str(), known)));
+    const std::string_view near = nearest_similar(key.str(), known);
+    fail(key.source().begin, fmt::format("unknown key '{}{}'; {}", prefix, printable(key.str()),
+                                         near.empty() ? fmt::format("the keys here are {}", fmt::join(known, ", "))
+                                                      : fmt::format("the nearest known is '{}{}'", prefix, near)));
   }
 
   ReadFigure read_figure(const toml::table& table, const FigureForm& form) const {
@@ -131,28 +144,53 @@ class FigureReader {
     const std::string name = text_of(table, "value");
     const auto found = std::ranges::find(form.names, name);
     if (found == form.names.end()) {
-      fail(table.get("value")->source().begin,
-           fmt::format("{} is '{}'; it must be one of {}", form.key, name, fmt::join(form.names, ", ")));
+      fail(table.get("value")->source().begin, fmt::format("{} is '{}';{} it must be one of {}", form.key, name,
+                                                           suggestion(name, form.names), fmt::join(form.names, ", ")));
     }
     return found - form.names.begin();
+  }
+
+  /// Words that the parameter also takes, for messages.
+  [[nodiscard]] static std::string words_in_messages(const FigureForm& form) {
+    std::string words;
+    for (const Word& word : words_of(form)) words += fmt::format(", or \"{}\"", word.text);
+    return words;
+  }
+
+  /// The value of a text with a unit, as in "20MHz".
+  [[nodiscard]] std::int64_t quantity_of(const toml::node& node, std::string_view text, const FigureForm& form) const {
+    try {
+      return parse_quantity(text, form.unit);
+    } catch (const InputError& error) {
+      fail(node.source().begin,
+           fmt::format("{} is '{}'; {}{}", form.key, printable(text), error.what(), words_in_messages(form)));
+    }
+  }
+
+  /// The number without its range.
+  [[nodiscard]] std::int64_t number_of(const toml::node& node, const FigureForm& form) const {
+    if (const toml::value<std::int64_t>* const value = node.as_integer()) return value->get();
+    if (const toml::value<std::string>* const text = node.as_string()) return quantity_of(node, text->get(), form);
+    const toml::value<double>* const value = node.as_floating_point();
+    constexpr double max_exact = 9'007'199'254'740'992;  // 2^53
+    const bool is_whole =
+        value != nullptr && std::abs(value->get()) <= max_exact && std::trunc(value->get()) == value->get();
+    if (is_whole) return static_cast<std::int64_t>(value->get());
+    fail(node.source().begin,
+         fmt::format("{} is {}; make it an integer{}", form.key, type_name(node), words_in_messages(form)));
   }
 
   [[nodiscard]] std::int64_t value_of(const toml::table& table, const FigureForm& form) const {
     const toml::node* const node = table.get("value");
     if (node == nullptr) fail(table.source().begin, fmt::format("{} has no value; add value = ...", form.key));
-    const toml::value<std::int64_t>* const value = node->as_integer();
-    if (value == nullptr) {
-      std::string forms;
-      for (const Word& word : words_of(form)) forms += fmt::format(", or \"{}\"", word.text);
-      fail(node->source().begin, fmt::format("{} is {}; make it an integer{}", form.key, type_name(*node), forms));
-    }
-    if (value->get() < form.least || value->get() > form.most)
+    const std::int64_t value = number_of(*node, form);
+    if (value < form.least || value > form.most)
       fail(node->source().begin,
            form.least == form.most
-               ? fmt::format("{} is {}; the simulator supports only {}", form.key, value->get(), form.least)
-               : fmt::format("{} is {}; it must be {} to {}{}{}", form.key, value->get(), form.least, form.most,
+               ? fmt::format("{} is {}; the simulator supports only {}", form.key, value, form.least)
+               : fmt::format("{} is {}; it must be {} to {}{}{}", form.key, value, form.least, form.most,
                              form.unit.empty() ? "" : " ", form.unit));
-    return value->get();
+    return value;
   }
 
   std::string_view file_;

@@ -108,6 +108,8 @@ struct CommandInfo {
   std::string_view meaning;
 };
 
+/// The commands. The grammar also reads abbreviations and the words of gdb for them: r and c (run), s, n, next, stepi
+/// and nexti (step), u, b, d, p, l, q and exit, h, bt and w (where), rs and reverse-step (back).
 inline constexpr CommandInfo command_table[] = {
     {"run", "run", "continue to the next breakpoint or to the end"},
     {"step", "step [N]", "execute the next instruction, or the next N"},

@@ -70,21 +70,25 @@ struct printed : sor<lone_enable, lone_pixel, watched> {};
 template <typename Word, typename... Rest>
 struct command : if_must<whole<Word>, Rest...> {};
 
-struct run : command<sor<TAO_PEGTL_STRING("run"), TAO_PEGTL_STRING("continue")>> {};
-struct step : command<TAO_PEGTL_STRING("step"), opt<gap, count>> {};
-struct until_target : command<TAO_PEGTL_STRING("until"), gap, target> {};
-struct back : command<TAO_PEGTL_STRING("back"), opt<gap, count>> {};
+// Each command also has the abbreviations of other debuggers (command.h).
+struct run : command<sor<TAO_PEGTL_STRING("run"), TAO_PEGTL_STRING("continue"), one<'r', 'c'>>> {};
+struct step : command<sor<TAO_PEGTL_STRING("stepi"), TAO_PEGTL_STRING("step"), TAO_PEGTL_STRING("nexti"),
+                          TAO_PEGTL_STRING("next"), TAO_PEGTL_STRING("si"), TAO_PEGTL_STRING("ni"), one<'s', 'n'>>,
+                      opt<gap, count>> {};
+struct until_target : command<sor<TAO_PEGTL_STRING("until"), one<'u'>>, gap, target> {};
+struct back : command<sor<TAO_PEGTL_STRING("back"), TAO_PEGTL_STRING("reverse-step"), TAO_PEGTL_STRING("rs")>,
+                      opt<gap, count>> {};
 struct breakpoints : command<TAO_PEGTL_STRING("breakpoints")> {};
-struct set_break : command<TAO_PEGTL_STRING("break"), gap, target> {};
-struct delete_break : command<TAO_PEGTL_STRING("delete"), gap, breakpoint_number> {};
-struct print : command<TAO_PEGTL_STRING("print"), gap, printed> {};
-struct where : command<TAO_PEGTL_STRING("where")> {};
-struct list_around : command<TAO_PEGTL_STRING("list"), opt<gap, one<'i'>, instruction_number>> {};
+struct set_break : command<sor<TAO_PEGTL_STRING("break"), one<'b'>>, gap, target> {};
+struct delete_break : command<sor<TAO_PEGTL_STRING("delete"), one<'d'>>, gap, breakpoint_number> {};
+struct print : command<sor<TAO_PEGTL_STRING("print"), one<'p'>>, gap, printed> {};
+struct where : command<sor<TAO_PEGTL_STRING("where"), TAO_PEGTL_STRING("bt"), one<'w'>>> {};
+struct list_around : command<sor<TAO_PEGTL_STRING("list"), one<'l'>>, opt<gap, one<'i'>, instruction_number>> {};
 struct picture : command<TAO_PEGTL_STRING("picture"), gap, field, gap, file> {};
 struct checkpoint : command<TAO_PEGTL_STRING("checkpoint"), gap, file> {};
 struct resume : command<TAO_PEGTL_STRING("resume"), gap, file> {};
-struct help : command<TAO_PEGTL_STRING("help")> {};
-struct quit : command<TAO_PEGTL_STRING("quit")> {};
+struct help : command<sor<TAO_PEGTL_STRING("help"), one<'h', '?'>>> {};
+struct quit : command<sor<TAO_PEGTL_STRING("quit"), TAO_PEGTL_STRING("exit"), one<'q'>>> {};
 
 struct any_command : sor<run, step, until_target, back, breakpoints, set_break, delete_break, print, where, list_around,
                          picture, checkpoint, resume, help, quit> {};

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "hw/base/error.h"
 #include "hw/base/nearest.h"
@@ -167,12 +169,69 @@ CSGSIM_WHEN(quit) { reading.command = Quit{}; }
 
 #undef CSGSIM_WHEN
 
+/// A command of other debuggers, and what to write instead.
+struct OtherCommand {
+  std::string_view word;
+  std::string_view instead;
+};
+
+constexpr OtherCommand other_commands[] = {
+    {"watch", "break change FIELD[x,y]"},
+    {"tbreak", "until"},
+    {"advance", "until"},
+    {"finish", "until"},
+    {"info", "breakpoints"},
+    {"i", "breakpoints"},
+    {"display", "print"},
+    {"x", "print"},
+    {"inspect", "print"},
+    {"reverse-continue", "back N"},
+    {"rc", "back N"},
+    {"reverse-next", "back"},
+    {"save", "checkpoint FILE"},
+    {"load", "resume FILE"},
+    {"restart", "back N"},
+    {"start", "run"},
+    {"frame", "where"},
+    {"screenshot", "picture FIELD FILE.png"},
+};
+
+/// The known command nearest to an unknown one; empty if none is similar.
+std::string_view nearest_command(std::string_view word) {
+  for (const OtherCommand& other : other_commands)
+    if (other.word == word) return other.instead;
+  std::vector<std::string_view> known;
+  for (const CommandInfo& one : command_table) known.push_back(one.word);
+  return nearest_similar(word, known);
+}
+
+/// The message of a parse error, with the word at its position.
+std::string message_about(std::string_view message, std::string_view rest) {
+  const std::string_view word = rest.substr(0, rest.find_first_of(" \t\r\n"));
+  const std::string shown = printable(word);
+  if (message.starts_with("unknown command")) {
+    const std::string_view near = nearest_command(word);
+    const std::string question = near.empty() ? ";" : fmt::format("; did you mean {}?", near);
+    return fmt::format("unknown command '{}'{} help lists the commands", shown, question);
+  }
+  if (message.starts_with("unexpected text"))
+    return fmt::format("unexpected text '{}'; end the line before it, or start a comment with #", shown);
+  if (!message.starts_with("expected")) return std::string(message);
+  return word.empty() ? fmt::format("the line ends; {}", message) : fmt::format("found '{}'; {}", shown, message);
+}
+
 }  // namespace
 
 Command parse_command(std::string_view text, std::string_view name, std::size_t line, const isa::Program& program) {
   tao::pegtl::memory_input<> in(text.data(), text.data() + text.size(), std::string(name), 0, line, 1);
   Reading reading(program);
-  isa::grammar::read<grammar::line, Action, grammar::Control>(in, reading);
+  try {
+    tao::pegtl::parse<grammar::line, Action, grammar::Control>(in, reading);
+  } catch (const tao::pegtl::parse_error& error) {
+    const tao::pegtl::position& place = error.positions().front();
+    throw InputError(fmt::format("{}:{}:{}: {}", name, place.line, place.column,
+                                 message_about(error.message(), text.substr(std::min(place.byte, text.size())))));
+  }
   return reading.command;
 }
 

@@ -100,7 +100,7 @@ std::string list_text(std::uint64_t number, const isa::Program& program) {
 std::string help_text() {
   std::string text;
   for (const CommandInfo& one : command_table) text += fmt::format("  {:<26} {}\n", one.form, one.meaning);
-  text += "where STOP is one of\n";
+  text += "and, as in gdb: continue, c, r; next, n, s, stepi, nexti; b, d, p, l, u, h, q, bt; where STOP is one of\n";
   for (const CommandInfo& one : stop_table) text += fmt::format("  {:<26} {}\n", one.form, one.meaning);
   return text;
 }

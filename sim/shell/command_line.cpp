@@ -15,13 +15,13 @@
 #include "sim/session/options/version.h"
 #include "sim/shell/manual/description.h"
 #include "sim/shell/manual/help.h"
+#include "sim/shell/mistakes.h"
 
 namespace csgsim::shell {
 
 namespace {
 
-constexpr InputKind settings_input{"name a settings file, .toml", std::size_t{1} << 20U,
-                                   "a command has far fewer options"};
+constexpr InputKind settings_input{"a settings file, .toml", std::size_t{1} << 20U, "a command has far fewer options"};
 
 /// An option with the texts that CLI11 has parsed for it.
 struct Tokens {
@@ -36,25 +36,12 @@ void add_to(CLI::App& app, Tokens& tokens) {
   const std::string names = fmt::format("{}", fmt::join(tokens.option->names, ","));
   if (tokens.option->takes == Takes::flag) {
     tokens.read = app.add_flag(names);
-  } else if (tokens.option->takes == Takes::texts) {
+  } else if (tokens.option->takes == Takes::texts && tokens.option->is_operand) {
     tokens.read = app.add_option(names, tokens.texts);
-    // One text for each `--set`, so that an operand may follow.
-    if (!tokens.option->is_operand) tokens.read->allow_extra_args(false);
   } else {
+    // An option takes one word each time it is given, so that operands may follow it.
     tokens.read = app.add_option(names, tokens.text)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   }
-}
-
-// The texts of CLI11 differ between its versions, so csgsim words the errors that users can cause.
-
-[[noreturn]] void refuse(const CLI::ParseError& error) {
-  const std::string message = error.what();
-  if (error.get_name() == "ArgumentMismatch") throw UsageError(message.substr(0, message.find(':')), "needs a value");
-  throw UsageError(message);
-}
-
-[[noreturn]] void refuse_extras(const std::vector<std::string>& extras) {
-  throw UsageError(fmt::format("unexpected argument{} '{}'", extras.size() == 1 ? "" : "s", fmt::join(extras, "', '")));
 }
 
 /// Validates a setting that the command line overrides.
@@ -120,6 +107,12 @@ Command* CommandLine::command_named(std::string_view name) {
   return found == commands_.end() ? nullptr : &*found;
 }
 
+std::vector<std::string> CommandLine::command_names() const {
+  std::vector<std::string> names;
+  for (const Command& command : commands_) names.push_back(command.name());
+  return names;
+}
+
 std::vector<SettableOption> CommandLine::options_of(std::string_view command) const {
   const auto found = std::ranges::find(commands_, command, &Command::name);
   return found->settable();
@@ -127,8 +120,10 @@ std::vector<SettableOption> CommandLine::options_of(std::string_view command) co
 
 CommandLine::Read CommandLine::read_words(std::span<const std::string> arguments, bool takes_settings) {
   Read read{arguments.size() < 2 ? nullptr : command_named(arguments[1]), {}};
-  if (read.command == nullptr) throw UsageError("no command");  // explain_failure() replaces this message
+  if (read.command == nullptr) throw UsageError(no_such_command(arguments, command_names()));
   read.command->clear();
+  const std::span<const std::string> words = arguments.subspan(2);
+  if (const std::string missing = missing_value(*read.command, words); !missing.empty()) throw UsageError(missing);
   CLI::App app;
   std::deque<Tokens> all;
   for (Option& option : read.command->all()) add_to(app, all.emplace_back(Tokens{&option, nullptr, {}, {}}));
@@ -137,14 +132,13 @@ CommandLine::Read CommandLine::read_words(std::span<const std::string> arguments
     app.add_flag(std::string(dump_name), read.wants_dump);
   }
   try {
-    std::vector<std::string> words(arguments.rbegin(), arguments.rend() - 2);
-    app.parse(words);
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::CallForHelp&) {
     read.wants_help = true;
-  } catch (const CLI::ExtrasError&) {
-    refuse_extras(app.remaining());
   } catch (const CLI::ParseError& error) {
-    refuse(error);
+    // CLI11's messages differ between its versions.
+    const std::string message = unreadable_word(*read.command, words);
+    throw UsageError(message.empty() ? error.what() : message);
   }
   for (const Tokens& tokens : all) tokens.option->given = tokens.read->results();
   return read;
@@ -158,34 +152,6 @@ std::vector<Setting> CommandLine::settings_in(const std::string& file, const Com
   return read_settings(read_file(file, settings_input), file, known, command.name());
 }
 
-/// One line about a command line that could not be parsed, with the given reason. For unknown commands and options it
-/// suggests the nearest known one.
-std::string CommandLine::explain_failure(std::string_view reason, std::span<const std::string> arguments) const {
-  if (arguments.size() < 2) return "a subcommand is required; see csgsim --help";
-  const std::string_view first = arguments[1];
-  const auto command = std::ranges::find(commands_, first, &Command::name);
-  std::vector<std::string> known;
-  if (command == commands_.end()) {
-    const bool is_option = first.starts_with('-');
-    for (const Command& one : commands_) known.push_back(one.name());
-    if (is_option) known = {"--help", "--version"};
-    return fmt::format("there is no {};{} see csgsim --help",
-                       is_option ? fmt::format("option {}", first) : fmt::format("command '{}'", first),
-                       did_you_mean(first, known));
-  }
-  for (const Option& option : command->all())
-    for (const std::string& name : option.names) known.push_back(name);
-  known.insert(known.end(), {"--help", std::string(config_name), std::string(dump_name)});
-  const std::string help = fmt::format("see csgsim {} --help", command->name());
-  for (const std::string& argument : arguments.subspan(2)) {
-    if (argument == "--") break;
-    const std::string word = argument.substr(0, argument.find('='));
-    const bool is_unknown = word.starts_with("--") && std::ranges::find(known, word) == known.end();
-    if (is_unknown) return no_such_option(word, known, command->name());
-  }
-  return fmt::format("{}; {}", reason, help);
-}
-
 void CommandLine::carry_out(std::span<const std::string> arguments, const std::function<void()>& act) {
   try {
     act();
@@ -193,8 +159,16 @@ void CommandLine::carry_out(std::span<const std::string> arguments, const std::f
     const Command* const command = arguments.size() < 2 ? nullptr : command_named(arguments[1]);
     const std::string place = command == nullptr ? "" : command->place_of(error.what());
     if (!place.empty()) throw InputError(place + ": " + error.what());
-    throw UsageError(explain_failure(error.what(), arguments));
+    throw UsageError(command == nullptr ? error.what() : with_help(error.what(), command->name()));
   }
+}
+
+/// Prints the help of the command named by the second word, or that of the program.
+void CommandLine::print_help(std::span<const std::string> words) const {
+  if (words.size() < 2) return fmt::print("{}", overview_text(description_, make_helps(commands_)));
+  const auto found = std::ranges::find(commands_, words[1], &Command::name);
+  if (found == commands_.end()) throw UsageError(no_such_command(words, command_names()));
+  fmt::print("{}", help_text(make_help(*found)));
 }
 
 /// Handles the options of the program itself. The first argument is the program's name.
@@ -202,11 +176,12 @@ bool CommandLine::handle_program_options(std::span<const std::string> arguments)
   if (arguments.size() < 2) return false;
   const std::string_view first = arguments[1];
   constexpr std::string_view describing = "--describe";
-  if (first == "--help" || first == "-h") {
-    fmt::print("{}", overview_text(description_, make_helps(commands_)));
+  if (first == "--help" || first == "-h" || first == "help") {
+    print_help(arguments.subspan(1));
   } else if (has_own_options_ && first == "--version") {
     fmt::print("{}\n", version_page());
-  } else if (has_own_options_ && first == describing && arguments.size() > 2) {
+  } else if (has_own_options_ && first == describing) {
+    if (arguments.size() < 3) throw UsageError(std::string(describing), "needs a value; name a folder");
     write_description(describe(program_, description_, commands_), arguments[2]);
   } else {
     return false;

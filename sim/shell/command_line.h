@@ -66,9 +66,10 @@ class CommandLine {
 
   [[nodiscard]] Command* command_named(std::string_view name);
   [[nodiscard]] Read read_words(std::span<const std::string> arguments, bool takes_settings);
+  [[nodiscard]] std::vector<std::string> command_names() const;
+  void print_help(std::span<const std::string> words) const;
   [[nodiscard]] bool handle_program_options(std::span<const std::string> arguments) const;
   [[nodiscard]] std::vector<Setting> settings_in(const std::string& file, const Command& command) const;
-  [[nodiscard]] std::string explain_failure(std::string_view reason, std::span<const std::string> arguments) const;
   void carry_out(std::span<const std::string> arguments, const std::function<void()>& act);
 
   std::string description_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -100,10 +101,11 @@ std::string failed_models(std::span<const std::string> failed, std::size_t model
                      fmt::join(named, ", "), named.size() < failed.size() ? " and others" : "", table);
 }
 
-std::string fault_hint(bool has_read_rows) {
-  if (!has_read_rows) return "this is an error in csgsim, please report it";
-  return "rows read from the table may have been changed: measure everything again in another folder (-o), and if the "
-         "error remains, report it";
+void fail_inconsistent(const std::string& what, bool has_read_rows) {
+  if (!has_read_rows) throw std::logic_error(what);
+  throw InputError(what +
+                   "; rows read from the table may have been changed: measure everything again in another folder "
+                   "(-o), and if the error remains, report it");
 }
 
 void warn_stale(const std::filesystem::path& table, const std::set<std::string>& changed) {

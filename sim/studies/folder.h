@@ -51,9 +51,9 @@ std::string with_model_name(const std::string& model, const std::string& reason)
 /// The last line printed by a study that skipped some of its `models` models; `table` holds the reasons.
 std::string failed_models(std::span<const std::string> failed, std::size_t models, const std::string& table);
 
-/// Error text for inconsistent results: the likely cause and a fix. If all rows were measured by this process, the
-/// fault is in csgsim; rows that were read may have been changed.
-std::string fault_hint(bool has_read_rows);
+/// Throws for inconsistent results: std::logic_error if all rows were measured by this process, since the fault is then
+/// in csgsim; InputError with a fix if rows were read, which may have been changed.
+[[noreturn]] void fail_inconsistent(const std::string& what, bool has_read_rows);
 
 /// Warns on standard error about the inputs that changed since some rows of the table were measured.
 void warn_stale(const std::filesystem::path& table, const std::set<std::string>& changed);

@@ -271,7 +271,7 @@ TEST_CASE("the documentation of scene files equals the printed manual page") {
 }
 
 TEST_CASE("wrong usage ends with exit code 2 and one line of error") {
-  misused("", "subcommand");
+  misused("", "name a command");
   misused("rendr x.csg", "rendr");
   misused("render", "MODEL");
   misused("render m.csg --colour", "--colour");

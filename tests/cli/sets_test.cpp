@@ -68,12 +68,12 @@ TEST_CASE("a machine file that changes a built-in machine is named after its cha
 TEST_CASE("reports a wrong --set in one line with the nearest parameter or key") {
   const std::string render = "render " + model("old_example002") + " --size 16x16 ";
   misused(render + "--set alu.bit=4",
-          "'alu.bit' is neither a machine parameter nor a scene key; the nearest known is 'alu.bits'");
-  misused(render + "--set ambience.intensity=1", "the nearest known is 'ambient.intensity'");
+          "'alu.bit' is neither a machine parameter nor a scene key; did you mean alu.bits?");
+  misused(render + "--set ambience.intensity=1", "did you mean ambient.intensity?");
   misused(render + "--set ambient.intensty=1", "ambient.intensity");
   misused(render + "--set alu.bits=99", "alu.bits is 99; it must be");
-  misused(render + "--set alu.bits=wide", "alu.bits is a string; make it an integer");
-  misused(render + "--set alu.bits", "changes no parameter; write KEY=VALUE");
+  misused(render + "--set alu.bits=wide", "alu.bits is 'wide'; write a whole number of bits");
+  misused(render + "--set alu.bits", "'alu.bits' is not of the form KEY=VALUE");
   misused(render + "--set divider.kind=host",
           "pixel-planes-4 has no such parameter, but machines of the kind pixel-square");
   misused("run x.csgt --set ambient.intensity=1", "'ambient.intensity=1' is a key of a scene");

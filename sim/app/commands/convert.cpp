@@ -84,9 +84,9 @@ const convert::Format& requested_format(const Options& options) {
     throw UsageError("--format", fmt::format("{} has no ending that selects a format; name one, as in --format stl",
                                              printable(options.output)));
   if (format == nullptr)
-    throw UsageError("--output",
-                     fmt::format("unknown ending; end the name in one of {}, or name a format with --format",
-                                 fmt::join(endings(), ", ")));
+    throw UsageError("--output", fmt::format("'{}' has an unknown ending; end the name in one of {}, or name a format "
+                                             "with --format",
+                                             printable(options.output), fmt::join(endings(), ", ")));
   if (options.resolution) throw UsageError("--resolution", "applies to .bintree files only; leave it out");
   if (options.ascii && !format->has_text)
     throw UsageError("--ascii", fmt::format("a {} file has only one form; leave it out", format->ending));
@@ -219,7 +219,8 @@ void convert_to_blocks(const Options& options) {
   if (options.ascii) throw UsageError("--ascii", "a .bintree file has only one form; leave it out");
   const std::uint32_t resolution = options.resolution.value_or(default_resolution);
   if (!std::has_single_bit(resolution))
-    throw UsageError("--resolution", "blocks are halved, so the resolution must be a power of two");
+    throw UsageError("--resolution", fmt::format("{} is not a power of two, and blocks are halved; use {} or {}",
+                                                 resolution, std::bit_floor(resolution), std::bit_ceil(resolution)));
   const facet::Faceting faceting = requested_faceting(options);
   Outputs outputs(options);
   const auto begin = std::chrono::steady_clock::now();

@@ -36,7 +36,7 @@ struct Options {
   unsigned threads = 1;
 };
 
-constexpr InputKind command_file{"name a file of commands", std::size_t{1} << 20U, "split it"};
+constexpr InputKind command_file{"a file of commands", std::size_t{1} << 20U, "split it"};
 
 /// Executes one line and prints its output. Throws InputError that begins with the line's place.
 void execute(const std::string& text, const std::string& name, std::size_t line, const isa::Program& program,

@@ -55,7 +55,9 @@ std::vector<std::string> words_of(const RecordedRun& run, const Options& options
 void change_folder(const std::string& folder) {
   std::error_code error;
   fs::current_path(folder, error);
-  if (error) throw InputError(printable(folder) + ": cannot change to this folder (" + error.message() + ")");
+  if (error)
+    throw InputError(printable(folder) + ": cannot change to this folder (" + error.message() +
+                     "); name the folder in which the run was started with --from");
 }
 
 /// Result of the comparison. `is_done`: a run both began and ended.

@@ -107,7 +107,11 @@ void add_rtl(CommandLine& line) {
       .option("MACHINE", options->model.machine,
               "A machine's name (see csgsim manual machines) or .toml file; NAME+KEY=VALUE changes a parameter")
       .required()
-      .check(is_read_by(check_machine));
+      .check([](const std::string& name) {
+        return has_model_name(name)
+                   ? "'" + name + "' is a model; name the machine first, as in csgsim rtl MACHINE MODEL"
+                   : is_read_by(check_machine)(name);
+      });
   options->model.add_to(command);
   command.remove("MODEL");
   command.remove("--machine");
@@ -118,7 +122,6 @@ void add_rtl(CommandLine& line) {
       .option("-o,--output", options->output,
               "Folder for the design: new, empty, or that of an earlier design, which is replaced")
       .required()
-      .check(not_empty)
       .folder();
   command.prints_summary();
   command.runs([options, &command] { write_design(*options, command); });

@@ -147,9 +147,12 @@ void refuse_pixel_options(const OptionList& command) {
 /// Rejects options that contradict each other. Returns the requested window, or nothing where --at replaces it.
 std::optional<waves::WindowRequest> checked(const Options& options, const OptionList& command) {
   if (options.lanes && !is_unnamed_stream(options.output) && !ends_in(options.output, ".json"))
-    throw UsageError("--lanes", "a file of lanes needs a name that ends in .json");
+    throw UsageError("--lanes",
+                     fmt::format("a file of lanes needs a name that ends in .json, not '{}'", options.output));
   if (!ends_in(options.output, ".vcd") && !ends_in(options.output, ".fst") && has_views(options))
-    throw UsageError("--output", "the name must end in .vcd or .fst for a waveform, or in .json for unit activities");
+    throw UsageError("--output", fmt::format("'{}' must end in .vcd or .fst for a waveform, or in .json for unit "
+                                             "activities",
+                                             options.output));
   const bool has_lanes_only = has_lanes(options) && !has_pixels(options);
   if (has_lanes_only) refuse_pixel_options(command);
   if (!is_model(options.model.model))

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t numbers_of_eye_and_centre = 6;
 constexpr std::size_t numbers_of_gimbal = 7;
 constexpr const char* blanks = " \t\r";
-constexpr InputKind camera_input{"name a file of cameras", 1'000'000, "split it into several"};
+constexpr InputKind camera_input{"a file of cameras", 1'000'000, "split it into several"};
 
 /// A number and its position in the text.
 struct PlacedNumber {

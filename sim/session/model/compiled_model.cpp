@@ -24,6 +24,7 @@
 #include "hw/base/hash.h"
 #include "hw/base/input_file.h"
 #include "hw/base/messages.h"
+#include "hw/base/standard_streams.h"
 #include "hw/base/text.h"
 #include "sim/functional/clocks.h"
 #include "sim/session/model/scad.h"
@@ -42,8 +43,22 @@ Subject model_subject(const ModelRequest& request) {
   if (subject == Subject::program)
     throw InputError(request.model + ": that is a Program; use csgsim run " + shell_word(request.model));
   if (!request.imports_from.empty() && !std::filesystem::is_directory(request.imports_from))
-    throw InputError(fmt::format("--imports-from: {} is not a folder", printable(request.imports_from)));
+    throw InputError(fmt::format("--imports-from: {} is not a folder; name the folder of the imports",
+                                 printable(request.imports_from)));
   return subject;
+}
+
+/// Calls a reader of the model. Errors of a file without the name of a model suggest that it may be no model.
+template <class Read>
+ModelFile read_as_model(const ModelRequest& request, Read read) {
+  try {
+    return read();
+  } catch (const InputError& error) {
+    const std::string_view message = error.what();
+    const bool may_be_model = request.model == standard_stream || has_model_name(request.model);
+    if (may_be_model || message.find(": expected ") == message.npos) throw;
+    throw InputError(fmt::format("{}; is this a model? {}", message, model_endings()));
+  }
 }
 
 /// Rejects options of OpenSCAD for a model that it does not evaluate.
@@ -98,7 +113,8 @@ ModelFile read_model_text(const ModelRequest& request, const std::optional<std::
 }  // namespace
 
 ModelFile read_model_file(const ModelRequest& request, const std::optional<std::string>& instead) {
-  return with_memory_for("the model " + request.model, [&] { return read_model_text(request, instead); });
+  return with_memory_for("the model " + request.model,
+                         [&] { return read_as_model(request, [&] { return read_model_text(request, instead); }); });
 }
 
 model::Tree read_model(const ModelRequest& request) { return read_model_file(request).tree; }

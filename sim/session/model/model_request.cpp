@@ -68,11 +68,11 @@ setup::Tolerance parse_tolerance(const std::string& text) {
   const std::string number = is_in_pixels ? text.substr(0, text.size() - 2) : text;
   const double value = numbers<double>(number, ',', 1, "--tolerance", is_in_pixels ? "0.5px" : "0.1, or 0.5px")[0];
   if (!(value > 0 && std::isfinite(value)))
-    throw UsageError("--tolerance", "the faceting tolerance must be a finite length above 0");
+    throw UsageError("--tolerance", fmt::format("'{}' is not a finite length above 0; write one such as 0.1", text));
   return {value, is_in_pixels};
 }
 
-constexpr InputKind scene_input{"name a scene's .toml file", 1'000'000, "split the model's look into fewer materials"};
+constexpr InputKind scene_input{"a scene's .toml file", 1'000'000, "split the model's look into fewer materials"};
 
 view::Projection projection_of(const ModelRequest& request) {
   if (!request.projection.empty()) return projections.at(request.projection);
@@ -263,9 +263,10 @@ machines::Machine machine_of(const ModelRequest& request) {
   machines::Machine machine = load_machine(request.machine, request.sets);
   if (!request.size.empty()) {
     const char between = request.size.find(',') == std::string::npos ? 'x' : ',';
-    const auto size = numbers<std::uint32_t>(request.size, between, 2, "--size", "WxH");
+    const auto size = numbers<std::uint32_t>(request.size, between, 2, "--size", "WxH, as in 640x480");
     if (std::ranges::any_of(size, [](std::uint32_t side) { return side < 1 || side > isa::max_array_side; })) {
-      throw UsageError("--size", fmt::format("width and height must be 1 to {} pixels", isa::max_array_side));
+      throw UsageError("--size",
+                       fmt::format("'{}': width and height must be 1 to {} pixels", request.size, isa::max_array_side));
     }
     machines::set_picture_size(machine, {size[0], size[1]});
   }
@@ -294,9 +295,9 @@ view::Sampling sampling_of(const ModelRequest& request, const machines::Machine&
     throw UsageError("--near", "an orthographic view has no near plane; leave it out");
   }
   if (request.near && !(*request.near > 0 && std::isfinite(*request.near)))
-    throw UsageError("--near", "the near plane must be at a finite distance above 0");
+    throw UsageError("--near", fmt::format("{:g} is not a finite distance above 0", *request.near));
   if (!(request.edge_on > 0 && request.edge_on <= 1))
-    throw UsageError("--edge-on", "the edge-on fraction must be above 0 and at most 1 pixel");
+    throw UsageError("--edge-on", fmt::format("{:g} is not a fraction of a pixel above 0, at most 1", request.edge_on));
   const machines::Size picture = machine.picture;
   const std::optional<double> near = request.near ? request.near : near_of(request);
   return {picture.width, picture.height, request.z_bits, request.fraction_bits, request.edge_on, near};

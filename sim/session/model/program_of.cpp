@@ -4,10 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "hw/base/error.h"
 #include "hw/base/messages.h"
+#include "hw/base/standard_streams.h"
 #include "hw/base/text.h"
 #include "hw/isa/program_file.h"
 #include "hw/machines/kind.h"
@@ -21,7 +23,14 @@
 namespace csgsim::session {
 
 isa::Program read_program(const std::string& path) {
-  return with_memory_for("the Program " + path, [&] { return isa::load_program(path); });
+  try {
+    return with_memory_for("the Program " + path, [&] { return isa::load_program(path); });
+  } catch (const InputError& error) {
+    const std::string_view message = error.what();
+    const bool may_be_program = path == standard_stream || ends_in(path, ".csgt");
+    if (may_be_program || message.find(": unknown instruction ") == message.npos) throw;
+    throw InputError(fmt::format("{}; is this a Program? csgsim compile writes Programs, .csgt", message));
+  }
 }
 
 namespace {

@@ -6,11 +6,13 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "host/read/limits.h"
 #include "hw/base/error.h"
+#include "hw/base/input_file.h"
 #include "hw/base/inputs_kept.h"
 #include "hw/base/text.h"
 #include "sim/session/model/parameter_sets.h"
@@ -93,6 +95,10 @@ std::vector<std::string> openscad_words(std::vector<std::string> first, const st
 }  // namespace
 
 std::string evaluate_scad(const std::string& file, const ScadOptions& options) {
+  // OpenSCAD's own message does not say why the file cannot be opened.
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored))
+    static_cast<void>(read_regular_file(file, {"a .scad file", read::max_file_bytes, ""}));
   record_input(file);
   const std::vector<std::string> words = openscad_words({}, file.starts_with('-') ? "./" + file : file, options);
   return evaluated(words, system::MemoryFile(file), file, options);

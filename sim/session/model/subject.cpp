@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "hw/base/descriptor.h"
 #include "hw/base/error.h"
@@ -17,6 +18,7 @@
 #include "hw/base/text.h"
 #include "hw/isa/program_file.h"
 #include "sim/session/options/paths.h"
+#include "sim/session/options/suggestions.h"
 
 namespace csgsim::session {
 
@@ -61,10 +63,18 @@ bool has_model_name(const std::filesystem::path& path) {
 
 bool has_mesh_name(const std::filesystem::path& path) { return named_subject(path) == Subject::mesh; }
 
+std::string model_endings() {
+  std::vector<std::string> endings;
+  for (const NamedSubject& one : named_subjects)
+    if (one.subject != Subject::program) endings.emplace_back(one.ending);
+  return "models end in " + alternatives(endings);
+}
+
 void refuse_model(const std::filesystem::path& path) {
   const bool may_be_model = path == standard_stream || has_model_name(path);
   if (may_be_model && is_model(path))
-    throw InputError(printable(path.native()) + ": that is a model; use csgsim render " + shell_word(path.native()));
+    throw InputError(printable(path.native()) +
+                     ": that is a model; csgsim render draws it, and csgsim compile makes a Program of it");
 }
 
 }  // namespace csgsim::session

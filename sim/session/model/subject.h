@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace csgsim::session {
@@ -48,6 +49,9 @@ bool has_model_name(const std::filesystem::path& path);
 
 /// Whether the extension is that of a mesh.
 bool has_mesh_name(const std::filesystem::path& path);
+
+/// A sentence about the names of models: `models end in .csg, .scad, ...`.
+std::string model_endings();
 
 /// Throws InputError for a model, with advice, in commands that accept Programs only.
 void refuse_model(const std::filesystem::path& path);

@@ -18,11 +18,20 @@ void add_once(std::vector<Value>& values, Value value) {
   if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(std::move(value));
 }
 
+/// Advice for a range with another sign between its numbers, as in `12-20`.
+std::string as_range(std::string_view word) {
+  constexpr std::string_view digits = "0123456789";
+  const std::size_t end = std::min(word.find_first_not_of(digits), word.size());
+  const std::size_t next = word.find_first_of(digits, end);
+  const bool is_range = end > 0 && next != word.npos && word.find_first_not_of(digits, next) == word.npos;
+  return is_range ? fmt::format("; write {}..{}", word.substr(0, end), word.substr(next)) : "";
+}
+
 unsigned parse_number(std::string_view text, std::string_view word) {
   unsigned number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc{} || end != text.data() + text.size() || text.empty())
-    throw InputError(fmt::format("'{}' is neither a number nor a range such as 3..8", word));
+    throw InputError(fmt::format("'{}' is neither a number nor a range such as 3..8{}", word, as_range(word)));
   return number;
 }
 
@@ -41,7 +50,8 @@ std::vector<std::string_view> split(std::string_view text, std::string_view sepa
 std::vector<std::string> parse_words(std::string_view text) {
   std::vector<std::string> words;
   for (const std::string_view word : split(text, ",")) {
-    if (word.empty()) throw InputError(fmt::format("empty element in list '{}'", text));
+    if (text.empty()) throw InputError("empty element in list ''; write values separated by commas");
+    if (word.empty()) throw InputError(fmt::format("empty element in list '{}'; remove a comma", text));
     add_once(words, std::string(word));
   }
   return words;

@@ -16,6 +16,7 @@
 #include "hw/base/nearest.h"
 #include "hw/base/text.h"
 #include "sim/session/options/lists.h"
+#include "sim/session/options/option_table.h"
 #include "sim/session/options/read_by.h"
 #include "sim/session/options/usage.h"
 
@@ -44,12 +45,23 @@ std::optional<Number> number_in(std::string_view text) {
   return number;
 }
 
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+
+/// Advice for a number followed by a unit, as in `20bits`; empty for other texts and for SI prefixes.
+std::string without_unit(std::string_view text) {
+  const std::size_t end = std::min(text.find_first_not_of("0123456789."), text.size());
+  std::string_view unit = text.substr(end);
+  if (unit.starts_with(' ')) unit.remove_prefix(1);
+  const bool is_unit = (unit == "s" || unit.size() > 1) && std::ranges::all_of(unit, is_letter);
+  return end > 0 && is_unit ? fmt::format("; write the number alone: {}", text.substr(0, end)) : "";
+}
+
 template <class Number>
 std::string number_problem(const std::string& text) {
   if (number_in<Number>(text)) return "";
-  if constexpr (std::is_floating_point_v<Number>) return "'" + text + "' is not a number";
+  if constexpr (std::is_floating_point_v<Number>) return "'" + text + "' is not a number" + without_unit(text);
   const bool is_digits = !text.empty() && std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
-  if (!is_digits) return "'" + text + "' is not a whole number, 0 or more";
+  if (!is_digits) return "'" + text + "' is not a whole number, 0 or more" + without_unit(text);
   return fmt::format("'{}' is more than {}", text, std::numeric_limits<Number>::max());
 }
 
@@ -61,6 +73,15 @@ std::string flag_problem(const std::string& text) {
 void refuse_zero_byte(const std::string& text) {
   if (text.find('\0') != text.npos)
     throw UsageError(printable(text), "contains a zero byte, which a command line cannot hold; remove it");
+}
+
+std::string named_folder(const std::string& name) { return name.empty() ? "the name is empty; name a folder" : ""; }
+
+/// What to add to a command line for a required option or operand.
+std::string how_to_give(const Option& option, const std::string& request) {
+  if (option.is_operand) return fmt::format("name it, as in csgsim {} {}", request, option.shown_name());
+  const std::string_view value = known_option(option.key()).value;
+  return fmt::format("add {} {}", option.names.front(), option.is_folder ? "FOLDER" : value.empty() ? "VALUE" : value);
 }
 
 /// Name of a value of the option in messages.
@@ -102,7 +123,7 @@ Option& Option::words(const std::vector<std::string>& words, const Check& check)
 
 Option& Option::folder() {
   is_folder = true;
-  return check(not_empty);
+  return check(named_folder);
 }
 
 Option& Option::between(std::uint64_t low, std::uint64_t high) {
@@ -110,7 +131,8 @@ Option& Option::between(std::uint64_t low, std::uint64_t high) {
   checks_.assign(1, [low, high](const std::string& text) {
     const std::optional<std::uint64_t> number = number_in<std::uint64_t>(text);
     const bool is_within = number && *number >= low && *number <= high;
-    return is_within ? "" : fmt::format("'{}' is not a whole number from {} to {}", text, low, high);
+    return is_within ? ""
+                     : fmt::format("'{}' is not a whole number from {} to {}{}", text, low, high, without_unit(text));
   });
   return *this;
 }
@@ -318,9 +340,11 @@ void OptionList::take_given() {
 void OptionList::take() {
   take_given();
   for (const Option& option : options_) {
-    if (option.is_required && !option.is_given()) throw UsageError(option.shown_name() + " is required");
+    if (option.is_required && !option.is_given())
+      throw UsageError(option.shown_name() + " is required; " + how_to_give(option, name_));
     const Option* const other = option.is_given() ? excluded_by(option) : nullptr;
-    if (other != nullptr) throw UsageError(option.shown_name() + " excludes " + other->shown_name());
+    if (other != nullptr)
+      throw UsageError(option.shown_name() + " excludes " + other->shown_name() + "; leave one out");
   }
 }
 
@@ -405,10 +429,6 @@ std::string did_you_mean(std::string_view word, std::span<const std::string> kno
   const std::vector<std::string_view> candidates(known.begin(), known.end());
   const std::string_view nearest = nearest_similar(word, candidates);
   return nearest.empty() ? "" : fmt::format(" did you mean {}?", nearest);
-}
-
-std::string no_such_option(std::string_view word, std::span<const std::string> known, std::string_view request) {
-  return fmt::format("there is no option {};{} see csgsim {} --help", word, did_you_mean(word, known), request);
 }
 
 }  // namespace csgsim::session

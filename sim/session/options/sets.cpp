@@ -7,7 +7,6 @@
 #include <set>
 #include <string_view>
 
-#include "host/effects/rows.h"
 #include "host/scene/schema.h"
 #include "hw/base/nearest.h"
 #include "hw/base/text.h"
@@ -16,6 +15,7 @@
 #include "hw/kinds/rows.h"
 #include "hw/machines/description.h"
 #include "sim/session/options/lists.h"
+#include "sim/session/options/suggestions.h"
 #include "sim/session/options/usage.h"
 
 namespace csgsim::session {
@@ -33,30 +33,23 @@ bool is_of_scene(std::string_view key) {
                                                   [&](const scene::Section& section) { return section.name == word; });
 }
 
-/// Every key that may be set; for tables of a list, the keys of the first table.
-std::vector<std::string> vocabulary() {
-  std::set<std::string> words;
-  for (const machines::Kind* kind : kinds::all()) {
-    for (const machines::FigureSchema& figure : kind->schema) words.emplace(figure.key);
-  }
-  const auto add_section = [&](const scene::Section& section) {
-    for (const scene::KeyValue& one : section.blank())
-      words.insert(fmt::format("{}.{}{}", section.name, section.is_list ? "0." : "", one.key.name));
-  };
-  for (const scene::Section& section : scene::common_sections()) add_section(section);
-  for (const scene::Section& section : effects::sections()) {
-    add_section(section);
-    if (!section.is_list) words.insert(fmt::format("{}.on", section.name));
-  }
-  return {words.begin(), words.end()};
+/// Rejects a text without key or value.
+void refuse_form(const std::string& set) {
+  const std::string option = "--set " + printable(set);
+  if (key_of(set).empty()) throw UsageError(option, "there is no key before '='; write KEY=VALUE, as in alu.bits=4");
+  if (set.find('=') == set.npos)
+    throw UsageError(option, fmt::format("'{}' is not of the form KEY=VALUE, as in alu.bits=4", printable(set)));
 }
 
 [[noreturn]] void fail_unknown(const std::string& set) {
-  const std::vector<std::string> words = vocabulary();
-  const std::vector<std::string_view> known(words.begin(), words.end());
-  throw UsageError("--set " + printable(set),
-                   fmt::format("'{}' is neither a machine parameter nor a scene key; the nearest known is '{}'",
-                               printable(key_of(set)), nearest(key_of(set), known)));
+  const std::string_view key = key_of(set);
+  const std::string option = "--set " + printable(set);
+  if (is_option_name(key))
+    throw UsageError(option, fmt::format("{0} is an option and no key; write --{0} VALUE", printable(key)));
+  const std::vector<std::string> near = suggested_keys(key);
+  throw UsageError(option, fmt::format("'{}' is neither a machine parameter nor a scene key; {}", printable(key),
+                                       near.empty() ? "csgsim manual machines NAME and csgsim manual scenes list them"
+                                                    : fmt::format("did you mean {}?", alternatives(near))));
 }
 
 }  // namespace
@@ -64,6 +57,7 @@ std::vector<std::string> vocabulary() {
 Sets sorted(const std::vector<std::string>& sets) {
   Sets all;
   for (const std::string& set : sets) {
+    refuse_form(set);
     if (kinds::is_parameter(key_of(set))) {
       all.figures.push_back(set);
     } else if (is_of_scene(key_of(set))) {

@@ -22,7 +22,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr InputKind stats_input{"name a stats file, .json", std::size_t{256} << 20U, "it is not a stats file"};
+constexpr InputKind stats_input{"a stats file, .json", std::size_t{256} << 20U, "it is not a stats file"};
 
 /// Commands that write stats.
 constexpr auto recorded_commands = std::to_array<std::string_view>({"render", "run"});

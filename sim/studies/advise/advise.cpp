@@ -31,8 +31,7 @@ void check_by_drawing(const AdviseOptions& options, const AdviceQuestion& questi
   measured.colour_bits = {row.point.colour_bits};
   const Job job = question.job_of(options, row.point);
   if (to_line(AdviceRow(DesignMeter(measured).measure(row.point, job))) == to_line(row)) return;
-  if (are_read) throw InputError("drawing a recommended choice gives another result than its row; " + fault_hint(true));
-  throw std::logic_error("drawing a recommended choice gave another result than before");
+  fail_inconsistent("drawing a recommended choice gives another result than its row", are_read);
 }
 
 std::string picture_name(const AdviseOptions& options, const std::string& what) {
@@ -212,7 +211,7 @@ class Advise : public StudyOf<AdviceRow> {
 
   void refuse() const override {
     if (std::ranges::any_of(rows(), [](const AdviceRow& row) { return row.unexplained > 0; }))
-      throw InputError("the errors of a picture exceed the bounds of docs/numbers.md; " + fault_hint(are_read()));
+      fail_inconsistent("the errors of a picture exceed the bounds of docs/numbers.md", are_read());
     if (advice_.nearest)
       throw InputError("no choice meets all requirements; the closest one has " +
                        misses_text(*advice_.nearest, question_.requirements));

@@ -140,7 +140,7 @@ class Classify : public StudyOf<ClassifyRow> {
   void refuse() const override {
     if (std::ranges::none_of(rows(), &ClassifyRow::is_drawn)) throw InputError(rows().front().reason);
     if (const std::string difference = difference_of(rows()); !difference.empty())
-      throw InputError(difference + "; " + fault_hint(are_read()));
+      fail_inconsistent(difference, are_read());
   }
 
  protected:

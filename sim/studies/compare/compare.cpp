@@ -287,7 +287,7 @@ class Compare : public StudyOf<ComparisonRow> {
   void refuse() const override {
     if (std::ranges::none_of(rows(), &ComparisonRow::drawn)) throw InputError(rows().front().reason);
     if (const std::string difference = difference_of(rows()); !difference.empty())
-      throw InputError(difference + "; " + fault_hint(are_read()));
+      fail_inconsistent(difference, are_read());
   }
 
  protected:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 #include "host/emit/compile.h"
 #include "hw/base/error.h"
@@ -53,7 +54,7 @@ void draw(const isa::Program& program, const machines::Machine& machine, Compari
   observe::StatsObserver stats(program);
   const std::array<engine::Observer*, 2> observers{&frame, &stats};
   const engine::RunResult result = engine::make_functional_engine(machine)->run(program, observers);
-  if (result.overflows > 0) throw InputError("a linear expression does not fit its width; this is an error in csgsim");
+  if (result.overflows > 0) throw std::logic_error("a linear expression does not fit its width");
   row.clocks = result.clocks;
   row.simulated_seconds = static_cast<double>(result.clocks) / static_cast<double>(machine.clock_hz);
   row.shown_clocks = result.shown_clocks;

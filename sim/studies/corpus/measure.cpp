@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 #include "hw/base/error.h"
 #include "hw/base/text.h"
@@ -60,7 +61,7 @@ void draw(const isa::Program& program, const machines::Machine& machine, CorpusR
   observe::StatsObserver stats(program);
   const std::array<engine::Observer*, 2> observers{&frame, &stats};
   const engine::RunResult result = engine::make_functional_engine(machine)->run(program, observers);
-  if (result.overflows > 0) throw InputError("a linear expression does not fit its width; this is an error in csgsim");
+  if (result.overflows > 0) throw std::logic_error("a linear expression does not fit its width");
   count(stats.stats(), row);
   row.clocks = result.clocks;
   row.interval_clocks = result.interval_clocks;

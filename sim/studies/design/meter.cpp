@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <stdexcept>
 
 #include "host/emit/options.h"
 #include "hw/base/error.h"
@@ -106,7 +107,7 @@ unsigned colour_error(const observe::Frame& exact, const observe::Frame& frame, 
 
 DrawnProgram draw_exactly(Fitted fitted) {
   DrawnProgram drawn = draw(std::move(fitted.program), fitted.machine);
-  if (drawn.has_overflow) throw InputError("a linear expression does not fit its width; this is an error in csgsim");
+  if (drawn.has_overflow) throw std::logic_error("a linear expression does not fit its width");
   return drawn;
 }
 

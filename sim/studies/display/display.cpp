@@ -154,7 +154,7 @@ class Display : public StudyOf<DisplayStudyRow> {
   void refuse() const override {
     if (std::ranges::none_of(rows(), &DisplayStudyRow::is_drawn)) throw InputError(rows().front().reason);
     if (const std::string difference = display_difference(rows()); !difference.empty())
-      throw InputError(difference + "; " + fault_hint(are_read()));
+      fail_inconsistent(difference, are_read());
   }
 
  protected:

@@ -148,7 +148,7 @@ class Explore : public StudyOf<ExploreRow> {
     if (std::ranges::none_of(all, &ExploreRow::is_compiled) && by_model(all).size() == 1)
       throw InputError(all.front().reason);
     if (std::ranges::any_of(all, [](const ExploreRow& row) { return row.unexplained > 0; }))
-      throw InputError("the errors of a picture exceed the bounds of docs/numbers.md; " + fault_hint(are_read()));
+      fail_inconsistent("the errors of a picture exceed the bounds of docs/numbers.md", are_read());
     refuse_models(all, "explore.csv");
   }
 

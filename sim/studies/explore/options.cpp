@@ -117,6 +117,11 @@ void ExploreOptions::add_to(session::OptionList& command) {
 }
 
 std::string ExploreOptions::requested_axes() const {
+  for (const std::string& axis : session::parse_words(axes.empty() ? "time" : axes)) {
+    const bool needs_process = axis == "silicon" || axis == "energy";
+    if (needs_process && process.empty())
+      throw session::UsageError("--axes", axis + " needs a process; add --process NAME, or leave it out");
+  }
   if (!axes.empty()) return axes;
   return process.empty() ? "time,area,memory,wrong" : "time,silicon,energy,memory,wrong";
 }

@@ -40,7 +40,7 @@ bool draws_alike(Rows rows) {
                                            : "a linear expression does not fit its width";
     print_text(fmt::format("WRONG: {}, {}: {}\n", one.point.model, names.name(one.point), what));
   }
-  throw InputError(fmt::format("{} of {} pictures are wrong; {}", wrong.size(), rows.size(), fault_hint(are_read)));
+  fail_inconsistent(fmt::format("{} of {} pictures are wrong", wrong.size(), rows.size()), are_read);
 }
 
 class Sweep : public StudyOf<SweepRow> {

@@ -176,7 +176,7 @@ class Trace : public StudyOf<TraceRow> {
   void refuse() const override {
     if (std::ranges::none_of(rows(), &TraceRow::is_drawn)) throw InputError(rows().front().reason);
     if (const std::string difference = difference_of(rows()); !difference.empty())
-      throw InputError(difference + "; " + fault_hint(are_read()));
+      fail_inconsistent(difference, are_read());
   }
 
  protected:

@@ -63,8 +63,8 @@ TEST_CASE("rejects impossible file names before anything is written") {
   const Scratch scratch;
   CHECK(contains(error_of([&] { OutputFile{""}; }), "empty name"));
   CHECK(contains(error_of([&] { OutputFile{scratch / std::string(256, 'n')}; }), "too long"));
-  CHECK(contains(error_of([&] { OutputFile{scratch.path()}; }), "Is a directory"));
-  CHECK(contains(error_of([&] { OutputFile{scratch / "none/a"}; }), "No such file"));
+  CHECK(contains(error_of([&] { OutputFile{scratch.path()}; }), "it is a folder"));
+  CHECK(contains(error_of([&] { OutputFile{scratch / "none/a"}; }), "does not exist; create it first"));
   CHECK(contains(error_of([&] { OutputFile{scratch / std::string("a\0b", 3)}; }), "zero byte"));
   CHECK(contains(error_of([&] { read_file(scratch / std::string("a\0b", 3), {"a file", 9, ""}); }), "zero byte"));
   CHECK(error_of([&] { OutputFile{scratch / std::string(255, 'n')}; }).empty());

@@ -145,20 +145,52 @@ TEST_CASE("the debugger prints a pixel's fields by name with colours and reserve
 TEST_CASE("errors in debugger commands show the column and suggest the nearest name") {
   Debugger debug;
   const std::array<std::pair<const char*, const char*>, 9> lines{{
-      {"  frobnicate", "test:1:3: unknown command; help lists the commands"},
+      {"  frobnicate", "test:1:3: unknown command 'frobnicate'; help lists the commands"},
       {"print Z3[1,1]", "test:1:7: there is no field 'Z3'; the nearest is 'Z2'"},
       {"print Z2[8,1]", "test:1:12: there is no pixel 8,1 in a picture of 8 x 2"},
-      {"print Z2", "test:1:9: expected a pixel of the field, as in Z2[100,20]"},
-      {"until Z2[1,1] < ", "test:1:17: expected a number to compare with, as in 5000 or 0xff"},
+      {"print Z2", "test:1:9: the line ends; expected a pixel of the field, as in Z2[100,20]"},
+      {"until Z2[1,1] < ", "test:1:17: the line ends; expected a number to compare with, as in 5000 or 0xff"},
       {"until primitive nera", "test:1:17: there is no primitive 'nera'; the nearest is 'near'"},
       {"break",
-       "test:1:6: expected a place to stop: i123, clock N, primitive P, or a condition such as Z2[100,20] < 5000"},
-      {"step 3 4", "test:1:8: unexpected text; end the line here or start a comment with #"},
+       "test:1:6: the line ends; expected a place to stop: i123, clock N, primitive P, or a condition such as "
+       "Z2[100,20] < 5000"},
+      {"step 3 4", "test:1:8: unexpected text '4'; end the line before it, or start a comment with #"},
       {"print [20+:5][0,0]", "test:1:7: no such field; a pixel has 24 bits of memory, and a field has 1 to 32 bits"},
   }};
   for (const auto& [line, error] : lines) CHECK(debug.error(line) == error);
   CHECK(debug("   # a comment") == "");
   CHECK(debug("") == "");
+}
+
+TEST_CASE("the debugger reads the words and abbreviations of gdb") {
+  const std::array<std::pair<const char*, const char*>, 14> words{{{"n", "step"},
+                                                                   {"next 2", "step 2"},
+                                                                   {"s 3", "step 3"},
+                                                                   {"stepi", "step"},
+                                                                   {"ni 2", "step 2"},
+                                                                   {"c", "run"},
+                                                                   {"continue", "run"},
+                                                                   {"u i5", "until i5"},
+                                                                   {"p E", "print E"},
+                                                                   {"l", "list"},
+                                                                   {"bt", "where"},
+                                                                   {"rs", "back"},
+                                                                   {"b i5", "break i5"},
+                                                                   {"h", "help"}}};
+  for (const auto& [of_gdb, own] : words) {
+    CAPTURE(of_gdb);
+    Debugger one;
+    Debugger other;
+    CHECK(one(of_gdb) == other(own));
+    CHECK(one("where") == other("where"));
+  }
+  Debugger debug;
+  CHECK(debug.error("watch Z2[1,1]") ==
+        "test:1:1: unknown command 'watch'; did you mean break change FIELD[x,y]? help lists the commands");
+  CHECK(debug.error("stpe") == "test:1:1: unknown command 'stpe'; did you mean step? help lists the commands");
+  CHECK(debug.error("break 5") ==
+        "test:1:7: found '5'; expected a place to stop: i123, clock N, primitive P, or a condition such as "
+        "Z2[100,20] < 5000");
 }
 
 TEST_CASE("the command back restores the state before the last executed instructions") {

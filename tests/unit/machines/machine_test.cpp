@@ -272,8 +272,9 @@ TEST_CASE("the error for a missing key in a machine file names the key") {
 
 TEST_CASE("a parameter that belongs to another kind of machine is rejected") {
   const std::string text = changed("[memory.writes]", "[refresh.rate]");
-  CHECK(message(text) ==
-        testing::place_in(text, "refresh.rate") + ": unknown key 'refresh'; the nearest known is 'name'");
+  CHECK(
+      message(text).starts_with(testing::place_in(text, "refresh.rate") +
+                                ": unknown key 'refresh'; the keys here are name, description, kind, array, clock, "));
 }
 
 TEST_CASE("the error for an unknown kind or order lists the valid names") {
@@ -334,7 +335,7 @@ TEST_CASE("parameters changed after a machine's name appear in it and count as a
 
 TEST_CASE("a change of an unknown parameter or to an invalid value is rejected") {
   CHECK_THROWS_WITH_AS(kinds::load("pixel-square+divider.kin=host"),
-                       "pixel-square.toml: unknown parameter 'divider.kin'; the nearest known is 'divider.kind'",
+                       "pixel-square: unknown parameter 'divider.kin'; the nearest known is 'divider.kind'",
                        csgsim::InputError);
   CHECK_THROWS_AS(kinds::load("pixel-square+divider.kind=hots"), csgsim::InputError);
   CHECK_THROWS_AS(kinds::load("pixel-square+divider.kind"), csgsim::InputError);

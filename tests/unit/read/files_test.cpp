@@ -60,7 +60,7 @@ TEST_CASE("a missing or unreadable model file or a directory is reported in one 
   if (::geteuid() != 0)
     CHECK(error_of_file(locked.path()) ==
           locked.path().string() + ": cannot be read: Permission denied; check the path and its permissions");
-  CHECK(error_of_file("") == ": cannot be read: No such file or directory; check the path and its permissions");
+  CHECK(error_of_file("") == "the name of a file is empty; name the file");
 }
 
 TEST_CASE("a model file beyond 1 GiB is rejected without reading it") {

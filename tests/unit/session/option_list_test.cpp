@@ -90,7 +90,7 @@ TEST_CASE("each type of option rejects invalid values with a specific message") 
            {{"--near", ""}, "--near: '' is not a number"},
            {{"--colour", "blue"}, "--colour: there is no colour 'blue'; the colours are red, green"},
            {{"--check=maybe"}, "--check: 'maybe' is neither true nor false"},
-           {{"--pixel", "1,1", "--colour", "red"}, "--colour excludes --pixel"},
+           {{"--pixel", "1,1", "--colour", "red"}, "--colour excludes --pixel; leave one out"},
            {{"--count"}, "--count: needs a value"},
            {{"--colr", "red"}, "there is no option --colr; did you mean --colour? see csgsim asked --help"},
            {{"b.csg"}, "unexpected argument b.csg; see csgsim asked --help"},
@@ -100,7 +100,7 @@ TEST_CASE("each type of option rejects invalid values with a specific message") 
     CAPTURE(words);
     CHECK(refusal_of(words) == row.refusal);
   }
-  CHECK(refusal_of({"--bits", "5"}) == "MODEL is required");
+  CHECK(refusal_of({"--bits", "5"}) == "MODEL is required; name it, as in csgsim asked MODEL");
 }
 
 TEST_CASE("an option accepts the limits of its range and rejects numbers beyond") {
