@@ -1,4 +1,4 @@
-// What determines a Program besides its model and machine, as values.
+// What determines a Program in addition to its model and machine, as values.
 // Used by camera.h, faceting.h and sim/session.
 #pragma once
 

@@ -45,7 +45,7 @@ TEST_CASE("exact curves are refused on a machine that evaluates linear expressio
   CHECK(error.ends_with(", or allow facets with --curves auto"));
 }
 
-TEST_CASE("fast spheres are selected with a warning that names the first solid drawn as facets") {
+TEST_CASE("fast spheres warn and name the first solid that is drawn as facets") {
   const CollectedLines messages;
   const facet::Faceting faceting = setup::faceting_for(choices_of(Curves::fast), machine_named("pixel-planes-4"), tree);
   CHECK(faceting.fast_spheres);
