@@ -58,7 +58,7 @@ module testbench;
   reg [23:0] picture [0:WIDTH*HEIGHT-1];
   integer file, trace, i;
 
-  // Verilator 5 takes the variables of functions that are called at a clock edge for registers.
+  // Functions that are called at a clock edge: Verilator 5 takes their variables for registers.
   /* verilator lint_off BLKSEQ */
   // Scales a channel of `bits` bits to 0 to 255, rounded to nearest.
   function [7:0] level(input [23:0] channel, input integer bits);
