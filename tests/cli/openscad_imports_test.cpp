@@ -130,10 +130,10 @@ TEST_CASE("OpenSCAD imports our drawings with the area and extent of OpenSCAD's"
   }
   const Folder folder;
   const std::string flat =
-      "difference() { square([10, 8]); translate([2, 2]) circle(2, $fn = 12); }\n"
+      "difference() { square([10, 8]); translate([3, 3]) circle(2, $fn = 12); }\n"
       "translate([20, -5]) rotate(30) offset(r = 1, $fn = 20) square([3, 4]);\n"
       "translate([-10, 2]) { difference() { circle(5); circle(4); } circle(3); }\n"
-      "translate([10, 8]) square(2);\n";
+      "translate([12, 8]) square(2);\n";
   write(folder / "flat.scad", flat);
   const auto extruded = [&](const std::string& shape) {
     return evaluated(folder, "intersection() { linear_extrude(3) { " + shape + " } cube(10000, center = true); }");
