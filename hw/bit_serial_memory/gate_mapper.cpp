@@ -81,7 +81,7 @@ class Search {
 
   std::optional<GateSequence> run() {
     add({}, initial(gate_, aliases_), no_parent, {});
-    for (std::size_t settled = 0; settled < max_settled && !open_.empty(); ++settled) {
+    while (!open_.empty() && nodes_.size() < max_nodes) {
       const auto [cost, number] = open_.top();
       open_.pop();
       const Contents contents = nodes_[number].contents;
@@ -93,7 +93,7 @@ class Search {
   }
 
  private:
-  static constexpr std::size_t max_settled = 200'000;
+  static constexpr std::size_t max_nodes = 200'000;  ///< limits the time of a search to seconds
   static constexpr std::size_t no_parent = ~std::size_t{0};
 
   struct Node {

@@ -176,6 +176,14 @@ TEST_CASE("a gate without a sequence is reported with the place of the commands"
       "in [sequence]");
 }
 
+TEST_CASE("a search that cannot succeed ends") {
+  // Monotone functions do not compute a choice; three operands and five latches have millions of them.
+  const CommandSet set = read(set_of(command("AND", "0001") + command("OR", "0111"), 4));
+  GateMapper mapper(set);
+  const auto message = [&] { mapper.sequence(Gate::choose, bit_serial_memory::no_aliases); };
+  CHECK(testing::error_of(message).starts_with("set.toml:4:1: no sequence of these commands was found for SEL"));
+}
+
 TEST_CASE("errors of a command set have their place and the mistake") {
   const std::string nand = command("NAND", "1110");
   const auto expects = [](const std::string& text, const std::string& message) {
