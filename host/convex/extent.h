@@ -1,5 +1,5 @@
 // Bounding box of a model after its Boolean operations.
-// Used by sim/session and sim/software.
+// Used by host/setup and sim/software.
 #pragma once
 
 #include <cstddef>

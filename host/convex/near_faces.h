@@ -1,5 +1,5 @@
 // Detection of overlapping faces in nearly equal planes.
-// Used by sim/session.
+// Used by sim/session and sim/app.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // Hulls and quadrics of curved primitives.
-// Used by solid.cpp, sim/session and sim/studies.
+// Used by solid.cpp, host/setup and sim/studies.
 #pragma once
 
 #include <cstdint>

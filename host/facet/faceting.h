@@ -1,5 +1,5 @@
 // Options of faceting.
-// Used by curved.h, solid.h, solid_at.h and sim.
+// Used by curved.h, solid.h, solid_at.h, host/setup and sim.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // A model as half-spaces and quadrics, with bounding boxes.
-// Used by host/convex, host/csg, host/effects, host/emit, host/read, host/solids, host/view and sim.
+// Used by host/convex, host/csg, host/effects, host/emit, host/read, host/setup, host/solids, host/view and sim.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // Table of node types.
-// Used by arguments.h, build.h and meetings.cpp.
+// Used by arguments.h, build.h, meetings.cpp and solids.cpp.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // Prints results to standard output, unless the thread silences them.
-// Used by sim/studies, sim/session and sim/python.
+// Used by host/setup, sim/studies and sim/python.
 #pragma once
 
 #include <string_view>

@@ -1,5 +1,5 @@
 // Row commands of a frame with the clocks at which they are issued.
-// Used by sim/rows.
+// Used by timing.cpp and sim/rows.
 #pragma once
 
 #include "hw/bit_serial_memory/command_set.h"

@@ -1,5 +1,5 @@
 // Parameters of machines, by their keys in all kinds.
-// Used by sim/session.
+// Used by load.cpp and sim/session.
 #pragma once
 
 #include <string>

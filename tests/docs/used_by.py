@@ -1,9 +1,7 @@
 #!/usr/bin/env python3
 """Compares the "Used by" line of each header with the files that include it.
 
-Every folder, .h or .cpp file that the line names, and `tests`, must include the header. A line of folders and files
-alone must also be complete; the header's own .cpp and -inl.h and, unless the line names them, tests may be omitted.
-Exit status 1 if a line is wrong.
+Every folder, .h or .cpp file that the line names, and `tests`, must include the header. Exit status 1 if a line is wrong.
 """
 
 import collections
@@ -51,23 +49,12 @@ def named(name, users):
     return None
 
 
-def optional(header, user):
-    """Whether a complete line may omit the user."""
-    stem = header.removesuffix(".h")
-    return user.startswith("tests/") or user in (stem + ".cpp", stem + "-inl.h", header)
-
-
-def faults(header, text, users):
+def faults(text, users):
     """What is wrong with the line of a header."""
-    names = used_by(text)
-    meant = [named(name, users) for name in names]
-    for name, files in zip(names, meant):
+    for name in used_by(text):
+        files = named(name, users)
         if files is not None and not files:
             yield f"{name} does not include it"
-    if names and None not in meant:
-        rest = sorted(user for user in users.difference(*meant) if not optional(header, user))
-        if rest:
-            yield f"the line omits {', '.join(rest)}"
 
 
 def main():
@@ -76,7 +63,7 @@ def main():
     wrong = 0
     for header in sorted(users):
         if (ROOT / header).is_file():
-            for fault in faults(header, (ROOT / header).read_text(encoding="utf-8"), users[header]):
+            for fault in faults((ROOT / header).read_text(encoding="utf-8"), users[header]):
                 wrong += 1
                 print(f"{header}: Used by: {fault}")
     return 1 if wrong else 0

@@ -1,5 +1,5 @@
 // Distinguishes models from Programs by content and name.
-// Used by sim/session, sim/app, sim/python and sim/studies.
+// Used by sim/session, sim/app, sim/python, sim/shell, sim/studies and sim/viewer.
 #pragma once
 
 #include <array>

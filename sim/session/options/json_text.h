@@ -1,5 +1,5 @@
 // Parses untrusted JSON within limits.
-// Used by sim/shell, sim/viewer and sim/web.
+// Used by sim/session/model, sim/shell, sim/viewer and sim/web.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // Headings, placeholders and file roles of all options.
-// Used by sim/app, sim/python and sim/shell.
+// Used by sim/app, sim/python, sim/session and sim/shell.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Checks of input and output paths.
-// Used by sim/session, sim/app, sim/studies and sim/viewer.
+// Used by sim/session, sim/app, sim/shell, sim/studies and sim/viewer.
 #pragma once
 
 #include <filesystem>

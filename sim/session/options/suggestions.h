@@ -1,5 +1,5 @@
 // Suggestions for unknown options and keys.
-// Used by sim/session.
+// Used by sim/session and sim/shell.
 #pragma once
 
 #include <span>

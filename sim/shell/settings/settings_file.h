@@ -1,5 +1,5 @@
 // Reads and writes settings files (TOML).
-// Used by command_line.h, recorded_run.h and settings_dump.cpp.
+// Used by command_line.h, mistakes.cpp, recorded_run.h and settings_dump.cpp.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // Triangulation of outlines.
-// Used by surface.h and outlines.cpp.
+// Used by surface.h, flat_rounds.cpp and outlines.cpp.
 #pragma once
 
 #include <array>
