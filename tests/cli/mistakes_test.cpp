@@ -52,11 +52,12 @@ Table read_table() {
     }
     if (line.starts_with("folder ")) table.folders.push_back(rest_after(line, "folder "));
     if (line.starts_with("$ ")) table.mistakes.push_back({number, section, rest_after(line, "$ "), -1, ""});
-    const bool is_answer = line.size() > 2 && line[0] >= '0' && line[0] <= '3' && line[1] == ' ';
+    const bool has_code = !line.empty() && line[0] >= '0' && line[0] <= '3';
+    const bool is_answer = has_code && (line.size() == 1 || line[1] == ' ');
     if (!is_answer) continue;
     REQUIRE(!table.mistakes.empty());
     table.mistakes.back().code = line[0] - '0';
-    table.mistakes.back().answer = line.substr(2);
+    table.mistakes.back().answer = line.size() == 1 ? "" : line.substr(2);
   }
   return table;
 }

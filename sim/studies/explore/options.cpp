@@ -54,6 +54,15 @@ session::ModelRequest base_of(const ExploreOptions& options, const std::vector<D
   return base;
 }
 
+/// Silicon and energy are known only in a process.
+void refuse_unpriced_axes(const ExploreOptions& options) {
+  if (options.axes.empty() || !options.process.empty()) return;
+  for (const std::string& axis : session::parse_words(options.axes)) {
+    if (axis == "silicon" || axis == "energy")
+      throw session::UsageError("--axes", axis + " needs a process; add --process NAME, or leave it out");
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> own_explore_options() {
@@ -117,11 +126,6 @@ void ExploreOptions::add_to(session::OptionList& command) {
 }
 
 std::string ExploreOptions::requested_axes() const {
-  for (const std::string& axis : session::parse_words(axes.empty() ? "time" : axes)) {
-    const bool needs_process = axis == "silicon" || axis == "energy";
-    if (needs_process && process.empty())
-      throw session::UsageError("--axes", axis + " needs a process; add --process NAME, or leave it out");
-  }
   if (!axes.empty()) return axes;
   return process.empty() ? "time,area,memory,wrong" : "time,silicon,energy,memory,wrong";
 }
@@ -133,6 +137,7 @@ std::optional<process::Process> ExploreOptions::loaded_process() const {
 }
 
 DesignGrid ExploreOptions::designs() const {
+  refuse_unpriced_axes(*this);
   const std::vector<Dimension> dimensions = dimensions_of(*this);
   return {base_of(*this, dimensions), dimensions, {points, seed}};
 }
