@@ -62,6 +62,7 @@ Usage: ./setup.sh COMMAND
          run a study on a local Slurm with two nodes, kill one of them, and compare with a single process; the same with
          srun, mpirun and GNU Parallel (as root)
   mutate test the tests: 400 small wrong edits, one at a time; more options: tests/mutation/README.md
+With CSGSIM_SKIP_PACKAGES=1 in the environment, no command checks or installs packages.
 TEXT
 }
 
