@@ -26,8 +26,8 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "simulator of the logic-enhanced frame buffers of the 1980s")
 set(CPACK_COMPONENT_CSGSIM_DESCRIPTION "Compiles Constructive Solid Geometry, OpenSCAD's models,
 into the instructions that the host of Pixel-planes or a machine of its kind
-would have broadcast, and runs them on a model of the hardware, word-parallel or
-clock by clock. It counts the clocks of each part of the machine.")
+would have broadcast, and runs them on a model of the hardware, word-parallel
+or clock by clock. It counts the clocks of each part of the machine.")
 set(CPACK_DEBIAN_CSGSIM_PACKAGE_NAME csgsim)
 set(CPACK_DEBIAN_CSGSIM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_CSGSIM_PACKAGE_SHLIBDEPS ON)

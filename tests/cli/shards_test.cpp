@@ -54,10 +54,21 @@ Words shard_files(const std::string& folder) {
   return files;
 }
 
+/// Where the rows of a shard's file begin, after the study, the command and the columns.
+std::size_t begin_of_rows(const std::string& text) {
+  std::size_t at = 0;
+  for (int line = 0; line < 3; ++line) {
+    const std::size_t end = text.find('\n', at);
+    if (end == std::string::npos) return text.size();
+    at = end + 1;
+  }
+  return at;
+}
+
 std::size_t rows_in(const std::string& file) {
   const std::string text = content(file);
-  const auto lines = std::ranges::count(text, '\n');
-  return lines < 2 ? 0 : static_cast<std::size_t>(lines) - 2;
+  return static_cast<std::size_t>(
+      std::count(text.begin() + static_cast<std::ptrdiff_t>(begin_of_rows(text)), text.end(), '\n'));
 }
 
 std::size_t rows(const std::string& folder) {
@@ -205,7 +216,7 @@ TEST_CASE("the printed command of a shard has all options of the shard, and is c
     CAPTURE(more);
     std::string changed = text;
     write(file, changed.insert(options + 22, more));
-    refuses_to_gather({"out", "--missing"}, folder.path(), {file + ":1:1: the command is not one of a shard"});
+    refuses_to_gather({"out", "--missing"}, folder.path(), {".shard:1:1: the command is not one of a shard"});
   }
   // A file of an earlier version has only the words that affect results.
   const std::size_t end = text.find('\n', options) + 1;
@@ -291,7 +302,7 @@ TEST_CASE("gather rejects shards of several studies and duplicates of a shard") 
 
   // A shard holds no points of another shard.
   const std::string other = content(whole[0]);
-  const std::size_t row = other.find('\n', other.find('\n') + 1) + 1;
+  const std::size_t row = begin_of_rows(other);
   write(folder / "out/shards/x.csv", content(whole[1]) + other.substr(row, other.find('\n', row) + 1 - row));
   refused({"belongs to shard 1/2", "x.csv"});
   write(folder / "out/shards/x.csv", "knob,value\n");
@@ -439,7 +450,7 @@ TEST_CASE("the scripts in docs/cluster run the shard assigned by their launcher"
   // A batch script without srun has SLURM_PROCID set to 0.
   fails(runs("SLURM_PROCID=0 " + scripts + "rank.sh" + words), 2, {"start it with mpirun or srun"});
   // Without a launcher, and without arguments, each script says how to start it.
-  for (const std::string arguments : {" 4" + words, std::string()}) {
+  for (const std::string& arguments : {" 4" + words, std::string()}) {
     const Outcome alone = runs(scripts + "array.sh" + arguments);
     CHECK(alone.code == 2);
     CHECK(alone.err.find("sbatch --array=1-16 array.sh 16 sweep model.csg -o out") != std::string::npos);

@@ -93,7 +93,7 @@ class Shards {
     for (const std::string& file : files) texts.push_back(content(file));
   }
 
-  /// Replaces a text in each file; returns the number of replacements.
+  /// Replaces a text in each file, whose first two lines have the command; returns the number of replacements.
   std::size_t replace(const std::string& from, const std::string& to) const {
     std::size_t places = 0;
     for (std::size_t i = 0; i < files.size(); ++i) {
@@ -220,17 +220,17 @@ TEST_CASE("gather rejects a shard whose command is not a study or has unknown op
                                   "--report=x.html", "--threads,7", "--quiet", "--no-plots", "--shard,1/7", "--help",
                                   "--dump-config", "--no-such-option", "++,--describe=x.html"}) {
     CAPTURE(words);
-    REQUIRE(shards.replace(",--size,", "," + words + ",--size,") == 2);
+    REQUIRE(shards.replace(",--size,", "," + words + ",--size,") == 4);
     shards.refuses("the command is not one of a shard");
   }
   for (const std::string words : {"--describe=x.html", "--version", "--help", "render", "rerun", ""}) {
     CAPTURE(words);
-    REQUIRE(shards.replace(",sweep,m.csg,", "," + words + ",m.csg,") == 2);
+    REQUIRE(shards.replace(",sweep,m.csg,", "," + words + ",m.csg,") == 4);
     shards.refuses("the command is not one of a shard");
   }
-  REQUIRE(shards.replace(",sweep,m.csg,", std::string(",sweep,m.csg\0,", 14)) == 2);
+  REQUIRE(shards.replace(",sweep,m.csg,", std::string(",sweep,m.csg\0,", 14)) == 4);
   shards.refuses("the command is not one of a shard");
-  REQUIRE(shards.replace(",--size,", ",--size,") == 2);
+  REQUIRE(shards.replace(",--size,", ",--size,") == 4);
   CHECK(run_words({"gather", "out", "--no-plots"}, shards.folder.path()).code == 0);
 }
 
