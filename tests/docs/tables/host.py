@@ -78,24 +78,29 @@ def prunings(figures):
 CORPUS = ("bolt_and_nut", "bracket", "gear_pair", "knob", "vase", "connecting_rod", "crossing_cylinders", "molecule",
           "old_example011", "mug")
 PLACES = {"mug": "tests/docs/models", **{name: "tests/corpus/parts" for name in CORPUS[:5]}}
-RANKED = (*MACHINES, "ambit-ddr4", "simdram-ddr4", "digital-bit-serial-ddr4")
-# Changes of a machine's host: none, no host, and one processor that is the same for all machines.
-HOSTS = {"own host": "", "ideal host": "+host.processor=ideal", "one `mc68000`": "+host.processor=mc68000+host.count=1"}
+MEMORIES = ("ambit-ddr4", "simdram-ddr4", "digital-bit-serial-ddr4")
+RANKED = (*MACHINES, *MEMORIES)
+OWN, IDEAL, SAME = "own host", "ideal host", "one `mc68000`"
+# Changes of a machine's host: none, no host, and one processor that is the same for all machines. Memories have none.
+HOSTS = {OWN: "", IDEAL: "+host.processor=ideal", SAME: "+host.processor=mc68000+host.count=1"}
+PAIRS = [(machine, host) for machine in RANKED for host in HOSTS if machine in MACHINES or host != IDEAL]
+SIDE = 256  # pixels; the memories take long to simulate
 
 
-def ranked_points(figures, model, options=""):
-    """The points of all machines with each of HOSTS, by both: the three stand-ins and the corpus, each fitted to its picture."""
+def ranked_points(figures, model, pairs, options=""):
+    """The points of machines with each of HOSTS, by both: the three stand-ins and the corpus, each fitted to its picture."""
     path = model if model in THESIS_MODELS else f"{PLACES.get(model, 'tests/models')}/{model}.csg"
     options += "" if model in THESIS_MODELS else " --view-all"
-    pairs = [(machine, host) for machine in RANKED for host in HOSTS]
     names = ",".join(machine + HOSTS[host] for machine, host in pairs)
-    points = figures.compare(path, f"{options} --machines {names} --fragments none --sides none")
-    return dict(zip(pairs, points, strict=True))
+    points = figures.compare(path, f"{options} --size {SIDE}x{SIDE} --machines {names} --fragments none --sides none")
+    found = dict(zip(pairs, points, strict=True))
+    found.update({(machine, IDEAL): found[machine, OWN] for machine in MEMORIES if (machine, OWN) in found})
+    return found
 
 
 def ranking(figures):
     """Frames per second of every machine, the geometric mean over thirteen models, and its rank, with each of HOSTS."""
-    models = [ranked_points(figures, model) for model in (*THESIS_MODELS, *CORPUS)]
+    models = [ranked_points(figures, model, PAIRS) for model in (*THESIS_MODELS, *CORPUS)]
     rates = {pair: [points[pair].hosted_frames_per_second for points in models] for pair in models[0]}
     mean = {pair: math.exp(sum(map(math.log, each)) / len(each)) for pair, each in rates.items()}
     rows = []
@@ -104,10 +109,10 @@ def ranking(figures):
         for host in HOSTS:
             place = 1 + sum(mean[other, host] > mean[machine, host] for other in RANKED)
             limited = sum(points[machine, host].host_clocks > points[machine, host].interval_clocks for points in models)
-            cells += [f"{mean[machine, host]:.3g}", str(place), *([] if host == "ideal host" else [str(limited)])]
+            cells += [f"{mean[machine, host]:.3g}", str(place), *([] if host == IDEAL else [str(limited)])]
         rows.append((f"`{machine}`", *cells))
-    head = ("machine", *(cell for host in HOSTS for cell in
-                         (f"{host}: frames/s", "rank", *([] if host == "ideal host" else ["host limits"]))))
+    head = ("machine", *(cell for host in HOSTS
+                         for cell in (f"{host}: frames/s", "rank", *([] if host == IDEAL else ["host limits"]))))
     return ruled(head, rows)
 
 
@@ -121,32 +126,26 @@ def work_of(each):
     return f"{seconds(each.host_model_clocks, each)} + {f'**{frame}**' if each.host_clocks > each.interval_clocks else frame}"
 
 
-def work(figures, host):
-    """Host time of every machine for each model."""
-    machines = [machine for machine in RANKED if ranked_points(figures, CORPUS[0])[machine, host].host_clocks > 0]
+def work(figures):
+    """Host time of every machine that has a host, for each model."""
     rows = []
     for model in (*THESIS_MODELS, *CORPUS):
-        points = ranked_points(figures, model)
-        rows.append((model, *(work_of(points[machine, host]) for machine in machines)))
-    return ruled(("model", *(f"`{machine}`" for machine in machines)), rows)
+        points = ranked_points(figures, model, PAIRS)
+        rows.append((model, *(work_of(points[machine, OWN]) for machine in MACHINES)))
+    return ruled(("model", *(f"`{machine}`" for machine in MACHINES)), rows)
 
 
-def work_own(figures):
-    return work(figures, "own host")
-
-
-def work_same(figures):
-    """Host time of every machine with one `mc68000`, and with every pruning, repeated for each frame."""
+def pays(figures):
+    """Host time with one `mc68000`: of `auto`, and of every pruning if all work is repeated for each frame."""
     machines = ("pixel-planes-4", "scan-line", "pixel-square")
     rows = []
     for model in (*THESIS_MODELS, *CORPUS):
-        points = ranked_points(figures, model)
-        every = ranked_points(figures, model, " --pruning all")
+        points = ranked_points(figures, model, PAIRS)
+        every = ranked_points(figures, model, [(machine, SAME) for machine in machines], " --pruning all")
         cells = []
         for machine in machines:
-            auto, full = points[machine, "one `mc68000`"], every[machine, "one `mc68000`"]
+            auto, full = points[machine, SAME], every[machine, SAME]
             cells += [work_of(auto), seconds(full.host_model_clocks + full.host_clocks, full),
                       f"{100 * (auto.clocks / full.clocks - 1):+.1f} %"]
         rows.append((model, *cells))
-    head = ("model", *(cell for machine in machines for cell in (f"`{machine}`", "every pruning", "clocks")))
-    return ruled(head, rows)
+    return ruled(("model", *(cell for machine in machines for cell in (f"`{machine}`", "every pruning", "clocks"))), rows)
