@@ -168,7 +168,7 @@ TEST_CASE("the interactive debugger completes and edits lines and survives error
   write(folder / "p.txt", two_colours(5));
   int terminal = -1;
   const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);
-  REQUIRE(child >= 0);
+  REQUIRE_MESSAGE(child >= 0, "there is no pseudo-terminal; mount /dev/pts, which a chroot lacks");
   if (child == 0) {
     ::setenv("TERM", "dumb", 1);
     const std::string binary = std::string(CSGSIM_BINARY_DIR) + "/csgsim";
