@@ -106,5 +106,6 @@ TEST_CASE("a parameter may be ideal only if its row allows it") {
   CHECK(machines::idealisations(described(description)).empty());
   text = description;
   text.replace(text.find("value = 24"), 10, "value = \"ideal\"");
-  CHECK_THROWS_WITH_AS(described(text), "one.toml:6:9: array.width is 'ideal'; write a whole number of pixels", InputError);
+  CHECK_THROWS_WITH_AS(described(text), "one.toml:6:9: array.width is 'ideal'; write a whole number of pixels",
+                       InputError);
 }

@@ -74,11 +74,14 @@ TEST_CASE("the price list of another processor changes only what is left to it")
 
 TEST_CASE("only parameters with a recipe can be left to a processor") {
   CHECK_THROWS_WITH_AS(kinds::load("multi-processor+node.word_bits=processor"),
-                       doctest::Contains("node.word_bits is 'processor'; write a whole number of bits"), machines::ChangeError);
+                       doctest::Contains("node.word_bits is 'processor'; write a whole number of bits"),
+                       machines::ChangeError);
   CHECK_THROWS_WITH_AS(kinds::load("multi-processor+node.cell_clocks=many"),
-                       doctest::Contains("is 'many'; write a whole number of clocks, or \"processor\""), machines::ChangeError);
+                       doctest::Contains("is 'many'; write a whole number of clocks, or \"processor\""),
+                       machines::ChangeError);
   CHECK_THROWS_WITH_AS(kinds::load("multi-processor+node.field_clocks=many"),
-                       doctest::Contains("is 'many'; write a whole number of clocks, or \"ideal\", or \"processor\""), machines::ChangeError);
+                       doctest::Contains("is 'many'; write a whole number of clocks, or \"ideal\", or \"processor\""),
+                       machines::ChangeError);
   CHECK_THROWS_WITH_AS(kinds::load("multi-processor+node.processor=ideal"),
                        doctest::Contains("node.processor is 'ideal'; it must be one of i486dx2, i860, mc68000"),
                        machines::ChangeError);
