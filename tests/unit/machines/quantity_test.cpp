@@ -60,7 +60,7 @@ TEST_CASE("other units, fractions of a unit and other texts are rejected with wh
   CHECK_THROWS_WITH_AS(parse_quantity("2x", ""), "write a whole number", InputError);
 }
 
-TEST_CASE("a parameter may be set by a quantity; the name has the plain number") {
+TEST_CASE("a quantity sets a machine's parameter, and its name has the plain number") {
   const csgsim::machines::Machine machine = csgsim::kinds::load("pixel-planes-4+clock.frequency=20MHz");
   CHECK(machine.clock_hz == 20'000'000);
   CHECK(machine.name == "pixel-planes-4+clock.frequency=20000000");
