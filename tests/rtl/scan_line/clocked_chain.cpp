@@ -37,7 +37,7 @@ ClockedChain::ClockedChain(const machines::Machine& machine)
 }
 
 void ClockedChain::clear(std::uint32_t pixels) {
-  queue_.clear();
+  queue_.forget_mark();
   chain_.clear(pixels);
 }
 
