@@ -70,6 +70,7 @@ class GatheredStudy {
  public:
   GatheredStudy(std::span<const StudyRow* const> studies, const std::vector<std::string>& words)
       : list_(words.front()), command_(describe(list_, row_of(studies, words.front()))) {
+    list_.flag("-q,--quiet", is_quiet_, "As the terminal adds it to each command");
     list_.give_words(std::span(words).subspan(1));
     list_.take();
   }
@@ -88,6 +89,7 @@ class GatheredStudy {
 
   session::OptionList list_;
   std::shared_ptr<StudyCommand> command_;
+  bool is_quiet_ = false;
 };
 
 /// A shard's command as csgsim writes it, without the options in `but`. Throws UsageError if it is not a study's.

@@ -356,7 +356,7 @@ TEST_CASE("csgsim distinguishes models and Programs by their file names") {
   const Folder folder;
   const std::string program = std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt";
   CHECK(run("render " + program).err.find("use csgsim run") != std::string::npos);
-  CHECK(run("run " + model("old_example011")).err.find("use csgsim render") != std::string::npos);
+  CHECK(run("run " + model("old_example011")).err.find("csgsim render draws it") != std::string::npos);
   misused("wave " + program + " --probe 1,1 --size 16x16 -o " + (folder / "w.vcd"), "--size");
   misused("wave " + program + " --probe 1,1 --view-all -o " + (folder / "w.vcd"), "--view-all");
   fs::copy_file(model("old_example011"), folder / "M.CSG");

@@ -100,7 +100,7 @@ TEST_CASE("every command that takes a model takes a mesh in each format") {
   succeeded(run("levels " + corner + "stl" + small));
   succeeded(run("diff " + corner + "obj " + corner + "ply" + small));
   succeeded(run("subdivide " + corner + "amf" + small + " --no-plots -o " + (folder / "s")));
-  fails(run("run " + corner + "stl"), 1, {"that is a model; use csgsim render"});
+  fails(run("run " + corner + "stl"), 1, {"that is a model; csgsim render draws it"});
 }
 
 TEST_CASE("an error in a mesh as a model names the file and the face") {

@@ -44,8 +44,8 @@ TEST_CASE("every command ends with exit code 2 for wrong arguments") {
 
 TEST_CASE("arguments that no option takes are named in csgsim's own words") {
   const std::string render = "render " + model("sphere");
-  misused(render + " more", "unexpected argument 'more'; see csgsim render --help");
-  misused(render + " one more", "unexpected arguments 'one', 'more'; see csgsim render --help");
+  misused(render + " more", "unexpected argument 'more'; csgsim render takes only MODEL; see csgsim render --help");
+  misused(render + " one more", "unexpected argument 'one'; csgsim render takes only MODEL; see csgsim render --help");
   misused(render + " --size", "--size: needs a value; see csgsim render --help");
 }
 

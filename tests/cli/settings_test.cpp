@@ -55,6 +55,7 @@ std::vector<Key> keys_of_command(const std::string& command) {
 /// Sample values that differ from the defaults, for options that do not take any text or number. An option with a fixed
 /// set of words needs a line here.
 const std::map<std::string, std::string> samples{{"projection", "\"perspective\""},
+                                                 {"camera", "\"30,-40,20,0,0,0\""},
                                                  {"machine", "\"scan-line\""},
                                                  {"name", "\"scan-line\""},
                                                  {"machine-a", "\"scan-line\""},

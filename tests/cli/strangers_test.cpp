@@ -144,7 +144,8 @@ TEST_CASE("rerun reports equality only of results that it compared") {
   for (const std::string name : {"help", "dump-config", "version", "no-such-option"}) {
     CAPTURE(name);
     stats.set_option(name, true);
-    stats.refuses(fmt::format("'{}' is not an option of csgsim render", name), {"-o", "a.png"});
+    stats.refuses(fmt::format("'{}' is not an option that csgsim render records in a stats file", name),
+                  {"-o", "a.png"});
   }
   stats.set_option("frames", 2);
   stats.refuses("--frames: a sequence of frames cannot be rerun", {"-o", "a.png"});

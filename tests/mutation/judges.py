@@ -53,6 +53,7 @@ JUDGES_OF = {  # in the order of execution
     "sim/functional": ["functional", "functional_lockstep", "lockstep_functional", "threads", "golden"],
     "sim/cycle": ["cycle", "elaboration", "lockstep_cycle", "golden"],
     "sim/waves": ["waves", "cli"],
+    "sim/rows": ["rows", "cli"],
     "sim/rtl": ["rtl", "cli"],
     "sim/story": ["story", "cli"],
     "sim/checkpoint": ["checkpoint", "cli"],

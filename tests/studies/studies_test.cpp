@@ -142,7 +142,7 @@ TEST_CASE("gathered shards of a new study give the files of one process") {
   place.study("one", {"--addends", "1,3,5", "--no-plots"});
   for (const char* const shard : {"1/3", "3/3"}) place.study("out", {"--addends", "1,3,5", "--shard", shard});
   const auto gather = [&] { Place::run({"gather", place / "out", "--no-plots"}); };
-  CHECK(testing::error_of(gather).find("shard 2 of 3 is not complete; run csgsim collatz --shard 2/3") !=
+  CHECK(testing::error_of(gather).find("shard 2 of 3 is not complete; complete it by: csgsim collatz --shard 2/3") !=
         std::string::npos);
   place.study("out", {"--addends", "1,3,5", "--shard", "2/3"});
   gather();

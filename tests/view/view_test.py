@@ -204,7 +204,7 @@ class Answers(unittest.TestCase):
                 self.assertEqual((status, answer.get("stats", answer).get("model", {}).get("primitives")), (200, count), answer)
             status, answer = server.post("draw", {"source": "use <part.scad>\npart(;\n"})
             self.assertEqual(status, 422)
-            self.assertIn("line 2", answer["error"])
+            self.assertIn("whole.scad:2: ", answer["error"])
             self.assertEqual(answer["line"], 2)
         finally:
             server.stop()

@@ -227,5 +227,5 @@ TEST_CASE("rejects a request for tree levels in a wave of a memory") {
   const wave::Request request{
       .windows = {{0, 1}}, .pixels = {{0, 0}}, .tree_levels = {{wave::TreeLevel::Axis::x, 0}}, .write = nullptr};
   CHECK_THROWS_WITH_AS(static_cast<void>(testing::smallest_memory().hardware->taps(program, request)),
-                       "waves of a bit-serial memory show no tree levels; omit them", InputError);
+                       "waves of a bit-serial memory show no tree levels; omit the tree levels", InputError);
 }

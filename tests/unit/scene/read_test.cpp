@@ -83,7 +83,7 @@ TEST_CASE("the section of an effect in a scene file can switch it off") {
 
 TEST_CASE("an error in a scene file is reported with its place and the nearest known key") {
   CHECK(error_in("[camera]\neey = [1, 2, 3]\n").starts_with("s.toml:2:1: unknown key 'camera.eey'"));
-  CHECK(error_in("[camera]\neey = [1, 2, 3]\n").ends_with("'camera.eye'"));
+  CHECK(error_in("[camera]\neey = [1, 2, 3]\n").ends_with("the keys here are eye, centre, projection, view_all, near"));
   CHECK(error_in("[efects.smooth]\n").find("'effects'") != std::string::npos);
   CHECK(error_in("[effects.smoth]\n").find("there is no effect 'smoth'; did you mean smooth?") != std::string::npos);
   CHECK(error_in("[effects.smooth]\non = 1\n").starts_with("s.toml:2:6: effects.smooth.on is"));

@@ -226,7 +226,7 @@ TEST_CASE("rejects faults in a file of cameras with their line and column") {
   CHECK(fault_in("1,2,3,4,5,\n") == "1:11: '1,2,3,4,5," + form);
   CHECK(fault_in("\n1,2,3,4,5,6,-7\n") == "2:13: the distance (last number) must be above 0");
   CHECK(fault_in("1,2,3,1,2,3").find("1:1: the camera's eye and centre must be different") == 0);
-  CHECK(fault_in("# nothing\n") == " no camera; write one a line, as for --camera");
+  CHECK(fault_in("# nothing\n") == " no camera; write one per line, as for --camera");
   CHECK(fault_in("0,0,1,0,0,0\n0,0,2,0,0,0\n", 1) == "2:1: more than 1 cameras; split the file into several");
 }
 
