@@ -207,7 +207,7 @@ void print_knobs(const observe::Report& report, const Advice& advice) {
   if (report.knobs.empty() && advice.commands.empty()) return;
   fmt::print("\n");
   for (const observe::Knob& knob : report.knobs)
-    print_line(&knob == &report.knobs.front() ? "advice" : "", knob_text(knob));
+    print_line(&knob == &report.knobs.front() ? "changes" : "", knob_text(knob));
   for (const std::string& command : advice.commands) print_line("", command);
 }
 
