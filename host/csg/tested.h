@@ -21,7 +21,7 @@ enum class Finding : std::uint8_t {
 };
 
 /// The planes and rectangles whose extremes the host keeps while it compiles a segment, so that it tests none twice.
-/// They are stored as hashes of 64 bits, so that a wrong one is less likely than one in 10^5 programs.
+/// They are stored as hashes of 64 bits; less than one program in 10^5 is expected to have a false match.
 class Tested {
  public:
   /// Lets rows follow those of the segment above, which must outlive this object.

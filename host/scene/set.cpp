@@ -34,6 +34,12 @@ class Setter {
  private:
   [[noreturn]] void fail(std::string_view message) const { throw SetError(fmt::format("{}: {}", source_, message)); }
 
+  /// Rejects a key with `part` below a node that has no keys.
+  [[noreturn]] void fail_below(const toml::node& node, std::string_view part) const {
+    if (node.is_array()) fail(fmt::format("'{}' is below a list; set the whole list, or a key of a table in it", part));
+    fail(fmt::format("no '{1}' exists in {0}; end the key before it", type_name(node), part));
+  }
+
   [[nodiscard]] std::vector<std::string_view> split_key(std::string_view key) const {
     std::vector<std::string_view> parts;
     while (true) {
@@ -67,7 +73,7 @@ class Setter {
       return *list->get(index);
     }
     toml::table* const table = node.as_table();
-    if (table == nullptr) fail(fmt::format("'{1}' follows {0}; name a table", type_name(node), part));
+    if (table == nullptr) fail_below(node, part);
     if (!table->contains(part)) {
       if (holds_list) {
         table->insert(part, toml::array{});
@@ -80,9 +86,7 @@ class Setter {
 
   void put(toml::node& node, std::string_view part, toml::table&& holder) const {
     toml::table* const table = node.as_table();
-    if (table == nullptr) {
-      fail(fmt::format("'{1}' follows {0}; name the table and its key", type_name(node), part));
-    }
+    if (table == nullptr) fail_below(node, part);
     holder.get("value")->visit([&](auto& typed) { table->insert_or_assign(part, std::move(typed)); });
   }
 

@@ -39,7 +39,7 @@ struct TrajectoryNode {
 /// 1 of it.
 double slack(std::uint32_t degree) { return degree == 2 ? 2 : 4.0 / 3; }
 
-/// Additions and halvings when a segment is halved whose points have the given number of coordinates.
+/// Number of additions and halvings that halve a segment whose points have `coordinates` coordinates.
 std::uint64_t halves_arithmetic(const Segment& segment, std::uint64_t coordinates) {
   return 2 * coordinates * segment.degree * (segment.degree + 1) / 2;
 }

@@ -52,8 +52,8 @@ struct Moves {
       : step(1.0 + rounding(sampling, sampling.fraction_bits)),
         edge(sampling.edge_on_fraction + rounding(sampling, edge_fraction_bits(sampling))) {}
 
-  double step;  ///< surfaces lose up to a step to the floor
-  double edge;  ///< an edge test is drawn where the plane crosses half the depth range
+  double step;  ///< for surfaces, in depth steps: rounding down, and the coefficients' rounding
+  double edge;  ///< for edge tests, in pixels: from the plane to where it crosses half the depth range, and rounding
 };
 
 /// How far rounding may move a half-space outwards, relative to its slack at a point.

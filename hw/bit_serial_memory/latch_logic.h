@@ -51,6 +51,7 @@ class LatchLogic final : public ColumnLogic {
   /// Leaves the sum or difference in `target`.
   void sum_into(Latch target, Bit a, Bit b);
   void add_constant_into(Latch target, Bit a, bool one);
+  /// Like carry(), if one of the operands is constant over all columns.
   void carry_of_constants(Bit a, Bit b);
 
   Chain chain_ = Chain::sum;

@@ -45,7 +45,8 @@ class LinkTiming {
   /// Reads the oldest word in the FIFO at `edge`.
   void read(std::uint64_t edge);
 
-  /// Accounts for the host's clocks from the last word until `edge`: as sending if words are left, otherwise as done.
+  /// Accounts for the host's clocks from the last word until `edge`: if words are left, as sending for the clocks of
+  /// one word and as blocked after these; otherwise as done.
   void stop(std::uint64_t edge, bool words_left);
 
   [[nodiscard]] const LinkAccount& account() const { return account_; }

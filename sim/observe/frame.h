@@ -97,7 +97,7 @@ class FrameObserver : public engine::Observer {
   /// other.
   void forget_unseen(const isa::Region& region);
   void take_pane_depths(const engine::PixelState& state);
-  /// Moves transparent surfaces in front of opaque ones into the picture.
+  /// Copies the opaque depths and owners aside, then puts the transparent surfaces before them into the picture.
   void put_panes(const isa::Region& region);
   void place(const engine::PixelState& state, isa::Field field, std::vector<std::uint32_t>& picture);
 

@@ -6,7 +6,8 @@
 #include "hw/systemc/clocked_machine.h"
 
 /// A kind of machine unknown elsewhere: one processor, which executes each instruction at one pixel after the other. A
-/// folder of hw declares this in kind.h and make.h, with `kind` as an object of its class.
+/// kind in hw declares `kind` in kind.h, as an object of its class, and has a KIND_maker (hw/systemc/maker.h) for its
+/// SystemC model.
 namespace csgsim::raster {
 
 extern const machines::Kind& kind;

@@ -132,8 +132,8 @@ nlohmann::ordered_json model_json(const Options& options, const model::Tree& tre
 [[noreturn]] void refuse_thin(const Options& options, const convert::Measures& measures) {
   throw InputError(fmt::format(
       "{}: solids are too thin for their size, or too small for their distance from the origin: rounding "
-      "coordinates to doubles may change the volume of the mesh, {:.3g}, by {:.3g}; move the parts nearer to each "
-      "other, or scale them",
+      "coordinates to doubles may change the volume of the mesh, {:.3g}, by {:.3g}; make the solids thicker, or move "
+      "them nearer to the origin if they are far from it",
       printable(shown_name(options.model.model)), measures.volume, measures.volume_error));
 }
 

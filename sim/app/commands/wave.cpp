@@ -127,7 +127,7 @@ Windows windows_of(const Options& options, const std::optional<waves::WindowRequ
 /// Prints wall times: the functional run, the run with the window located and stepped, and writing the file.
 void print_timing(double functional, double recording, double writing) {
   const double all = functional + recording - writing;
-  fmt::print("functional run {:.1f} ms, with the window {:.1f} ms = {:.2f} x, and {:.1f} ms to write the file\n",
+  fmt::print("functional run {:.1f} ms; with the window {:.1f} ms, {:.2f} times as long; writing {:.1f} ms more\n",
              functional * 1e3, all * 1e3, all / functional, writing * 1e3);
 }
 

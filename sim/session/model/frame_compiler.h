@@ -29,7 +29,7 @@ class FrameCompiler {
 
   [[nodiscard]] isa::Program compile(const view::Camera& camera);
 
-  /// Work of the last frame that kept results replaced.
+  /// Work that kept results replaced in the last frame.
   [[nodiscard]] const csg::Reused& reused() const { return kept_.reused(); }
 
  private:

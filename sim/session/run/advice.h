@@ -29,8 +29,7 @@ std::vector<observe::Knob> knobs_of(const Advice& advice, const isa::Program& pr
                                     const engine::RunResult& result);
 
 /// The worth of options of csgsim render, each changed by one step, and of the selection of prunings that helps most.
-/// Each variant is compiled, and also simulated if its
-/// run may skip instructions.
+/// Each variant is compiled, and also simulated if its run may skip instructions.
 std::vector<observe::Knob> setting_knobs(const CompiledModel& model, const ModelRequest& request,
                                          const machines::Machine& machine, const engine::RunResult& result);
 

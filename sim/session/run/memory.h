@@ -33,10 +33,10 @@ auto with_memory(Say say, Call call) {
   }
 }
 
-/// Calls the function. If memory does not suffice for `what`, throws an InputError that suggests a smaller one.
+/// Calls the function. If memory does not suffice for `what`, throws an InputError that suggests a smaller model.
 template <class Call>
 auto with_memory_for(const std::string& what, Call call) {
-  return with_memory([&] { return fmt::format("there is not enough memory for {}; take a smaller one", what); }, call);
+  return with_memory([&] { return fmt::format("there is not enough memory for {}; use a smaller model", what); }, call);
 }
 
 template <class Call>

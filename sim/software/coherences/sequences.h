@@ -29,7 +29,7 @@ class Sequences {
   Sequences(const Tree& tree, Count& count)
       : elements_(tree, count), evaluator_(tree), owners_(tree), held_(tree.leaf_of.size()) {}
 
-  /// The element after `element` for the next surface.
+  /// The sequence `element` continued by a surface of `primitive`; created if it is new. `element` may be none.
   std::uint32_t after(std::uint32_t element, std::uint32_t primitive, Count& count) {
     return elements_.after(element, primitive, count);
   }
@@ -39,7 +39,7 @@ class Sequences {
   /// The sequence without its last surface.
   [[nodiscard]] std::uint32_t before(std::uint32_t element) const { return elements_.parent_of(element); }
 
-  /// Whether the points after an element are inside, if the last `at` surfaces are at the same depth.
+  /// Whether the points behind the last surface of a sequence are inside; its last `at` surfaces have equal depths.
   bool is_in(std::uint32_t element, std::size_t at, Count& count) {
     const bool is_first = at == 1 && elements_.parent_of(element) == none;
     return elements_.is_in(

@@ -110,7 +110,7 @@ TEST_CASE("instructions that read their target have one and stripes are linear")
   }
 }
 
-TEST_CASE("only uses of F and roots take wide fields and only skips and squares look ahead") {
+TEST_CASE("only loads, sums of F and roots take wide fields; skips and squares look ahead") {
   for (const OpcodeInfo& row : opcode_table) {
     CAPTURE(row.name);
     const bool loads_or_adds = row.meaning.starts_with("where E: t := the low bits of F");

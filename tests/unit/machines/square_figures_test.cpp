@@ -84,7 +84,7 @@ TEST_CASE("a divider's surface tests take the sum of their steps and spills") {
   CHECK(tests_with(quick) == boxes + 5 * 2 + 2 * 1 + cells + nodes);
 }
 
-TEST_CASE("a group's tests reread half-spaces per cell and list the rest if it fits") {
+TEST_CASE("a group's tests reread half-spaces per cell and list the rest as far as it fits") {
   Figures figures = hand_calculated_figures();
   constexpr std::uint64_t tests = 3 * (5 + 2) + (5 * 3 + 2 * 2) + 7 * (5 + 3);
   CHECK(group_with(figures) == tests + 11);
@@ -108,7 +108,7 @@ TEST_CASE("a divider takes clocks for its tree and for linear instructions") {
   CHECK_FALSE(DivisionClocks(program, machine).is_listed(0));
 }
 
-TEST_CASE("dividers take groups in turn and with one level single squares") {
+TEST_CASE("dividers take groups in turn, or single squares if there is one level") {
   isa::Program program = with_model(std::vector<isa::Segment>(6, square(2, {})));
   const std::array<isa::Region, 6> regions{
       isa::Region{0, 0, 2, 2}, {2, 0, 2, 2}, {4, 0, 2, 2}, {6, 0, 2, 2}, {0, 4, 2, 2}, {0, 6, 2, 2}};

@@ -47,7 +47,7 @@ TEST_CASE("a mirrored solid keeps its mirroring matrix") {
   CHECK(glm::determinant(transform_of(placed("[[-1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"))) == -1);
 }
 
-TEST_CASE("the projection of a matrix is ignored after division by w like in OpenSCAD") {
+TEST_CASE("a matrix is divided by w and loses its perspective terms like in OpenSCAD") {
   CHECK(transform_of(placed("[[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0,0.5,1]]")) ==
         transform_of(placed("[[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0,0,1]]")));
   CHECK(transform_of(placed("[[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0.5,0,2]]"))[3] == glm::dvec4(2, 0, 0, 1));

@@ -62,7 +62,7 @@ TEST_CASE("a mirrored polyhedron's faces point outwards in its own space") {
                              polyhedron(box_points, inward_box_faces) + "}")));
 }
 
-TEST_CASE("faces of a polyhedron may be named triangles or be unnamed") {
+TEST_CASE("polyhedron() accepts its faces as the argument triangles or by position") {
   CHECK(solid("polyhedron(triangles = [[0,1,2],[0,3,1],[0,2,3],[1,3,2]], points = [[0,0,0],[1,0,0],[0,1,0],[0,0,1]]);")
             .faces.size() == 4);
   CHECK(solid("polyhedron([[0,0,0],[1,0,0],[0,1,0],[0,0,1]], [[0,1,2],[0,3,1],[0,2,3],[1,3,2]], 2);").faces.size() ==

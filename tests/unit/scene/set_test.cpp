@@ -54,6 +54,7 @@ TEST_CASE("an error in a key given with --set is reported together with the key"
   CHECK(error_of_set("ambient.intensity=2").find("ambient.intensity=2") != std::string::npos);
   CHECK(error_of_set("ambient.intensity.x=2").find("unknown key") == std::string::npos);
   CHECK_FALSE(error_of_set("ambient.intensity.x=2").empty());
+  CHECK(error_of_set("lights.0=3").find("'0' is below a list") != std::string::npos);
 }
 
 TEST_CASE("a key given with --set has at most eight parts") {

@@ -389,7 +389,7 @@ TEST_CASE("a facet touches a box within the reach along every axis to the last b
     }
   }
 }
-TEST_CASE("new statistics and empty directories of facets count nothing") {
+TEST_CASE("new statistics are 0, options have defaults, empty directories have no facets") {
   const software::SpaceBuilt built;
   CHECK(built.cells + built.entries + built.references + built.most_facets + built.overflows + built.splits +
             built.overlap_tests + built.directory_words + built.bucket_words ==

@@ -115,7 +115,7 @@ TEST_CASE("software methods draw a picture of one pixel") {
   check_all_ways(
       build_scene("difference(){cube(size=[4,4,4],center=true);sphere($fn=12,r=2.5);}", aside, picture_of(1, 1)));
 }
-TEST_CASE("software methods draw a lone primitive and a union with cells without an operand") {
+TEST_CASE("software methods draw a lone primitive and a union of two separate cubes") {
   check_all_ways(build_scene("cube(size=[4,4,4],center=true);", aside, picture_of(70, 50)));
   check_all_ways(
       build_scene("multmatrix([[1,0,0,-6],[0,1,0,-6],[0,0,1,0],[0,0,0,1]]){cube(size=[4,4,4],center=true);}"

@@ -227,7 +227,7 @@ TEST_CASE("a part is short within one piece of each function and 90 degrees of r
   CHECK(!is_short(line, one, 0.25, 0.7501));
 }
 
-TEST_CASE("a contour is rotated from u to v and scaled by the fraction of the path's length") {
+TEST_CASE("a contour's rotation and scale change in proportion to the length along the path") {
   swept::Sweep sweep = along({1, false, {{0, 0, 0}, {0, 0, 8}}});
   sweep.rotation = {1, false, {{0, 0, 0}, {90, 0, 0}}};
   sweep.scale = {1, false, {{1, 2, 0}, {3, 4, 0}}};
