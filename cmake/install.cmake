@@ -60,8 +60,14 @@ if(CSGSIM_PYTHON)
   install(TARGETS csgsim_python LIBRARY DESTINATION ${CSGSIM_PYTHON_DIR}/csgsim)
   install(DIRECTORY sim/python/csgsim/ DESTINATION ${CSGSIM_PYTHON_DIR}/csgsim FILES_MATCHING PATTERN "*.py" PATTERN "*.pyi" PATTERN py.typed)
   # The compiled files of the wheel (setup.py): the prefix is the folder of the package.
-  install(TARGETS csgsim_python csgsim_pictures_module csgsim_text_module LIBRARY DESTINATION . COMPONENT wheel
-    EXCLUDE_FROM_ALL)
+  set(modules csgsim_python csgsim_pictures_module csgsim_text_module)
+  if(NOT CSGSIM_PICTURES)
+    list(REMOVE_ITEM modules csgsim_pictures_module)
+  endif()
+  if(NOT CSGSIM_TEXT)
+    list(REMOVE_ITEM modules csgsim_text_module)
+  endif()
+  install(TARGETS ${modules} LIBRARY DESTINATION . COMPONENT wheel EXCLUDE_FROM_ALL)
 endif()
 
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
