@@ -117,13 +117,13 @@ TEST_CASE("advise names the conflicting limit and the nearest choice if none mee
   CHECK(both.out.find("nearest: ") != std::string::npos);
   check_command(answer["nearest"], folder);
   // 12 bits for each of two depths, 24 for colour and 1 for the mask.
-  const Outcome tight = run(ask + "--max-bits 47");
+  const Outcome tight = run(ask + "--max-bits 47 -o " + (folder / "b"));
   fails(tight, 1, {"2 bits too many"});
   CHECK(
       tight.out.find(
           "conflicting requirement: at least 24 bits of colour; with the others met, the best is 21 bits of colour") !=
       std::string::npos);
-  succeeded(run(ask + "--max-bits 49"));
+  succeeded(run(ask + "--max-bits 49 -o " + (folder / "b")));
 }
 
 TEST_CASE("advise reuses its measurements when the limits change") {
