@@ -82,8 +82,9 @@ TEST_CASE("the effects page plots a mark for each charge of each effect") {
   const Json flat{{"effect", "flat"}, {"clocks", 51251}};
   const Json fog{{"effect", "fog"}, {"clocks", 1719}, {"alone_clocks", 1743}, {"together_clocks", 1743}};
   const std::string html = report::to_html(report::effects_page({{"effects", {flat, fog}}}, {}, {}));
-  for (const std::string tip : {"charged: effect flat, clocks 51,251", "charged: effect fog, clocks 1,719",
-                                "added alone: effect fog, clocks 1,743", "saved without the effect: effect fog, clocks 1,743"})
+  for (const std::string tip :
+       {"charged: effect flat, clocks 51,251", "charged: effect fog, clocks 1,719",
+        "added alone: effect fog, clocks 1,743", "saved without the effect: effect fog, clocks 1,743"})
     CHECK(count(html, "<title>" + tip + "</title>") == 1);
   CHECK(count(html, "<g class=\"pt\">") == 4);
 }
