@@ -40,9 +40,9 @@ TEST_CASE("a quantity is converted to the unit of its parameter exactly") {
       {{"2e3", "pixels"}, 2000},
       {{"0.0", "bits"}, 0},
       {{"100000000000000000e-17", "bits"}, 1}};
-  for (const auto& [quantity, value] : quantities) {
-    CAPTURE(quantity.first);
-    CHECK(parse_quantity(quantity.first, quantity.second) == value);
+  for (const auto& each : quantities) {
+    CAPTURE(each.first.first);
+    CHECK(parse_quantity(each.first.first, each.first.second) == each.second);
   }
 }
 
