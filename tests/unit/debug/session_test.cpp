@@ -177,11 +177,11 @@ TEST_CASE("the debugger reads the words and abbreviations of gdb") {
                                                                    {"rs", "back"},
                                                                    {"b i5", "break i5"},
                                                                    {"h", "help"}}};
-  for (const auto& [of_gdb, own] : words) {
-    CAPTURE(of_gdb);
+  for (const auto& each : words) {
+    CAPTURE(each.first);
     Debugger one;
     Debugger other;
-    CHECK(one(of_gdb) == other(own));
+    CHECK(one(each.first) == other(each.second));
     CHECK(one("where") == other("where"));
   }
   Debugger debug;
