@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -287,14 +288,21 @@ class PlyBody {
     }
   }
 
-  void read_corners(const PlyProperty& property) {
-    const double corners = numbers_.number(*property.count);
-    if (corners != std::floor(corners))
+  /// Reads the count of a list.
+  std::uint32_t count(const PlyProperty& property) {
+    const double number = numbers_.number(*property.count);
+    const bool is_count = number >= 0 && number <= std::numeric_limits<std::uint32_t>::max();
+    if (!is_count || number != std::floor(number))
       numbers_.fail("the count of a list must be a whole number, 0 or more; correct it");
+    return static_cast<std::uint32_t>(number);
+  }
+
+  void read_corners(const PlyProperty& property) {
+    const std::uint32_t corners = count(property);
     if (corners < 3) numbers_.fail("a face needs at least 3 corners; complete or remove it");
     auto& face = mesh_.faces.emplace_back();
     const std::size_t points = mesh_.points.size();
-    for (double i = 0; i < corners; ++i) {
+    for (std::uint32_t i = 0; i < corners; ++i) {
       const double corner = numbers_.number(property.type);
       const bool is_point = corner >= 0 && corner < static_cast<double>(points) && corner == std::floor(corner);
       if (!is_point)
@@ -305,10 +313,8 @@ class PlyBody {
   }
 
   void skip(const PlyProperty& property) {
-    const double count = property.count ? numbers_.number(*property.count) : 1;
-    if (count < 0 || count != std::floor(count))
-      numbers_.fail("the count of a list must be a whole number, 0 or more; correct it");
-    for (double i = 0; i < count; ++i) numbers_.number(property.type);
+    const std::uint32_t numbers = property.count ? count(property) : 1;
+    for (std::uint32_t i = 0; i < numbers; ++i) numbers_.number(property.type);
   }
 
   Numbers numbers_;

@@ -154,7 +154,7 @@ struct Extra {
 /// What was meant by an operand too many; empty if that is unknown.
 std::string meant_by(const Extra& extra, const OptionList& command, Words words) {
   const std::vector<std::string> names = option_names(command);
-  const std::string option = "--" + extra.word;
+  std::string option = "--" + extra.word;
   if (is_one_of(name_in(option), names)) return option;
   const Option* const before = option_named(command, extra.before);
   const bool is_truth = extra.word == "true" || extra.word == "false";
@@ -208,7 +208,7 @@ std::string no_such_command(Words arguments, Words commands) {
       first.starts_with('-') ? "option " + printable(first) : fmt::format("command '{}'", printable(first));
   if (!instead.empty()) return fmt::format("there is no {}; did you mean {}? see csgsim --help", shown, instead);
   if (first.starts_with('-')) return with_help(options_first(arguments, commands), "");
-  if (const std::string message = command_for_file(arguments); !message.empty()) return message;
+  if (std::string message = command_for_file(arguments); !message.empty()) return message;
   return with_help(fmt::format("there is no {};{}", shown, session::did_you_mean(first, commands)), "");
 }
 
