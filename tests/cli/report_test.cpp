@@ -159,7 +159,7 @@ TEST_CASE("rejects a report that is an input or another output or not .html") {
   fs::copy_file(model("old_example011"), folder / "m.csg");
   fs::create_symlink("m.csg", folder / "m.html");
   const std::string of = (folder / "m.csg") + " --size 16x16 --report ";
-  for (const std::string command : {std::string("render "), "effects -o " + (folder / "e") + " "})
+  for (const std::string& command : {std::string("render "), "effects -o " + (folder / "e") + " "})
     CHECK(run(command + of + (folder / "m.html")).code == 2);
   CHECK(run("render " + of + (folder / "a.html") + " --stats " + (folder / "a.html")).code == 2);
   misused("render " + of + (folder / "a.txt"), "must end in .html");
