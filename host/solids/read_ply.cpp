@@ -64,7 +64,7 @@ struct PlyHeader {
 };
 
 constexpr std::size_t max_elements = 100;
-constexpr std::size_t max_properties = 1000;  ///< of all elements
+constexpr std::size_t max_properties = 1000;  ///< number in all elements together
 constexpr std::string_view end_of_header = "end_header";
 
 /// Bytes of the header, including the end of its last line.

@@ -70,7 +70,7 @@ class GatheredStudy {
  public:
   GatheredStudy(std::span<const StudyRow* const> studies, const std::vector<std::string>& words)
       : list_(words.front()), command_(describe(list_, row_of(studies, words.front()))) {
-    list_.flag("-q,--quiet", is_quiet_, "As the terminal adds it to each command");
+    list_.flag("-q,--quiet", is_quiet_, "The flag that the terminal adds to each command");
     list_.give_words(std::span(words).subspan(1));
     list_.take();
   }
@@ -95,7 +95,7 @@ class GatheredStudy {
 /// A shard's command as csgsim writes it, without the options in `but`. Throws UsageError if it is not a study's.
 std::vector<std::string> rewritten(std::span<const StudyRow* const> studies, const std::vector<std::string>& words,
                                    std::span<const std::string_view> but) {
-  return GatheredStudy(studies, with_words(words, {"--output", "."})).words(but);  // some studies require --output
+  return GatheredStudy(studies, words).words(but);
 }
 
 /// Throws InputError unless `words` equal what csgsim writes, which `write` returns.
