@@ -18,8 +18,8 @@ Usage: ./setup.sh COMMAND
   packages [MANAGER]
          print the packages that the program needs to be built, here or with apt, dnf, pacman, zypper, apk or brew
   install-test [bookworm|trixie]
-         build the packages from source in a Debian 12 or 13, downloaded into a chroot, install them in another, minimal
-         one, and draw there; the log is build/install-test.log
+         run demo, test and package in a Debian 12 or 13, downloaded into a chroot, install the packages in another,
+         minimal one, and draw there; the log is build/install-test.log
   container-test
          carry out the Containerfile in chroots, without a container engine, and draw; the log is
          build/container-test.log

@@ -1,8 +1,8 @@
 #!/bin/sh
-# bare_debian.sh SUITE: builds csgsim's packages from source in a Debian of that suite (bookworm, trixie), installs them in
-# another, minimal one, and uses csgsim there like a new user: draws an example, reads the manual, completes a word. Needs
-# root, git and debootstrap. Uses the mirror configured for apt. Ends with 0 and `installed and works`, or at the first
-# step that fails.
+# bare_debian.sh SUITE: runs both commands of README in a Debian of that suite (bookworm, trixie) and builds the packages
+# there; installs these in another, minimal one, and uses csgsim there like a new user: draws an example, reads the
+# manual, completes a word. Needs root, git and debootstrap. Uses the mirror configured for apt. Ends with 0 and
+# `installed and works`, or at the first step that fails.
 set -eu
 cd "$(dirname "$0")/../.."
 suite=$1
@@ -18,16 +18,27 @@ bare "$suite" "$work/build"
 cp -a "$work/build" "$root"
 echo "$(inside "$root" dpkg-query -W | wc -l) packages, Debian $(cat "$root/etc/debian_version")"
 
-step "./setup.sh package, from source"
 sources "$work/build/csgsim"
 commit=$(git log -1 --format=%h --abbrev=12)
-inside "$work/build" sh -c "cd /csgsim && CSGSIM_COMMIT=$commit ./setup.sh package" >"$work/build.log" 2>&1 || {
-  tail -n 40 "$work/build.log" >&2
-  exit 1
+
+# build COMMAND: runs ./setup.sh COMMAND; prints its warnings, the last lines of a failure, and the time.
+build() {
+  step "./setup.sh $1, from source"
+  since=$(date +%s)
+  inside "$work/build" sh -c "cd /csgsim && CSGSIM_COMMIT=$commit ./setup.sh $1" >"$work/build.log" 2>&1 || {
+    tail -n 60 "$work/build.log" >&2
+    exit 1
+  }
+  grep -E 'warning:' "$work/build.log" | sort | uniq -c || true
+  echo "$((($(date +%s) - since) / 60)) minutes"
 }
-grep -E 'warning:' "$work/build.log" | sort | uniq -c || true
-inside "$work/build" sh -c 'g++ --version | head -n 1; cmake --version | head -n 1; ls -l /csgsim/build/*.deb'
-echo "after $((($(date +%s) - begun) / 60)) minutes"
+
+build demo
+inside "$work/build" sh -c 'g++ --version | head -n 1; cmake --version | head -n 1; ls -l /csgsim/build/demo'
+build test
+grep -E '^[0-9]+% tests passed' "$work/build.log"
+build package
+inside "$work/build" sh -c 'ls -l /csgsim/build/*.deb'
 set -- "$work"/build/csgsim/build/csgsim_*.deb "$work"/build/csgsim/build/python3-csgsim_*.deb
 
 step "apt install ./csgsim*.deb ./python3-csgsim*.deb"

@@ -29,8 +29,11 @@ bare() {
   }
 }
 
-# Programs read /proc to find their own folder.
-mounted() { mountpoint -q "$1/proc" || mount -t proc proc "$1/proc"; }
+# Programs read /proc to find their own folder; tests at a terminal open one in /dev/pts.
+mounted() {
+  mountpoint -q "$1/proc" || mount -t proc proc "$1/proc"
+  mountpoint -q "$1/dev/pts" || mount -t devpts devpts "$1/dev/pts"
+}
 
 # inside FOLDER [--user USER] COMMAND...: runs a command in it with no variables of this system.
 inside() {
@@ -54,7 +57,7 @@ sources() {
 
 # Unmounts and removes $work. A mount that remains must not be removed.
 cleaned() {
-  for one in "$work"/*/proc; do
+  for one in "$work"/*/proc "$work"/*/dev/pts; do
     if mountpoint -q "$one"; then umount "$one"; fi
   done
   rm -rf --one-file-system "$work"

@@ -101,7 +101,8 @@ std::string evaluate_scad(const std::string& file, const ScadOptions& options) {
     static_cast<void>(read_regular_file(file, {"a .scad file", read::max_file_bytes, ""}));
   record_input(file);
   const std::vector<std::string> words = openscad_words({}, file.starts_with('-') ? "./" + file : file, options);
-  return evaluated(words, system::MemoryFile(file), file, options);
+  const system::MemoryFile no_input(file);
+  return evaluated(words, no_input, file, options);
 }
 
 std::string evaluate_scad(const std::string& file, std::string_view text, const ScadOptions& options) {

@@ -87,13 +87,13 @@ std::vector<std::string> keys_with(std::string_view part, std::span<const std::s
   return found;
 }
 
-/// The part of a key most similar to the word; empty if none is similar.
-std::string nearest_part(std::string_view word, std::span<const std::string> keys) {
+/// The parts of all keys.
+std::vector<std::string_view> parts_of(std::span<const std::string> keys) {
   std::vector<std::string_view> parts;
   for (const std::string& key : keys) {
     for (const std::string_view part : split(key, ".")) parts.push_back(part);
   }
-  return std::string(nearest_similar(word, parts));
+  return parts;
 }
 
 /// Known options that begin with the word, if it has at least three letters.
@@ -159,7 +159,7 @@ std::vector<std::string> suggested_keys(std::string_view key) {
   const std::vector<std::string_view> candidates(keys.begin(), keys.end());
   const std::string_view near = nearest_similar(key, candidates);
   if (!near.empty()) return {std::string(near)};
-  const std::string part = nearest_part(key, keys);
+  const std::string_view part = nearest_similar(key, parts_of(keys));
   return part.empty() ? std::vector<std::string>{} : keys_with(part, keys);
 }
 

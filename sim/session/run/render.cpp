@@ -19,8 +19,11 @@ void RenderRequest::add_to(OptionList& options) {
   run.add_to(options);
   run.report.add_to(options);
   options.flag("--check", check, "Compare the picture with the exact one and add the differences to the stats");
-  options.option("--max-wrong-pixels", max_wrong_pixels,
-                 "Use the cheapest --z-bits and --fraction-bits with at most this number of wrong pixels");
+  options
+      .option("--max-wrong-pixels", max_wrong_pixels,
+              "Use the cheapest --z-bits and --fraction-bits with at most this number of wrong pixels")
+      .excludes("--z-bits")
+      .excludes("--fraction-bits");
 }
 
 Compiled compile(RenderRequest& request, const ChooseBits& choose, const InPlace& in_place) {

@@ -30,7 +30,7 @@ class Grid final : public DirectoryOf<Grid> {
       cells_[axis] = static_cast<std::int32_t>(std::clamp(std::round(size[axis] / edge), 1.0, max_cells));
     facets_.resize(static_cast<std::size_t>(cells_.x) * static_cast<std::size_t>(cells_.y) *
                    static_cast<std::size_t>(cells_.z));
-    for (const std::uint32_t facet : shapes.placed()) insert(facet);
+    for (const std::uint32_t facet : shapes.placed()) add_facet(facet);
   }
 
   [[nodiscard]] SpaceBuilt built() const override {
@@ -88,7 +88,7 @@ class Grid final : public DirectoryOf<Grid> {
     return static_cast<std::int32_t>(std::clamp(std::floor(cells), 0.0, static_cast<double>(cells_[axis] - 1)));
   }
 
-  void insert(std::uint32_t facet) {
+  void add_facet(std::uint32_t facet) {
     const facet::Box& around = shapes_.box_of(facet);
     glm::ivec3 first;
     glm::ivec3 last;
@@ -98,12 +98,12 @@ class Grid final : public DirectoryOf<Grid> {
     }
     for (std::int32_t z = first.z; z <= last.z; ++z) {
       for (std::int32_t y = first.y; y <= last.y; ++y) {
-        for (std::int32_t x = first.x; x <= last.x; ++x) insert_at({x, y, z}, facet);
+        for (std::int32_t x = first.x; x <= last.x; ++x) add_facet_at({x, y, z}, facet);
       }
     }
   }
 
-  void insert_at(const glm::ivec3& at, std::uint32_t facet) {
+  void add_facet_at(const glm::ivec3& at, std::uint32_t facet) {
     facet::Box one;
     for (int axis = 0; axis < 3; ++axis) {
       one.low[axis] = wall(axis, at[axis]);

@@ -47,15 +47,18 @@ TEST_CASE("render takes the options of models and runs and reports and two more"
   CHECK_FALSE(RenderRequest{}.check);
   CHECK_FALSE(plain.options.max_wrong_pixels);
   const Parsed<RenderRequest> all(
-      {"a.csg", "--check", "--max-wrong-pixels", "3", "--z-bits", "9", "--stats", "s.json", "--report", "p.html"});
+      {"a.csg", "--check", "--max-wrong-pixels", "3", "--memory-bits", "96", "--stats", "s.json", "--report", "p.html"});
   CHECK(all.options.check);
   CHECK(all.options.max_wrong_pixels == 3);
-  CHECK(all.options.model.z_bits == 9);
+  CHECK(all.options.model.memory_bits == 96);
   CHECK(all.options.run.stats == "s.json");
   const std::vector<session::GivenOption> given = all.list.given();
   CHECK(std::ranges::count(given, std::string("p.html"), &session::GivenOption::value) == 1);
   for (const char* const wrong : {"-1", "1.5", "x"})
     CHECK(testing::option_error<RenderRequest>({"a.csg", "--max-wrong-pixels", wrong}) != "");
+  for (const char* const bits : {"--z-bits", "--fraction-bits"})
+    CHECK(testing::option_error<RenderRequest>({"a.csg", "--max-wrong-pixels", "3", bits, "9"}) ==
+          std::string("--max-wrong-pixels excludes ") + bits + "; leave one out");
 }
 
 TEST_CASE("a compiled model records its file and imports or its text in memory as inputs") {
