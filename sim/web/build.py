@@ -27,7 +27,7 @@ LEFT_OUT = {
     "solids": "height_picture read_xml unzip",
     "plots": "files gnuplot",
     "observe": "animation",
-    "session": "finished_run frame_pictures frames levels parameter_sets run_outputs scad scad_messages version",
+    "session": "finished_run frame_pictures frames levels run_outputs scad scad_messages version",
     "viewer": "door page recorded serve files",
 }
 # Files whose names clash with those of other files in a batch.

@@ -72,11 +72,8 @@ void refuse_scad_options(const ModelRequest& request) {
 
 /// The text of a model; a source has been evaluated by OpenSCAD. `instead` replaces the file's content.
 std::string text_of(const ModelRequest& request, Subject subject, const std::optional<std::string>& instead) {
-  if (subject == Subject::scad) {
-    const ScadOptions options = request.scad_options();
-    return instead ? evaluate_scad(request.model, *instead, options) : evaluate_scad(request.model, options);
-  }
-  refuse_scad_options(request);
+  if (subject != Subject::scad) refuse_scad_options(request);
+  if (subject == Subject::scad) return evaluate_scad(request.model, instead, request.scad_options());
   if (instead) return *instead;
   return read_file(request.model, subject == Subject::mesh ? read::mesh_file : read::model_file);
 }

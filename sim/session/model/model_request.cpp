@@ -25,6 +25,7 @@
 #include "hw/base/input_file.h"
 #include "hw/base/text.h"
 #include "sim/session/model/cameras.h"
+#include "sim/session/model/parameter_sets.h"
 #include "sim/session/model/prices.h"
 #include "sim/session/options/numbers.h"
 #include "sim/session/options/paths.h"
@@ -153,6 +154,7 @@ ScadOptions ModelRequest::scad_options() const {
     throw UsageError("--parameter-set", "name the file that has the set, with -p FILE");
   if (!parameters.empty() && parameter_set.empty())
     throw UsageError("--parameters", "name one of the file's sets, with -P SET");
+  if (!parameters.empty()) require_parameter_set(parameters, parameter_set);
   ScadOptions options{defines, parameters, parameter_set};
   if (openscad_seconds) options.time_limit = std::chrono::seconds(*openscad_seconds);
   return options;

@@ -80,7 +80,7 @@ struct ModelRequest {
   [[nodiscard]] ModelRequest without_effects(const std::vector<std::string>& names) const;
 
   /// What is passed to OpenSCAD with a source. Throws UsageError if a file of parameter sets is given without a set, or
-  /// a set without a file.
+  /// a set without a file, and InputError if the file lacks the set.
   [[nodiscard]] ScadOptions scad_options() const;
 
   /// The files that are read: the model, the scene, the parameter sets, and the machine's file if it has one.

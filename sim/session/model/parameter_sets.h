@@ -1,5 +1,5 @@
 // Files of parameter sets, as OpenSCAD's customizer saves them.
-// Used by scad.cpp.
+// Used by sim/session.
 #pragma once
 
 #include <string>

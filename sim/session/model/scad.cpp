@@ -15,7 +15,6 @@
 #include "hw/base/input_file.h"
 #include "hw/base/inputs_kept.h"
 #include "hw/base/text.h"
-#include "sim/session/model/parameter_sets.h"
 #include "sim/session/model/scad_messages.h"
 #include "sim/system/child_process.h"
 #include "sim/system/memory_file.h"
@@ -83,7 +82,6 @@ std::vector<std::string> openscad_words(std::vector<std::string> first, const st
   first.insert(first.end(), {"openscad", "-o", "-", "--export-format", "csg"});
   for (const std::string& define : options.defines) first.insert(first.end(), {"-D", define});
   if (!options.parameters.empty()) {
-    require_parameter_set(options.parameters, options.parameter_set);
     // OpenSCAD may run in another folder. The set's name is in the same word because it may begin with a dash.
     first.insert(first.end(), {"-p", std::filesystem::absolute(options.parameters).native()});
     first.push_back("-P" + options.parameter_set);
@@ -92,25 +90,26 @@ std::vector<std::string> openscad_words(std::vector<std::string> first, const st
   return first;
 }
 
-}  // namespace
-
-std::string evaluate_scad(const std::string& file, const ScadOptions& options) {
-  // OpenSCAD's own message does not say why the file cannot be opened.
+/// Throws InputError with the reason, which OpenSCAD's own message lacks, if the file does not exist.
+void record_existing(const std::string& file) {
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored))
     static_cast<void>(read_regular_file(file, {"a .scad file", read::max_file_bytes, ""}));
   record_input(file);
-  const std::vector<std::string> words = openscad_words({}, file.starts_with('-') ? "./" + file : file, options);
-  const system::MemoryFile no_input(file);
-  return evaluated(words, no_input, file, options);
 }
 
-std::string evaluate_scad(const std::string& file, std::string_view text, const ScadOptions& options) {
-  std::string folder = std::filesystem::path(file).parent_path().native();
-  if (folder.empty()) folder = ".";
+}  // namespace
+
+std::string evaluate_scad(const std::string& file, const std::optional<std::string>& instead,
+                          const ScadOptions& options) {
+  if (!instead) record_existing(file);
+  const std::string folder = std::filesystem::path(file).parent_path().native();
+  const std::vector<std::string> words =
+      instead ? openscad_words({"env", "--chdir=" + (folder.empty() ? "." : folder)}, "-", options)
+              : openscad_words({}, file.starts_with('-') ? "./" + file : file, options);
   system::MemoryFile input(file);
-  input.write(text);
-  return evaluated(openscad_words({"env", "--chdir=" + folder}, "-", options), input, file, options);
+  if (instead) input.write(*instead);
+  return evaluated(words, input, file, options);
 }
 
 }  // namespace csgsim::session

@@ -39,14 +39,11 @@ std::vector<Mesh> parse_3mf(std::string_view /*bytes*/, std::string_view name) {
 
 namespace session {
 
-std::string evaluate_scad(const std::string& file, const ScadOptions& /*options*/) {
+std::string evaluate_scad(const std::string& file, const std::optional<std::string>& /*instead*/,
+                          const ScadOptions& /*options*/) {
   throw InputError(
       file +
       ": this page does not include OpenSCAD; export the model as .csg there (File, Export), and open that file");
-}
-
-std::string evaluate_scad(const std::string& file, std::string_view /*text*/, const ScadOptions& options) {
-  return evaluate_scad(file, options);
 }
 
 }  // namespace session
