@@ -53,6 +53,7 @@ std::string put_change(toml::table& root, const std::string& change, std::string
   }
   found->second->insert_or_assign("provenance", "assumed");
   found->second->insert_or_assign("source", "set with the machine's name");
+  for (const char* const limit : {"low", "high", "range"}) found->second->erase(limit);
   return key;
 }
 

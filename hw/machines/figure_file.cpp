@@ -19,7 +19,8 @@ namespace csgsim::machines {
 namespace {
 
 constexpr std::string_view provenances[] = {"published", "assumed"};
-constexpr std::string_view figure_keys[] = {"value", "unit", "provenance", "source"};
+constexpr std::string_view figure_keys[] = {"value", "unit", "provenance", "source", "low", "high", "range"};
+constexpr std::string_view range_keys[] = {"low", "high", "range"};
 
 bool is_one_of(std::string_view word, std::span<const std::string_view> words) {
   return std::ranges::find(words, word) != words.end();
@@ -114,7 +115,27 @@ class FigureReader {
     if (!is_one_of(figure.provenance, provenances))
       fail(table.get("provenance")->source().begin,
            fmt::format("provenance '{}' of {}; write 'published' or 'assumed'", figure.provenance, form.key));
+    figure.range = range_of(table, form, word ? std::nullopt : std::optional(value));
     return {0, value, std::move(figure)};
+  }
+
+  /// The range of a number; empty if the table has none. `value` is empty for a word in place of a number.
+  std::optional<FigureRange> range_of(const toml::table& table, const FigureForm& form,
+                                      std::optional<std::int64_t> value) const {
+    const auto first = std::ranges::find_if(range_keys, [&](std::string_view key) { return table.contains(key); });
+    if (first == std::end(range_keys)) return std::nullopt;
+    const toml::source_position& place = table.get(*first)->source().begin;
+    if (!form.names.empty())
+      fail(place, fmt::format("{} is a word, which has no range; remove '{}'", form.key, *first));
+    for (const std::string_view key : range_keys)
+      if (!table.contains(key))
+        fail(place,
+             fmt::format("{} has '{}' but no '{}'; give low, high and the reason, range", form.key, *first, key));
+    const FigureRange range{number_at(table, form, "low"), number_at(table, form, "high"), text_of(table, "range")};
+    if (range.low > range.high || (value && (*value < range.low || *value > range.high)))
+      fail(place, fmt::format("the range of {} is {} to {}; it must contain the value{}", form.key, range.low,
+                              range.high, value ? fmt::format(", {}", *value) : ""));
+    return range;
   }
 
   /// A word in place of a number, with its meaning.
@@ -181,11 +202,16 @@ class FigureReader {
   }
 
   [[nodiscard]] std::int64_t value_of(const toml::table& table, const FigureForm& form) const {
-    const toml::node* const node = table.get("value");
-    if (node == nullptr) fail(table.source().begin, fmt::format("{} has no value; add value = ...", form.key));
-    const std::int64_t value = number_of(*node, form);
+    if (!table.contains("value")) fail(table.source().begin, fmt::format("{} has no value; add value = ...", form.key));
+    return number_at(table, form, "value");
+  }
+
+  /// The number at a key of the table, within the limits of the form.
+  [[nodiscard]] std::int64_t number_at(const toml::table& table, const FigureForm& form, std::string_view key) const {
+    const toml::node& node = *table.get(key);
+    const std::int64_t value = number_of(node, form);
     if (value < form.least || value > form.most)
-      fail(node->source().begin,
+      fail(node.source().begin,
            form.least == form.most
                ? fmt::format("{} is {}; the simulator supports only {}", form.key, value, form.least)
                : fmt::format("{} is {}; it must be {} to {}{}{}", form.key, value, form.least, form.most,

@@ -17,7 +17,8 @@
 
 namespace csgsim::machines {
 
-/// Schema of one key of a parameter file: a table with `value`, `unit`, `provenance` and `source`.
+/// Schema of one key of a parameter file: a table with `value`, `unit`, `provenance` and `source`, and for a number
+/// optionally its range: `low`, `high` and the reason, `range`.
 struct FigureForm {
   std::string_view key;
   std::string_view unit;

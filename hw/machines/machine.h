@@ -4,6 +4,7 @@
 
 #include <any>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,13 +17,21 @@ namespace csgsim::machines {
 
 class Kind;
 
+/// The values that a number may plausibly have, including both limits.
+struct FigureRange {
+  std::int64_t low = 0;
+  std::int64_t high = 0;
+  std::string reason;
+};
+
 /// One parameter of a machine description, with its provenance.
 struct Figure {
-  std::string key;         ///< key in the file, for instance `array.width`
-  std::string value;       ///< value as text; `ideal` if the hardware sets no limit
-  std::string unit;        ///< may be empty
-  std::string provenance;  ///< `published` or `assumed`
-  std::string source;      ///< the publication, or the reason for the assumption
+  std::string key;                     ///< key in the file, for instance `array.width`
+  std::string value;                   ///< value as text; `ideal` if the hardware sets no limit
+  std::string unit;                    ///< may be empty
+  std::string provenance;              ///< `published` or `assumed`
+  std::string source;                  ///< the publication, or the reason for the assumption
+  std::optional<FigureRange> range{};  ///< unset if the file states none, and for values that were set
 };
 
 /// Width and height of a picture, pixels.

@@ -148,6 +148,7 @@ py::dict machine_description(const machines::Machine& machine) {
     row["unit"] = figure.unit;
     row["provenance"] = figure.provenance;
     row["source"] = figure.source;
+    if (figure.range) row["range"] = py::make_tuple(figure.range->low, figure.range->high, figure.range->reason);
     figures.append(row);
   }
   py::dict description;

@@ -33,7 +33,8 @@ std::string description_of(const machines::Machine& machine) {
     text += fmt::format("[{}]\nvalue = {}\n", figure.key, is_name ? fuzz::toml_string(figure.value) : figure.value);
     if (!figure.unit.empty()) text += fmt::format("unit = {}\n", fuzz::toml_string(figure.unit));
     text += fmt::format("provenance = {}\nsource = {}\n", fuzz::toml_string(figure.provenance),
-                        fuzz::toml_string(figure.source));
+                        fuzz::toml_string(figure.source)) +
+            fuzz::range_lines(figure);
   }
   return text;
 }

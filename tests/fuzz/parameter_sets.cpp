@@ -1,9 +1,10 @@
 // Files of parameter sets, as OpenSCAD's customizer saves them.
 
+#include "sim/session/model/parameter_sets.h"
+
 #include <string>
 #include <string_view>
 
-#include "sim/session/model/parameter_sets.h"
 #include "tests/fuzz/property.h"
 #include "tests/fuzz/scratch_file.h"
 

@@ -25,7 +25,8 @@ std::string description_of(const process::Process& one) {
   for (const machines::Figure& figure : one.figures)
     text += fmt::format("[{}]\nvalue = {}\nunit = {}\nprovenance = {}\nsource = {}\n", figure.key, figure.value,
                         fuzz::toml_string(figure.unit), fuzz::toml_string(figure.provenance),
-                        fuzz::toml_string(figure.source));
+                        fuzz::toml_string(figure.source)) +
+            fuzz::range_lines(figure);
   return text;
 }
 

@@ -23,7 +23,8 @@ std::string description_of(const processors::Processor& processor) {
   for (const machines::Figure& figure : processor.figures)
     text += fmt::format("[{}]\nvalue = {}\nunit = {}\nprovenance = {}\nsource = {}\n", figure.key, figure.value,
                         fuzz::toml_string(figure.unit), fuzz::toml_string(figure.provenance),
-                        fuzz::toml_string(figure.source));
+                        fuzz::toml_string(figure.source)) +
+            fuzz::range_lines(figure);
   return text;
 }
 

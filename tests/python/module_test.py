@@ -252,8 +252,13 @@ class Reports(unittest.TestCase):
             self.assertIn(f"{machine.name}\n  {machine.description}\n", listed)
             for figure in machine.figures.values():
                 self.assertIn(f"  {figure.key:<26}{figure.value:>12} {figure.unit:<22}{figure.provenance:<10} {figure.source}\n", listed)
+                if figure.range:
+                    low, high, reason = figure.range
+                    self.assertLessEqual(low, high)
+                    self.assertIn(f"{f'{low} to {high}':>40} {figure.unit:<22}{'range':<10} {reason}\n", listed)
         wide = csgsim.Machine("pixel-planes-4", **{"alu.bits": 2})
-        self.assertEqual((wide.figures["alu.bits"].value, wide.figures["alu.bits"].provenance), (2, "assumed"))
+        self.assertEqual(wide.figures["alu.bits"][1:4], (2, "bits", "assumed"))
+        self.assertIsNone(csgsim.Machine("pixel-planes-4", **{"link.latency": 9}).figures["link.latency"].range)
         self.assertEqual(csgsim.render(FIGURE, **SMALL, machine=wide).stats["machine"]["alu_bits"], 2)
         from_file = csgsim.Machine("hw/machines/scan-line.toml")
         self.assertEqual(from_file, csgsim.Machine("scan-line"))

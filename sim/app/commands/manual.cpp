@@ -41,6 +41,9 @@ void print_parameters_of(const Described& described) {
   for (const machines::Figure& figure : described.figures) {
     fmt::print("  {:<26}{:>12} {:<22}{:<10} {}\n", figure.key, figure.value, figure.unit, figure.provenance,
                figure.source);
+    if (figure.range)
+      fmt::print("  {:<26}{:>12} {:<22}{:<10} {}\n", "", fmt::format("{} to {}", figure.range->low, figure.range->high),
+                 figure.unit, "range", figure.range->reason);
   }
 }
 

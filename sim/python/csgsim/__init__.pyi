@@ -31,6 +31,7 @@ class Figure(NamedTuple):
     unit: str
     provenance: str
     source: str
+    range: tuple[int, int, str] | None
 
 class Machine:
     name: str

@@ -7,7 +7,8 @@ from . import _csgsim
 
 class Figure(NamedTuple):
     """A parameter of a machine: its value, a whole number or a word, in `unit` (bits, pixels, Hz, clocks), and its
-    source. `provenance` is "published" or "assumed".
+    source. `provenance` is "published" or "assumed". `range` is the lowest and the highest plausible value of an
+    assumed number, and the reason; None for other parameters.
 
     >>> csgsim.Machine("pixel-planes-4").figures["alu.bits"].provenance
     'published'
@@ -18,6 +19,7 @@ class Figure(NamedTuple):
     unit: str
     provenance: str
     source: str
+    range: tuple[int, int, str] | None = None
 
 
 def _figure(row):

@@ -52,8 +52,16 @@ def used(pages, name, key, figure):
     return {**figure, "value": priced(pages, name)[key]} if figure["value"] == "processor" and pages else figure
 
 
+def provenance_of(figure):
+    """`published`, or `assumed` with the plausible range of a number."""
+    if "low" not in figure or figure["low"] == figure["high"]:
+        return figure["provenance"]
+    low, high = (value_of({**figure, "value": figure[limit]}) for limit in ("low", "high"))
+    return f"{figure['provenance']}, {low.split()[0]} to {high}"
+
+
 def figures(pages, name):
     machine = tomllib.loads((ROOT / f"hw/machines/{name}.toml").read_text(encoding="utf-8"))
-    rows = [(f"`{table}.{key}`", value_of(used(pages, name, f"{table}.{key}", figure)), figure["provenance"], shortened(figure["source"]))
+    rows = [(f"`{table}.{key}`", value_of(used(pages, name, f"{table}.{key}", figure)), provenance_of(figure), shortened(figure["source"]))
             for table, keys in machine.items() if isinstance(keys, dict) for key, figure in keys.items()]
-    return ruled(("parameter", "value", "", "source or reason"), rows, numbers_from=9)
+    return ruled(("parameter", "value", "provenance, range", "source or reason"), rows, numbers_from=9)

@@ -261,6 +261,43 @@ TEST_CASE("out-of-range values and wrong units in a machine file are rejected wi
                                    ": provenance 'guessed' of memory.reads; write 'published' or 'assumed'");
 }
 
+TEST_CASE("every assumed number of a built-in machine has a range with a reason") {
+  for (const std::string_view name : kinds::built_in_names()) {
+    const Machine machine = kinds::load(std::string(name));
+    for (const Figure& figure : machine.figures) {
+      CAPTURE(name);
+      CAPTURE(figure.key);
+      const bool is_number = figure.value.find_first_not_of("0123456789") == std::string::npos;
+      const bool is_guess = figure.provenance == "assumed" && is_number;
+      if (is_guess) CHECK(figure.range.has_value());
+      if (figure.range) CHECK(figure.range->reason.size() > 10);
+    }
+  }
+}
+
+TEST_CASE("a range in a machine file is complete and contains the value") {
+  const std::string source = "[array.memory_bits]\nvalue = 72\n";
+  const auto with = [&](const std::string& lines) { return changed(source, source + lines); };
+  const std::string limits = "low = 64\nhigh = 0x80\nrange = \"chips of the time\"\n";
+  const Machine machine = read_description(with(limits), "my.toml", kinds::all());
+  REQUIRE(machine.figures[2].range.has_value());
+  CHECK(machine.figures[2].range->low == 64);
+  CHECK(machine.figures[2].range->high == 128);
+  CHECK(machine.figures[2].range->reason == "chips of the time");
+  const std::vector<std::string> changes = {"array.memory_bits=100"};
+  CHECK_FALSE(read_description(with(limits), "my.toml", kinds::all(), changes).figures[2].range.has_value());
+  CHECK(message(with("low = 64\nhigh = 128\n"))
+            .ends_with("array.memory_bits has 'low' but no 'range'; give low, high and the reason, range"));
+  CHECK(message(with("range = \"why\"\n"))
+            .ends_with("array.memory_bits has 'range' but no 'low'; give low, high and the reason, range"));
+  CHECK(message(with("low = 73\nhigh = 128\nrange = \"why\"\n"))
+            .ends_with("the range of array.memory_bits is 73 to 128; it must contain the value, 72"));
+  CHECK(message(with("low = 0\nhigh = 128\nrange = \"why\"\n"))
+            .ends_with("array.memory_bits is 0; it must be 1 to 4096 bits"));
+  const std::string word = changed("[scan_out.port]\n", "[scan_out.port]\nlow = 1\nhigh = 2\nrange = \"why\"\n");
+  CHECK(message(word).ends_with("scan_out.port is a word, which has no range; remove 'low'"));
+}
+
 TEST_CASE("the error for a missing key in a machine file names the key") {
   CHECK(message_of_change("name = \"pixel-planes-4\"", "").ends_with("key 'name' is missing; add name = \"...\""));
   CHECK(message_of_change("value = 72\n", "").ends_with("array.memory_bits has no value; add value = ..."));
