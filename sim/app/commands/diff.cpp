@@ -285,12 +285,12 @@ void diff(const Options& options, const OptionList& command) {
 void add_side(Command& command, SideOptions& side, const std::string& letter) {
   const std::string name = letter == "a" ? "A" : "B";
   command.option("--machine-" + letter, side.machine, "Machine of " + name + ", if different")
-      .check(is_read_by(check_machine));
+      .check(check_by_parsing(check_machine));
   command.option("--level-" + letter, side.level, "Level of " + name).one_of(level_names(), "level");
   command.option("--strategy-" + letter, side.strategy, "Strategy of " + name + ", if different")
       .one_of(strategy_names(), "strategy");
   command.option("--pruning-" + letter, side.pruning, "Prunings applied to " + name + ", if different")
-      .words(pruning_words(), is_read_by(parse_pruning));
+      .words(pruning_words(), check_by_parsing(parse_pruning));
   command.option("--set-" + letter, side.sets,
                  "A parameter of the machine of " + name + ", or a key of its scene; repeat for several");
 }

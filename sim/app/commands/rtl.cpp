@@ -110,7 +110,7 @@ void add_rtl(CommandLine& line) {
       .check([](const std::string& name) {
         return has_model_name(name)
                    ? "'" + name + "' is a model; name the machine first, as in csgsim rtl MACHINE MODEL"
-                   : is_read_by(check_machine)(name);
+                   : check_by_parsing(check_machine)(name);
       });
   options->model.add_to(command);
   command.remove("MODEL");

@@ -170,7 +170,7 @@ void ModelRequest::add_to(OptionList& options, const std::string& what) {
   options
       .option("--machine", machine,
               "A machine's name (see csgsim manual machines) or .toml file; NAME+KEY=VALUE changes a parameter")
-      .check(is_read_by(check_machine));
+      .check(check_by_parsing(check_machine));
   options.option("--memory-bits", memory_bits, "Memory bits per pixel; default: as in the machine's description")
       .between(1U, isa::max_memory_bits);
   add_view_to(options);
@@ -197,7 +197,7 @@ void ModelRequest::add_to(OptionList& options, const std::string& what) {
               "Prunings to apply: auto (all, where their tests take the host less time than they save), all, none, the "
               "named "
               "ones (space+hidden) or all but the named ones (no-space+no-hidden)")
-      .words(pruning_words(), is_read_by(parse_pruning));
+      .words(pruning_words(), check_by_parsing(parse_pruning));
 }
 
 void ModelRequest::add_view_to(OptionList& options) {

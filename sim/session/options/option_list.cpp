@@ -113,7 +113,7 @@ Option& Option::one_of(const std::vector<std::string>& all, const std::string& k
 }
 
 Option& Option::list_of(const std::vector<std::string>& all, const std::string& kind) {
-  return words(all, is_read_by([all, kind](const std::string& text) { parse_names(text, kind, all); }));
+  return words(all, check_by_parsing([all, kind](const std::string& text) { parse_names(text, kind, all); }));
 }
 
 Option& Option::words(const std::vector<std::string>& words, const Check& check) {

@@ -18,7 +18,7 @@ void ProgramRequest::add_to(OptionList& options) {
       .option("--machine", machine,
               "A machine's name or .toml file, instead of the machine the Program was compiled for; its array is "
               "made as large as the Program's")
-      .check(is_read_by(check_machine));
+      .check(check_by_parsing(check_machine));
   add_parameter_sets(options, sets, "the machine");
   run.add_to(options);
   checkpoints.add_to(options);

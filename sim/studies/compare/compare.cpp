@@ -212,16 +212,16 @@ class Compare : public StudyOf<ComparisonRow> {
     command.remove("--tolerance");
     command.remove("--curves");  // all machines draw the same facets
     command.option("--machines", options_.machines, "Machines to compare, as names or .toml files separated by commas")
-        .check(session::is_read_by(session::check_machines));
+        .check(session::check_by_parsing(session::check_machines));
     command
         .option("--fragments", options_.fragments,
                 "Values of $fn for all curved solids, separated by commas, which vary the number of half-spaces at one "
                 "picture size; `none`: only the model's own")
-        .check(session::is_read_by(fragments_of));
+        .check(session::check_by_parsing(fragments_of));
     command
         .option("--sides", options_.sides,
                 "Sides of square pictures in pixels, separated by commas; `none`: only one size")
-        .check(session::is_read_by(sides_of));
+        .check(session::check_by_parsing(sides_of));
     command.flag(
         "--ideal", options_.ideal,
         "Measure the gain of idealizations: make each suitable parameter of a machine ideal, one after another and "
@@ -230,7 +230,7 @@ class Compare : public StudyOf<ComparisonRow> {
         .option("--with", options_.with,
                 "Software to compare with, as PROCESSOR:METHOD separated by commas, such as mc68000:status/one-list "
                 "(csgsim manual methods, processors; this-computer is measured); `none`: no software")
-        .check(session::is_read_by(software_of))
+        .check(session::check_by_parsing(software_of))
         .excludes("--ideal");
   }
 

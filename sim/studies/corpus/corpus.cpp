@@ -126,7 +126,7 @@ class Corpus : public StudyOf<CorpusRow> {
   void add_options(session::OptionList& command) override {
     command.option("MODEL", models_, "Models (.csg, .scad or .jan), or folders that contain them").required();
     command.option("--machines", machines_, "Machines, as names or .toml files separated by commas")
-        .check(session::is_read_by(session::check_machines));
+        .check(session::check_by_parsing(session::check_machines));
     view_.add_view_to(command);
     command.option("--z-bits", view_.z_bits, "Depth bits").between(view::min_z_bits, view::max_z_bits);
   }

@@ -97,7 +97,7 @@ void ExploreOptions::add_to(session::OptionList& command) {
               fmt::format("KEY=LIST: a parameter of the machine, as in alu.bits=1,2,4, or one of {}; once per key. "
                           "Every combination of values is a design",
                           fmt::join(axis_keys(), ", ")))
-      .check(session::is_read_by(parse_dimension))
+      .check(session::check_by_parsing(parse_dimension))
       .required();
   command
       .option("--points", points,
