@@ -50,7 +50,7 @@ void print_frames(const DrawnFrames& drawn) {
   const auto seconds = [&](std::uint64_t clocks) {
     return quantity(static_cast<double>(clocks) / static_cast<double>(drawn.machine.clock_hz), "s");
   };
-  fmt::print("{} in {} clocks: {} frames per second", counted(drawn.frames.size(), "frame"),
+  fmt::print("{} in {} clocks: {} frames per second", count_text(drawn.frames.size(), "frame"),
              grouped(sums.interval_clocks), rounded(drawn.frames_per_second()));
   if (sums.host_clocks > 0)
     fmt::print("; {} with the host, which needs {} for the model and {} for the frames",

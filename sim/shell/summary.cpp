@@ -196,7 +196,7 @@ void print_most_expensive(const observe::Report& report, const observe::Frame& p
                one.source, grouped(one.clocks), 100.0 * one.share, grouped(one.pieces), grouped(one.halfspaces),
                grouped(pixels[one.primitive]));
   }
-  print_rest(counted(shares.other_primitives, "other primitive"), shares.other_clocks, shares.whole);
+  print_rest(count_text(shares.other_primitives, "other primitive"), shares.other_clocks, shares.whole);
   for (const observe::EffectCost& effect : shares.effects)
     print_rest("effect " + effect.name, effect.clocks, shares.whole);
   print_rest("no primitive", shares.rest, shares.whole);
@@ -219,7 +219,7 @@ void print_first_lines(const observe::Report& report, const std::string& picture
   const machines::Machine& machine = report.machine;
   const std::optional<observe::Bound> bound = observe::bound_of(report.result, machine);
   print_line("picture", picture_text(picture));
-  print_line("model", counted(model.primitives, "primitive") + ", " + counted(model.halfspaces, "half-space"));
+  print_line("model", count_text(model.primitives, "primitive") + ", " + count_text(model.halfspaces, "half-space"));
   print_machine(report);
   print_line("drawn",
              fmt::format("in {} ({} clocks)", time_text(report.result.clocks, machine), grouped(report.result.clocks)));
@@ -239,15 +239,15 @@ void print_details(const observe::Report& report, const observe::Frame& picture,
   const machines::Machine& machine = report.machine;
   fmt::print("\n");
   print_line("operators",
-             fmt::format("{}, {}, {}", counted(model.unions, "union"), counted(model.differences, "difference"),
-                         counted(model.intersections, "intersection")));
+             fmt::format("{}, {}, {}", count_text(model.unions, "union"), count_text(model.differences, "difference"),
+                         count_text(model.intersections, "intersection")));
   print_line("frame", fmt::format("shown {} after its first clock ({} clocks)",
                                   time_text(report.result.shown_clocks, machine), grouped(report.result.shown_clocks)));
   print_line("instructions",
              fmt::format("{} executed, {} skipped", grouped(total.instructions), grouped(report.result.skipped)));
   print_line("scan-conversions",
              fmt::format("{} rendered into Z1, {} classified against Z1, {}", grouped(compile.rendered),
-                         grouped(compile.classified), counted(compile.depth_tests, "depth test")));
+                         grouped(compile.classified), count_text(compile.depth_tests, "depth test")));
   print_line("pixel operations", fmt::format("{} in total, {} at enabled pixels: utilization {:.2f} %",
                                              quantity(static_cast<double>(total.pixel_operations), ""),
                                              quantity(static_cast<double>(total.enabled), ""),

@@ -46,7 +46,7 @@ void add_compile(CommandLine& line) {
     file.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     file.commit();
     fmt::print("{}: {} for {} x {} pixels\n", printable(options->output),
-               counted(isa::total_instructions(program), "instruction"), program.shape.width, program.shape.height);
+               count_text(isa::total_instructions(program), "instruction"), program.shape.width, program.shape.height);
   });
 }
 

@@ -113,9 +113,9 @@ model::Tree converted_model(const Options& options, bool is_flat) {
 
 void print_model(const model::Tree& tree) {
   const model::Counts counts = model::count(tree);
-  fmt::print("{:<18}{}, {}, {}, {}\n", "model", counted(counts.primitives, "primitive"),
-             counted(counts.unions, "union"), counted(counts.differences, "difference"),
-             counted(counts.intersections, "intersection"));
+  fmt::print("{:<18}{}, {}, {}, {}\n", "model", count_text(counts.primitives, "primitive"),
+             count_text(counts.unions, "union"), count_text(counts.differences, "difference"),
+             count_text(counts.intersections, "intersection"));
 }
 
 nlohmann::ordered_json model_json(const Options& options, const model::Tree& tree) {
@@ -177,9 +177,9 @@ Description describe_mesh(const convert::Surface& surface, const convert::Measur
            {"area", measures.area}},
           fmt::format("{:<18}{}, {}\n{:<18}{}, Euler number {}, genus {}\n"
                       "{:<18}{:.10g} cubic units, surface {:.10g} square units\n",
-                      "mesh", counted(surface.triangles.size(), "triangle"), counted(surface.points.size(), "point"),
-                      "shape", counted(measures.shells, "shell"), measures.euler, measures.genus(), "volume",
-                      measures.volume, measures.area)};
+                      "mesh", count_text(surface.triangles.size(), "triangle"),
+                      count_text(surface.points.size(), "point"), "shape", count_text(measures.shells, "shell"),
+                      measures.euler, measures.genus(), "volume", measures.volume, measures.area)};
 }
 
 Description describe_flat(const convert::Surface& surface) {
@@ -188,8 +188,8 @@ Description describe_flat(const convert::Surface& surface) {
   for (const auto& round : rounds) points += round.size();
   const double area = convert::area_of(rounds);
   return {{{"outlines", rounds.size()}, {"points", points}, {"area", area}},
-          fmt::format("{:<18}{}, {}\n{:<18}{:.10g} square units\n", "shape", counted(rounds.size(), "outline"),
-                      counted(points, "point"), "area", area)};
+          fmt::format("{:<18}{}, {}\n{:<18}{:.10g} square units\n", "shape", count_text(rounds.size(), "outline"),
+                      count_text(points, "point"), "area", area)};
 }
 
 void convert_to_surface(const Options& options) {
@@ -240,7 +240,7 @@ void convert_to_blocks(const Options& options) {
   outputs.write(convert::text_of(bintree), stats);
   print_model(tree);
   fmt::print("{:<18}{}, {} of them full; {} of side {:g} inside the model\n", "blocks", grouped(counts.blocks),
-             grouped(counts.full), counted(counts.cells, "cell"), bintree.cell());
+             grouped(counts.full), count_text(counts.cells, "cell"), bintree.cell());
   fmt::print("{:<18}{:.10g} cubic units\n", "volume", volume);
 }
 

@@ -84,7 +84,7 @@ void run_debugger(const Options& options, const isa::Program& program, const mac
     read_script(lines, options.commands, program, session);
   } else if (::isatty(STDIN_FILENO) != 0) {
     fmt::print("{}: {} on {}; help lists the commands\n", printable(shown_name(options.model.model)),
-               counted(engine::Numbers(program).count(), "instruction"), machine.name);
+               count_text(engine::Numbers(program).count(), "instruction"), machine.name);
     read_terminal(program, session);
   } else {
     record_input(standard_input_file);

@@ -107,7 +107,7 @@ void refuse_misuse(const Options& options, const OptionList& command) {
 
 void print_side(char letter, const Subject& subject, const engine::RunResult& result) {
   fmt::print("{}  {}: {}, {} level, {}, {}\n", letter, subject.name, subject.machine.name, subject.level,
-             counted(engine::Numbers(subject.program).count(), "instruction"), counted(result.clocks, "clock"));
+             count_text(engine::Numbers(subject.program).count(), "instruction"), count_text(result.clocks, "clock"));
 }
 
 std::string instruction_text(const isa::Program& program, std::uint64_t number) {
@@ -133,14 +133,14 @@ void print_divergence(const lockstep::Divergence& found, const isa::Program& pro
   const std::uint64_t number = engine::Numbers(program).of(found.place);
   fmt::print("after i{}, {}\n", number, instruction_text(program, number));
   if (!found.pixel) return print_values(found.otherwise.value(), false);
-  fmt::print("{} differ, first {},{}:\n", counted(found.pixel->pixels, "pixel"), found.pixel->x, found.pixel->y);
+  fmt::print("{} differ, first {},{}:\n", count_text(found.pixel->pixels, "pixel"), found.pixel->x, found.pixel->y);
   for (const lockstep::TwoValues& values : found.pixel->fields) print_values(values, true);
 }
 
 void print_picture(const lockstep::Comparison& comparison, const Subject& a, const Subject& b) {
   if (!comparison.picture) return fmt::print("the pictures are equal\n");
   const lockstep::PictureDifference& found = *comparison.picture;
-  fmt::print("the pictures differ at {}, first {},{}:\n", counted(found.pixels, "pixel"), found.x, found.y);
+  fmt::print("the pictures differ at {}, first {},{}:\n", count_text(found.pixels, "pixel"), found.x, found.y);
   const std::size_t at = std::size_t{found.y} * a.program.shape.width + found.x;
   const auto print_both = [&](const char* what, const std::vector<std::uint32_t> observe::Frame::*values, auto text) {
     fmt::print("  {:<16} A {}, B {}\n", what, text(a.program, (comparison.a.frame.*values)[at]),
@@ -192,10 +192,10 @@ std::vector<std::string> difference_sentences(const lockstep::Comparison& compar
   } else {
     sentences.emplace_back("All instructions are the same.");
   }
-  sentences.push_back(fmt::format("Pixel memory is equal after {}.", counted(comparison.compared, "instruction")));
+  sentences.push_back(fmt::format("Pixel memory is equal after {}.", count_text(comparison.compared, "instruction")));
   if (const auto& found = comparison.picture) {
     sentences.push_back(fmt::format("Colour, primitive or depth differ at {}, first at {},{}.",
-                                    counted(found->pixels, "pixel"), found->x, found->y));
+                                    count_text(found->pixels, "pixel"), found->x, found->y));
   } else {
     sentences.emplace_back("Pictures and depths are equal.");
   }
@@ -252,7 +252,7 @@ void print_comparison(const lockstep::Comparison& comparison, const Subject& a, 
     fmt::print("i{} is the first instruction that differs:\n  A  {}\n  B  {}\n", number,
                instruction_text(a.program, number), instruction_text(b.program, number));
   }
-  fmt::print("the states are equal after {}\n", counted(comparison.compared, "instruction"));
+  fmt::print("the states are equal after {}\n", count_text(comparison.compared, "instruction"));
   if (comparison.divergence) print_divergence(*comparison.divergence, a.program);
   print_picture(comparison, a, b);
 }

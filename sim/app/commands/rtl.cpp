@@ -90,7 +90,7 @@ void write_design(const Options& options, const OptionList& command) {
   refuse_clashes(options.model.inputs(), paths);
   write_files(folder, files);
   warn_of_size(subject.machine);
-  fmt::print("{}: {} of {}, {} x {} pixels{}; {}\n", printable(options.output), counted(files.size(), "file"),
+  fmt::print("{}: {} of {}, {} x {} pixels{}; {}\n", printable(options.output), count_text(files.size(), "file"),
              subject.machine.name, subject.machine.array.width, subject.machine.array.height,
              subject.program ? " with a Program" : "",
              subject.program ? "make -C " + shell_word(options.output) + " icarus draws the picture"

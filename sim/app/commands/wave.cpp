@@ -190,7 +190,8 @@ void print_summary(const Options& options, const Windows& windows, const wave::R
     return;
   }
   fmt::print("{}: {}; {} clocks of {} in {}, {}{}\n", printable(options.output), windows.shown, grouped(clocks),
-             grouped(frame_clocks), counted(request.windows.size(), "window"), counted(request.pixels.size(), "pixel"),
+             grouped(frame_clocks), count_text(request.windows.size(), "window"),
+             count_text(request.pixels.size(), "pixel"),
              has_views(options) ? "; view it with gtkwave " + shell_word(view_paths(options).front().native()) : "");
 }
 

@@ -37,7 +37,7 @@ std::vector<Number> numbers(const std::string& text, char separator, std::size_t
 }
 
 /// `1 bit`, `1,234 bits`.
-inline std::string counted(std::uint64_t count, std::string_view what) {
+inline std::string count_text(std::uint64_t count, std::string_view what) {
   return fmt::format("{} {}{}", grouped(count), what, count == 1 ? "" : "s");
 }
 

@@ -53,8 +53,8 @@ void add_model(std::span<const CorpusRow> rows, Lines& lines) {
     return;
   }
   lines.push_back(
-      {fmt::format("{}: {}, {}, {}", drawn->point.model, session::counted(drawn->primitives, "primitive"),
-                   session::counted(drawn->pieces, "piece"), session::counted(drawn->halfspaces, "half-space"))});
+      {fmt::format("{}: {}, {}, {}", drawn->point.model, session::count_text(drawn->primitives, "primitive"),
+                   session::count_text(drawn->pieces, "piece"), session::count_text(drawn->halfspaces, "half-space"))});
   for (const CorpusRow& row : rows) lines.push_back(row_line(row));
 }
 
@@ -179,7 +179,7 @@ class Corpus : public StudyOf<CorpusRow> {
     subject.has_picture = false;
     subject.model.model = rows().front().point.model;
     const std::size_t models = by_model(Rows(rows())).size();
-    if (models > 1) subject.name = session::counted(models, "model");
+    if (models > 1) subject.name = session::count_text(models, "model");
     return subject;
   }
 
