@@ -242,7 +242,7 @@ std::string unreadable_word(const OptionList& command, Words words) {
     } else if (!are_operands && is_like_option(word)) {
       const std::string name = name_in(word);
       if (!is_one_of(name, names) && !is_short_with_more(word, names))
-        return session::no_such_option(printable(name), names, command.name());
+        return session::unknown_option_message(printable(name), names, command.name());
       if (takes_next(command, word)) ++i;
     } else if (most && ++operands > *most) {
       return unexpected({word, i > 0 ? words[i - 1] : "", i > 1 ? words[i - 2] : ""}, command, words);

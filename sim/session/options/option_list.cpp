@@ -264,7 +264,7 @@ Option& OptionList::find_required(std::string_view key) {
   std::vector<std::string> known;
   for (const Option& one : options_)
     if (!one.is_operand) known.push_back(one.shown_name());
-  throw UsageError(no_such_option(fmt::format("--{}", key), known, name_));
+  throw UsageError(unknown_option_message(fmt::format("--{}", key), known, name_));
 }
 
 void OptionList::give(std::string_view key, const std::string& text) {

@@ -215,6 +215,6 @@ std::string shell_command(std::span<const std::string> words);
 std::string did_you_mean(std::string_view word, std::span<const std::string> known);
 
 /// The message about an option, with its dashes, that the request does not have.
-std::string no_such_option(std::string_view word, std::span<const std::string> known, std::string_view request);
+std::string unknown_option_message(std::string_view word, std::span<const std::string> known, std::string_view request);
 
 }  // namespace csgsim::session

@@ -174,7 +174,8 @@ std::string suggested_option(std::string_view word, std::span<const std::string>
   return std::string(nearest_similar(word, candidates));
 }
 
-std::string no_such_option(std::string_view word, std::span<const std::string> known, std::string_view request) {
+std::string unknown_option_message(std::string_view word, std::span<const std::string> known,
+                                   std::string_view request) {
   const std::string meant = suggested_option(word, known);
   std::string advice;
   if (!meant.empty()) {
