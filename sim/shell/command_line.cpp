@@ -120,10 +120,11 @@ std::vector<SettableOption> CommandLine::options_of(std::string_view command) co
 
 CommandLine::Read CommandLine::read_words(std::span<const std::string> arguments, bool takes_settings) {
   Read read{arguments.size() < 2 ? nullptr : command_named(arguments[1]), {}};
-  if (read.command == nullptr) throw UsageError(no_such_command(arguments, command_names()));
+  if (read.command == nullptr) throw UsageError(unknown_command_message(arguments, command_names()));
   read.command->clear();
   const std::span<const std::string> words = arguments.subspan(2);
-  if (const std::string missing = missing_value(*read.command, words); !missing.empty()) throw UsageError(missing);
+  if (const std::string missing = missing_value_message(*read.command, words); !missing.empty())
+    throw UsageError(missing);
   CLI::App app;
   std::deque<Tokens> all;
   for (Option& option : read.command->all()) add_to(app, all.emplace_back(Tokens{&option, nullptr, {}, {}}));
@@ -137,7 +138,7 @@ CommandLine::Read CommandLine::read_words(std::span<const std::string> arguments
     read.wants_help = true;
   } catch (const CLI::ParseError& error) {
     // CLI11's messages differ between its versions.
-    const std::string message = unreadable_word(*read.command, words);
+    const std::string message = unreadable_word_message(*read.command, words);
     throw UsageError(message.empty() ? error.what() : message);
   }
   for (const Tokens& tokens : all) tokens.option->given = tokens.read->results();
@@ -167,7 +168,7 @@ void CommandLine::carry_out(std::span<const std::string> arguments, const std::f
 void CommandLine::print_help(std::span<const std::string> words) const {
   if (words.size() < 2) return fmt::print("{}", overview_text(description_, make_helps(commands_)));
   const auto found = std::ranges::find(commands_, words[1], &Command::name);
-  if (found == commands_.end()) throw UsageError(no_such_command(words, command_names()));
+  if (found == commands_.end()) throw UsageError(unknown_command_message(words, command_names()));
   fmt::print("{}", help_text(make_help(*found)));
 }
 

@@ -199,7 +199,7 @@ std::optional<std::size_t> max_operands(const OptionList& command) {
 
 }  // namespace
 
-std::string no_such_command(Words arguments, Words commands) {
+std::string unknown_command_message(Words arguments, Words commands) {
   if (arguments.size() < 2) return "name a command, as in csgsim render MODEL -o picture.png; see csgsim --help";
   const std::string& first = arguments[1];
   if (first.empty()) return "the name of the command is empty; see csgsim --help";
@@ -212,7 +212,7 @@ std::string no_such_command(Words arguments, Words commands) {
   return with_help(fmt::format("there is no {};{}", shown, session::did_you_mean(first, commands)), "");
 }
 
-std::string missing_value(const OptionList& command, Words words) {
+std::string missing_value_message(const OptionList& command, Words words) {
   const std::vector<std::string> names = option_names(command);
   for (std::size_t i = 0; i < words.size() && words[i] != "--"; ++i) {
     const bool ends_in_equals = words[i].find('=') == words[i].size() - 1;
@@ -230,7 +230,7 @@ std::string missing_value(const OptionList& command, Words words) {
   return {};
 }
 
-std::string unreadable_word(const OptionList& command, Words words) {
+std::string unreadable_word_message(const OptionList& command, Words words) {
   const std::vector<std::string> names = option_names(command);
   const std::optional<std::size_t> most = max_operands(command);
   std::size_t operands = 0;
