@@ -117,11 +117,11 @@ ClockShares clock_shares(const isa::Program& program, const engine::RunResult& r
   for (std::size_t i = 0; i < shown; ++i) {
     const std::uint32_t index = order[i];
     const std::string name = printable(program.facts->primitives[index]);
-    shares.dearest.push_back({index, name, source_of(name), costs[index].clocks,
-                              static_cast<double>(costs[index].clocks) / static_cast<double>(shares.whole),
-                              isa::pieces_of(*program.facts, index).count, 0});
+    shares.most_expensive.push_back({index, name, source_of(name), costs[index].clocks,
+                                     static_cast<double>(costs[index].clocks) / static_cast<double>(shares.whole),
+                                     isa::pieces_of(*program.facts, index).count, 0});
   }
-  count_halfspaces(program, shares.dearest);
+  count_halfspaces(program, shares.most_expensive);
   shares.other_primitives = order.size() - shown;
   for (std::size_t i = shown; i < order.size(); ++i) shares.other_clocks += costs[order[i]].clocks;
   shares.effects = effects_of(program, stats);

@@ -33,7 +33,7 @@ struct EffectCost {
 /// Distribution of a frame's clocks. Primitives, effects and the rest add up to the whole.
 struct ClockShares {
   std::vector<PrimitiveCost>
-      dearest;  ///< most expensive first, at most `max_listed_primitives`; only primitives with clocks
+      most_expensive;  ///< most expensive first, at most `max_listed_primitives`; only primitives with clocks
   std::uint64_t other_primitives = 0;  ///< number of further primitives with clocks
   std::uint64_t other_clocks = 0;      ///< clocks of these
   std::vector<EffectCost> effects;     ///< effects with clocks, except flat shading, which counts for the primitives

@@ -190,7 +190,7 @@ void print_most_expensive(const observe::Report& report, const observe::Frame& p
   const std::vector<std::uint64_t> pixels = observe::pixels_seen(picture, report.program);
   fmt::print("\n{:<28}{:<14}{:>16}{:>9}{:>9}{:>13}{:>11}\n", "most expensive primitives", "line:column", "clocks",
              "share", "pieces", "half-spaces", "pixels");
-  for (const observe::PrimitiveCost& one : shares.dearest) {
+  for (const observe::PrimitiveCost& one : shares.most_expensive) {
     const std::string name = one.name.substr(0, one.source.empty() ? one.name.size() : one.name.rfind('@'));
     fmt::print("  {:<26}{:<14}{:>16}{:>7.1f} %{:>9}{:>13}{:>11}\n", fmt::format("p{} {}", one.primitive, name),
                one.source, grouped(one.clocks), 100.0 * one.share, grouped(one.pieces), grouped(one.halfspaces),
