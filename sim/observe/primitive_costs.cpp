@@ -103,7 +103,7 @@ std::vector<EffectCost> effects_of(const isa::Program& program, const Stats& sta
 
 }  // namespace
 
-std::string source_of(const std::string& name) {
+std::string source_position(const std::string& name) {
   const std::size_t at = name.rfind('@');
   return at == std::string::npos ? "" : name.substr(at + 1);
 }
@@ -117,7 +117,7 @@ ClockShares clock_shares(const isa::Program& program, const engine::RunResult& r
   for (std::size_t i = 0; i < shown; ++i) {
     const std::uint32_t index = order[i];
     const std::string name = printable(program.facts->primitives[index]);
-    shares.most_expensive.push_back({index, name, source_of(name), costs[index].clocks,
+    shares.most_expensive.push_back({index, name, source_position(name), costs[index].clocks,
                                      static_cast<double>(costs[index].clocks) / static_cast<double>(shares.whole),
                                      isa::pieces_of(*program.facts, index).count, 0});
   }

@@ -46,7 +46,7 @@ inline constexpr std::size_t max_listed_primitives = 10;
 ClockShares clock_shares(const isa::Program& program, const engine::RunResult& result, const Stats& stats);
 
 /// The position in a primitive's name; empty if there is none.
-std::string source_of(const std::string& name);
+std::string source_position(const std::string& name);
 
 /// Number of visible pixels of each primitive of the Program.
 std::vector<std::uint64_t> pixels_seen(const Frame& frame, const isa::Program& program);

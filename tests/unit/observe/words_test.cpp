@@ -124,7 +124,7 @@ TEST_CASE("the ten most expensive primitives are listed with their places in the
     CHECK(one.name.ends_with("@" + one.source));
     CHECK(one.source.find(':') != std::string::npos);
   }
-  CHECK(observe::source_of("mesh") == "");
+  CHECK(observe::source_position("mesh") == "");
 }
 
 TEST_CASE("the half-spaces left by pruning count once across all squares") {
