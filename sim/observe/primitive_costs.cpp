@@ -53,15 +53,15 @@ bool is_halfspace(const isa::Instruction& one) {
 constexpr std::uint32_t not_listed = ~std::uint32_t{0};
 
 /// Rank of each primitive among the most expensive.
-std::vector<std::uint32_t> places_of(const std::vector<PrimitiveCost>& dearest, std::size_t primitives) {
+std::vector<std::uint32_t> places_of(const std::vector<PrimitiveCost>& most_expensive, std::size_t primitives) {
   std::vector<std::uint32_t> places(primitives, not_listed);
-  for (std::uint32_t i = 0; i < dearest.size(); ++i) places[dearest[i].primitive] = i;
+  for (std::uint32_t i = 0; i < most_expensive.size(); ++i) places[most_expensive[i].primitive] = i;
   return places;
 }
 
 /// Counts each half-space once, no matter how many segments and pieces have it.
-void count_halfspaces(const isa::Program& program, std::vector<PrimitiveCost>& dearest) {
-  const std::vector<std::uint32_t> places = places_of(dearest, program.facts->primitives.size());
+void count_halfspaces(const isa::Program& program, std::vector<PrimitiveCost>& most_expensive) {
+  const std::vector<std::uint32_t> places = places_of(most_expensive, program.facts->primitives.size());
   std::vector<PictureSurface> found;
   for (const isa::Segment& segment : program.segments) {
     for (std::size_t i = 0; i < segment.instructions.size(); ++i) {
@@ -76,7 +76,7 @@ void count_halfspaces(const isa::Program& program, std::vector<PrimitiveCost>& d
   }
   std::ranges::sort(found);
   found.erase(std::unique(found.begin(), found.end()), found.end());
-  for (const PictureSurface& one : found) ++dearest[std::get<0>(one)].halfspaces;
+  for (const PictureSurface& one : found) ++most_expensive[std::get<0>(one)].halfspaces;
 }
 
 std::vector<std::uint32_t> by_clocks(const std::vector<Cost>& costs) {
@@ -130,7 +130,7 @@ ClockShares clock_shares(const isa::Program& program, const engine::RunResult& r
   return shares;
 }
 
-std::vector<std::uint64_t> pixels_seen(const Frame& frame, const isa::Program& program) {
+std::vector<std::uint64_t> visible_pixel_counts(const Frame& frame, const isa::Program& program) {
   std::vector<std::uint64_t> pixels(program.facts->primitives.size());
   for (const std::uint32_t piece : frame.owner) {
     if (piece == no_owner) continue;

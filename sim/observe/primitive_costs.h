@@ -49,6 +49,6 @@ ClockShares clock_shares(const isa::Program& program, const engine::RunResult& r
 std::string source_position(const std::string& name);
 
 /// Number of visible pixels of each primitive of the Program.
-std::vector<std::uint64_t> pixels_seen(const Frame& frame, const isa::Program& program);
+std::vector<std::uint64_t> visible_pixel_counts(const Frame& frame, const isa::Program& program);
 
 }  // namespace csgsim::observe

@@ -101,7 +101,7 @@ OwnerPicture owner_picture(const Json& data, const observe::Frame& frame, const 
         "The " + grouped(max_rows) + " most expensive of " + grouped(primitives.size()) + " primitives";
     owners.primitive.resize(max_rows);
   }
-  const std::vector<std::uint64_t> pixels = observe::pixels_seen(frame, program);
+  const std::vector<std::uint64_t> pixels = observe::visible_pixel_counts(frame, program);
   const double whole = whole_clocks(data);
   for (const std::uint32_t i : owners.primitive) {
     const std::string at = "/by_primitive/" + std::to_string(i);

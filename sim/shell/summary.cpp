@@ -187,7 +187,7 @@ void print_rest(const std::string& name, std::uint64_t clocks, std::uint64_t who
 void print_most_expensive(const observe::Report& report, const observe::Frame& picture) {
   const observe::ClockShares shares = observe::clock_shares(report.program, report.result, report.stats);
   if (shares.whole == 0) return;
-  const std::vector<std::uint64_t> pixels = observe::pixels_seen(picture, report.program);
+  const std::vector<std::uint64_t> pixels = observe::visible_pixel_counts(picture, report.program);
   fmt::print("\n{:<28}{:<14}{:>16}{:>9}{:>9}{:>13}{:>11}\n", "most expensive primitives", "line:column", "clocks",
              "share", "pieces", "half-spaces", "pixels");
   for (const observe::PrimitiveCost& one : shares.most_expensive) {
