@@ -42,7 +42,7 @@ void for_rows(const isa::Region& region, std::uint32_t width, const Visit& visit
 
 }  // namespace
 
-Frame of_opaque(Frame frame) {
+Frame with_opaque_surfaces(Frame frame) {
   if (frame.opaque_depth.empty()) return frame;
   frame.depth = std::exchange(frame.opaque_depth, {});
   frame.owner = std::exchange(frame.opaque_owner, {});

@@ -28,7 +28,7 @@ struct Frame {
 };
 
 /// The frame with the opaque surfaces in place of the nearest ones.
-Frame of_opaque(Frame frame);
+Frame with_opaque_surfaces(Frame frame);
 
 /// Assembles the picture of a run, segment by segment, over the background. Pixel memory has no room for owners, so
 /// they are recorded outside of it: when a primitive's depth is copied into the depth field, or, where several

@@ -125,7 +125,7 @@ void write_owner(OutputFile& file, const Frame& frame) {
   write(file, exr, floats(frame, "owner", pixels));
 }
 
-Frame of_primitives(Frame frame, const isa::Facts& facts) {
+Frame with_primitive_owners(Frame frame, const isa::Facts& facts) {
   if (facts.primitive_of_piece.empty()) return frame;
   for (std::uint32_t& owner : frame.owner)
     if (owner != no_owner) owner = isa::primitive_of(facts, owner);

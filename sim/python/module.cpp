@@ -62,8 +62,8 @@ struct Drawn {
 
 Drawn make_drawn(session::FinishedRun run, const session::RunRequest& options, Held held) {
   const bool is_of_opaque = options.surface == "opaque";
-  return {is_of_opaque ? observe::of_opaque(std::move(run.picture)) : std::move(run.picture), std::move(run.stats_file),
-          std::move(held)};
+  return {is_of_opaque ? observe::with_opaque_surfaces(std::move(run.picture)) : std::move(run.picture),
+          std::move(run.stats_file), std::move(held)};
 }
 
 /// A request filled from a call.

@@ -85,7 +85,7 @@ std::pair<std::string, std::string> kind_and_place(const std::string& name) {
 }
 
 OwnerPicture owner_picture(const Json& data, const observe::Frame& frame, const isa::Program& program) {
-  const observe::Frame of_primitives = observe::of_primitives(frame, *program.facts);
+  const observe::Frame of_primitives = observe::with_primitive_owners(frame, *program.facts);
   const Json& primitives = data["by_primitive"];
   OwnerPicture owners{
       picture_of(frame, program, "", "Picture drawn by the machine"),

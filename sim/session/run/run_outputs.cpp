@@ -41,10 +41,10 @@ RunOutputs::RunOutputs(const RunRequest& request, std::span<const std::filesyste
 void RunOutputs::write_pictures(const observe::Frame& frame, const isa::Program& program) {
   if (files_[picture]) observe::write_picture(*files_[picture], frame, program);
   if (!files_[depth] && !files_[owner]) return;
-  const observe::Frame surfaces = of_opaque_ ? observe::of_opaque(frame) : frame;
+  const observe::Frame surfaces = of_opaque_ ? observe::with_opaque_surfaces(frame) : frame;
   if (files_[depth]) observe::write_depth(*files_[depth], surfaces, program);
   if (!files_[owner]) return;
-  const observe::Frame of_primitives = observe::of_primitives(surfaces, *program.facts);
+  const observe::Frame of_primitives = observe::with_primitive_owners(surfaces, *program.facts);
   observe::write_owner(*files_[owner], of_primitives);
   if (files_[legend]) observe::write_legend(*files_[legend], of_primitives, program);
 }
