@@ -35,7 +35,7 @@ constexpr unsigned most_rounds = 1000;
 
 struct Options {
   std::vector<std::string> models;
-  std::string machines = all_machines();
+  std::string machines = studied_machines_text();
   std::string levels = "functional,cycle";
   std::string parts = "speed,dense,rivals,growth,counts,schedule,works";
   std::string works = fmt::format("{}", fmt::join(work_names(), ","));

@@ -57,7 +57,7 @@ void print_machines(const Options& options) {
   const bool are_listed = options.machines.empty() && options.sets.empty();
   const bool are_all = options.machines.empty() || options.machines == "all";
   for (const std::string& name :
-       with_parameters(parse_words(are_all ? every_machine() : options.machines), options.sets)) {
+       with_parameters(parse_words(are_all ? built_in_machines_text() : options.machines), options.sets)) {
     const machines::Machine machine = kinds::load(name);
     if (are_listed) {
       fmt::print("{:<16} {}\n", machine.name, machine.description);

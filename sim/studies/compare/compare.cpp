@@ -38,7 +38,7 @@ constexpr unsigned most_fragments = 4096;
 
 struct Options {
   session::ModelRequest model;
-  std::string machines = session::all_machines();
+  std::string machines = session::studied_machines_text();
   std::string sides = "128,256,512";
   std::string fragments = "8,16,32,64";
   std::string with = "none";

@@ -200,7 +200,7 @@ class Corpus : public StudyOf<CorpusRow> {
  private:
   session::ModelRequest view_;
   std::vector<std::string> models_;  ///< files and folders
-  std::string machines_ = session::all_machines();
+  std::string machines_ = session::studied_machines_text();
   std::vector<CorpusPoint> points_;
   std::vector<Job> jobs_;
 };
