@@ -186,7 +186,7 @@ isa::Program compile_for_camera(const view::Camera& camera, const CompiledModel&
   warn_of_coarse_depth(view);
   std::size_t halfspaces = 0;
   for (const facet::Convex& solid : model.scene.solids) halfspaces += solid.halfspaces.size();
-  return with_memory([&] { return short_of_memory(model.tree.file, halfspaces); },
+  return with_memory([&] { return out_of_memory_message(model.tree.file, halfspaces); },
                      [&] { return compile_with_room(model, std::move(view), machine, kept); });
 }
 

@@ -17,11 +17,11 @@
 namespace csgsim::session {
 
 /// The message if memory does not suffice to compile a model.
-std::string short_of_memory(const std::string& model, std::size_t halfspaces);
+std::string out_of_memory_message(const std::string& model, std::size_t halfspaces);
 
 /// The message if memory does not suffice for a run of Programs, one after another, on an array of that shape. It
 /// blames the Programs or the pixels, whichever take more.
-std::string short_of_memory(std::span<const isa::Program> programs, const isa::ArrayShape& array);
+std::string out_of_memory_message(std::span<const isa::Program> programs, const isa::ArrayShape& array);
 
 /// Calls the function. If memory does not suffice, throws an InputError with the text that `say` returns.
 template <class Say, class Call>
@@ -41,14 +41,14 @@ auto with_memory_for(const std::string& what, Call call) {
 
 template <class Call>
 auto with_memory_for_picture(const isa::ArrayShape& array, Call call) {
-  return with_memory([&] { return short_of_memory({}, array); }, call);
+  return with_memory([&] { return out_of_memory_message({}, array); }, call);
 }
 
 /// Calls the function, which runs Programs. If memory does not suffice, throws an InputError with the message of
-/// short_of_memory().
+/// out_of_memory_message().
 template <class Call>
 auto with_memory_for_run(std::span<const isa::Program> programs, const isa::ArrayShape& array, Call call) {
-  return with_memory([&] { return short_of_memory(programs, array); }, call);
+  return with_memory([&] { return out_of_memory_message(programs, array); }, call);
 }
 
 /// Calls the function, which works on several threads. If memory does not suffice, throws an InputError that suggests
