@@ -50,7 +50,7 @@ bool is_unnamed_stream(const std::filesystem::path& path) {
 
 std::string shown_name(const std::string& path) { return path == standard_stream ? "standard input" : path; }
 
-void refuse_other_format(const std::string& option, const std::filesystem::path& picture) {
+void refuse_unknown_format(const std::string& option, const std::filesystem::path& picture) {
   if (picture.empty()) return;
   try {
     observe::check_format(picture);

@@ -27,7 +27,7 @@ bool is_unnamed_stream(const std::filesystem::path& path);
 std::string shown_name(const std::string& path);
 
 /// Throws UsageError if the picture's extension belongs to no format; an empty path is accepted.
-void refuse_other_format(const std::string& option, const std::filesystem::path& picture);
+void refuse_unknown_format(const std::string& option, const std::filesystem::path& picture);
 
 /// Rejects binary output to a terminal. Throws UsageError.
 void refuse_terminal(const std::string& option, const std::filesystem::path& path);

@@ -331,7 +331,7 @@ DrawnFrames draw_frames(const OptionList& options, const RenderRequest& request,
   std::vector<fs::path> outputs = paths;
   outputs.emplace_back(request.run.stats);
   refuse_clashes(inputs, outputs);
-  refuse_other_format("--output", request.run.picture);
+  refuse_unknown_format("--output", request.run.picture);
   FramePictures pictures(std::move(paths));
   std::optional<OutputFile> stats;
   if (!request.run.stats.empty()) stats.emplace(request.run.stats);

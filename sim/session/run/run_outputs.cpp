@@ -31,9 +31,9 @@ RunOutputs::RunOutputs(const RunRequest& request, std::span<const std::filesyste
   refuse_terminal("--output", request.picture);
   refuse_terminal("--depth", request.depth);
   refuse_terminal("--owner", request.owner);
-  refuse_other_format("--output", request.picture);
+  refuse_unknown_format("--output", request.picture);
   if (!request.depth.empty()) observe::check_depth_format(request.depth);
-  refuse_other_format("--owner", request.owner);
+  refuse_unknown_format("--owner", request.owner);
   for (std::size_t i = 0; i < names.size(); ++i)
     if (!names[i].empty()) files_[i].emplace(names[i]);
 }
