@@ -75,7 +75,7 @@ void give(std::span<const Setting> settings, Command& command) {
 
 }  // namespace
 
-void Command::prints_summary() { flag("-q,--quiet", is_quiet_, "Print nothing but errors and warnings"); }
+void Command::add_quiet_option() { flag("-q,--quiet", is_quiet_, "Print nothing but errors and warnings"); }
 
 void Command::run() const {
   if (is_quiet_) silence_prints();

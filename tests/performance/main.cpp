@@ -144,7 +144,7 @@ void describe_measure(CommandLine& line) {
               "Folder for bench.json, bench.md (the tables), the plots, and what is drawn meanwhile")
       .check(not_empty);
   command.flag("--no-plots", options->no_plots, "Do without plots (gnuplot)");
-  command.prints_summary();
+  command.add_quiet_option();
   command.runs([options] { run(*options); });
 }
 

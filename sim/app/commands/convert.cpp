@@ -285,7 +285,7 @@ void add_convert(CommandLine& line) {
   command.option("--threads", options->threads, "Threads that build a mesh; the mesh does not depend on their number")
       .between(1U, max_threads);
   command.option("--stats", options->stats, "Counts and measures of the result, .json").check(not_empty);
-  command.prints_summary();
+  command.add_quiet_option();
   command.runs([options] { run(*options); });
 }
 

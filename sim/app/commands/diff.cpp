@@ -310,7 +310,7 @@ void add_diff(CommandLine& line) {
   add_side(command, options->b, "b");
   command.flag("--no-stories", options->no_stories, "Omit the histories of the first pixel that differs");
   options->report.add_to(command);
-  command.prints_summary();
+  command.add_quiet_option();
   command.runs([options, &command] {
     if (options->b.subject.empty()) options->b.subject = options->a.subject;
     diff(*options, command);

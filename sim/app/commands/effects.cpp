@@ -220,7 +220,7 @@ void add_effects(CommandLine& line) {
               "Folder for the pictures and the costs, effects.json; default: MODEL-effects")
       .folder();
   options->report.add_to(command);
-  command.prints_summary();
+  command.add_quiet_option();
   command.runs([options] { run(*options); });
 }
 

@@ -66,7 +66,7 @@ void add_levels(CommandLine& line) {
   command.option("--levels", options->levels, "Comma-separated levels to run; the others are compared with the first")
       .list_of(level_names(), "level");
   add_progress(command, options->progress);
-  command.prints_summary();
+  command.add_quiet_option();
   command.runs([options] { compare_levels(*options); });
 }
 

@@ -42,7 +42,7 @@ void add_render(CommandLine& line) {
   options->add_to(command);
   options->frames.add_to(command);
   add_verbose(command, options->run);
-  command.prints_summary();
+  command.add_quiet_option();
   command.runs([options, &command] { run(*options, command); });
 }
 

@@ -101,7 +101,7 @@ void add_rerun(CommandLine& line) {
       .check(not_empty);
   command.flag("--anyway", options->anyway, "Continue even if csgsim or an input file has changed");
   add_progress(command, options->run.progress);
-  command.prints_summary();
+  command.add_quiet_option();
   command.runs([&line, options] { rerun(line, *options); });
 }
 

@@ -123,7 +123,7 @@ void add_rtl(CommandLine& line) {
               "Folder for the design: new, empty, or that of an earlier design, which is replaced")
       .required()
       .folder();
-  command.prints_summary();
+  command.add_quiet_option();
   command.runs([options, &command] { write_design(*options, command); });
 }
 

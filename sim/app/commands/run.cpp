@@ -19,7 +19,7 @@ void add_run(CommandLine& line) {
                "  csgsim run traces/carburettor.csgt -o carburettor.png --resume run.csgs");
   options->add_to(command);
   add_verbose(command, options->run);
-  command.prints_summary();
+  command.add_quiet_option();
   command.runs([options, &command] {
     refuse_model(options->program);
     refuse_misuse(*options);

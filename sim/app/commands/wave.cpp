@@ -278,7 +278,7 @@ void add_wave(CommandLine& line) {
               "The waveform: .vcd, .fst (by vcd2fst), or - for VCD without a viewer file; .json: the unit activities "
               "over the frame, and with --pixel also the signals, as trace events for Perfetto")
       .required();
-  command.prints_summary();
+  command.add_quiet_option();
   command.runs([options, &command] { record(*options, command); });
 }
 
