@@ -21,7 +21,7 @@ struct StudyContext {
 };
 
 /// Begins a page with the picture. The caller adds sections before end_page() adds the configuration.
-Page begun_page(const std::string& title, Json data, const StudyContext& study);
+Page begin_page(const std::string& title, Json data, const StudyContext& study);
 void end_page(Page& page, const StudyContext& study);
 
 /// A section of the plots that are not empty.

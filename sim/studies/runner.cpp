@@ -130,7 +130,7 @@ report::StudyContext page_context(const StudyCommand& request, const PageSubject
 report::Page page_of(const StudyCommand& request, const std::string& json, std::span<const plots::Plot> plots) {
   const Study& study = *request.study;
   const report::StudyContext context = page_context(request, study.page_subject());
-  report::Page page = report::begun_page(study.page_title() + ": " + context.model,
+  report::Page page = report::begin_page(study.page_title() + ": " + context.model,
                                          study.page_data(report::Json::parse(json)), context);
   for (report::Section& section : study.sections(page.data)) page.sections.push_back(std::move(section));
   if (report::Section section = report::plots_section(plots); !section.parts.empty())
