@@ -33,10 +33,10 @@ LongWork::LongWork(std::string what, std::string remedy, Stopwatch stopwatch, do
       warning_threshold_(warning_threshold) {}
 
 void LongWork::at(double done) {
-  if (warned_ || !(done > 0)) return;
+  if (announced_seconds_ || !(done > 0)) return;
   const double expected = elapsed() / done;
   if (expected < warning_threshold_) return;
-  warned_ = expected;
+  announced_seconds_ = expected;
   report_line(fmt::format("warning: {} will take about {}, judging by the first {:.2g} %; {}", what_,
                           duration_text(expected), 100 * done, remedy_));
 }

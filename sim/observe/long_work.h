@@ -31,7 +31,7 @@ class LongWork {
   void at_point(std::size_t done, std::size_t points);
 
   /// The expected total in seconds, if a warning was printed.
-  [[nodiscard]] std::optional<double> warned() const { return warned_; }
+  [[nodiscard]] std::optional<double> announced_seconds() const { return announced_seconds_; }
 
   /// Seconds since the work began.
   [[nodiscard]] double elapsed() const { return stopwatch_() - begin_; }
@@ -42,7 +42,7 @@ class LongWork {
   Stopwatch stopwatch_;
   double begin_;
   double warning_threshold_;
-  std::optional<double> warned_;
+  std::optional<double> announced_seconds_;
 };
 
 }  // namespace csgsim::observe
