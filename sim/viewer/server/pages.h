@@ -19,7 +19,7 @@ class Pages {
   }
 
   /// Whether there have been pages, and the last was closed longer ago than `patience`.
-  [[nodiscard]] bool is_left_for(std::chrono::milliseconds patience) const {
+  [[nodiscard]] bool are_closed_for(std::chrono::milliseconds patience) const {
     return has_been_ && open_ == 0 && Clock::now() - closed_ > patience;
   }
 
