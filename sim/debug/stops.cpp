@@ -60,17 +60,17 @@ std::uint64_t Stop::look_at_condition(const Condition& condition, std::uint64_t 
   return engine::Run::end;
 }
 
-std::uint64_t Stop::next_look() {
+std::uint64_t Stop::next_check() {
   const std::uint64_t from = numbers_.of(run_.place());
-  if (look_ > from) return look_;
+  if (next_check_ > from) return next_check_;
   if (const auto* condition = std::get_if<Condition>(&target_)) {
-    look_ = look_at_condition(*condition, from);
+    next_check_ = look_at_condition(*condition, from);
   } else if (const auto* at = std::get_if<AtPrimitive>(&target_)) {
-    look_ = look_at_primitive(at->primitive, from);
+    next_check_ = look_at_primitive(at->primitive, from);
   } else {
-    look_ = number_ > from ? number_ : engine::Run::end;
+    next_check_ = number_ > from ? number_ : engine::Run::end;
   }
-  return look_;
+  return next_check_;
 }
 
 bool Stop::is_met(const Condition& condition) {
@@ -90,7 +90,7 @@ bool Stop::is_met(const Condition& condition) {
 
 bool Stop::is_reached() {
   const std::uint64_t here = numbers_.of(run_.place());
-  if (here < look_ || here == begin_) return false;
+  if (here < next_check_ || here == begin_) return false;
   if (const auto* condition = std::get_if<Condition>(&target_)) return is_met(*condition);
   if (const auto* at = std::get_if<AtPrimitive>(&target_)) return begins(at->primitive, here);
   return begin_ < number_ && here >= number_;
