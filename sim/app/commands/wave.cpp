@@ -208,7 +208,7 @@ void record(const Options& options, const OptionList& command) {
   wave::Request request = request_of(options, program);
   const auto begin = std::chrono::steady_clock::now();
   const waves::Foreknowledge known =
-      with_memory_for_run({&program, 1}, machine.array, [&] { return waves::foresee(program, machine); });
+      with_memory_for_run({&program, 1}, machine.array, [&] { return waves::gather_foreknowledge(program, machine); });
   const double functional_seconds = seconds_since(begin);
   refuse_overflow(known.result);
   const bool is_whole = has_lanes(options) && !command.is_given("window") && options.at.empty();
