@@ -16,6 +16,6 @@ nlohmann::ordered_json hash_of_file(const std::filesystem::path& file);
 nlohmann::ordered_json bytes_json(const std::string& bytes);
 
 /// The reverse. Throws InputError if the JSON is neither.
-std::string bytes_of(const nlohmann::ordered_json& json);
+std::string bytes_from_json(const nlohmann::ordered_json& json);
 
 }  // namespace csgsim::session

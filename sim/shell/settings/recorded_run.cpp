@@ -70,7 +70,7 @@ const Json& member(const RecordedRun& run, const Json& json, const std::string& 
 /// Neither command lines nor file names can hold a zero byte.
 std::string text_in(const RecordedRun& run, const Json& json) {
   try {
-    std::string text = bytes_of(json);
+    std::string text = bytes_from_json(json);
     if (text.find('\0') == std::string::npos) return text;
   } catch (const InputError&) {
     // the error below covers this case
@@ -209,7 +209,7 @@ std::vector<std::string> changes_between(const RecordedRun& run, const Json& con
         fmt::format("the machine {} has other parameters", configuration.at("machine").value("name", "")));
   if (hash(run.configuration, "model") != hash(configuration, "model"))
     changes.push_back(fmt::format("{}, or a file that it includes, has changed",
-                                  printable(bytes_of(configuration.at("model").at("file")))));
+                                  printable(bytes_from_json(configuration.at("model").at("file")))));
   return changes;
 }
 
