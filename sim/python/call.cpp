@@ -56,7 +56,7 @@ void give(const Call& call, session::OptionList& list) {
       list.give_flag(name);
     }
   }
-  list.take();
+  list.check_and_apply();
 }
 
 std::vector<session::OptionValue> command_options(const std::string& command) {

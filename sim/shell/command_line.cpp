@@ -199,12 +199,12 @@ void CommandLine::run(std::span<char* const> arguments) {
     if (read.wants_help) return fmt::print("{}", help_text(make_help(command)));
     give(settings_in(read.settings_file, command), command);
     if (read.wants_dump) {
-      command.take_given();
+      command.apply_given();
       return fmt::print("{}", settings_text(command.name(), command.values()));
     }
     command.typed = words;
     command.watch = {};
-    command.take();
+    command.check_and_apply();
     command.run();
   });
 }
@@ -215,7 +215,7 @@ void CommandLine::run(std::vector<std::string> words, std::span<const Setting> s
     Command& command = *read_words(words, false).command;
     give(settings, command);
     command.watch = watch;
-    command.take();
+    command.check_and_apply();
     command.run();
   });
 }

@@ -144,7 +144,7 @@ ModelRequest model_request_in(std::span<const std::string> words) {
   OptionList options("view");
   request.add_to(options);
   options.give_words(words);
-  options.take();
+  options.check_and_apply();
   return request;
 }
 

@@ -323,7 +323,7 @@ const Option* OptionList::excluded_by(const Option& option) const {
   return found == options_.end() ? nullptr : &*found;
 }
 
-void OptionList::take_given() {
+void OptionList::apply_given() {
   for (const Option& option : options_) {
     if (!option.is_given()) continue;
     try {
@@ -337,8 +337,8 @@ void OptionList::take_given() {
   }
 }
 
-void OptionList::take() {
-  take_given();
+void OptionList::check_and_apply() {
+  apply_given();
   for (const Option& option : options_) {
     if (option.is_required && !option.is_given())
       throw UsageError(option.shown_name() + " is required; " + how_to_give(option, name_));

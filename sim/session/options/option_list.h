@@ -159,11 +159,11 @@ class OptionList {
 
   /// Writes the given values to their variables. Throws UsageError for an invalid value, or InputError with the place
   /// for a value of a settings file.
-  void take_given();
+  void apply_given();
 
-  /// Checks that required options are given and that no given option excludes another, then does take_given(). Throws
-  /// UsageError, or InputError like take_given().
-  void take();
+  /// Checks that required options are given and that no given option excludes another, then does apply_given(). Throws
+  /// UsageError, or InputError like apply_given().
+  void check_and_apply();
 
   /// A given option that must not be given together with this one; null if there is none.
   [[nodiscard]] const Option* excluded_by(const Option& option) const;
