@@ -197,7 +197,8 @@ std::string Session::perform(const Where& /*command*/) { return where_text(*run_
 std::string Session::perform(const ListAround& command) {
   const std::uint64_t number = command.number.value_or(this->number());
   if (command.number && number >= numbers_.count())
-    throw InputError(fmt::format("there is no instruction i{}: the Program has {}", number, numbers_.count()));
+    throw InputError(
+        fmt::format("there is no instruction i{}: the Program has {}, counted from i0", number, numbers_.count()));
   return list_text(number, program_);
 }
 

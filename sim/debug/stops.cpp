@@ -14,7 +14,8 @@ Stop::Stop(const Target& target, const isa::Program& program, const engine::Numb
     : target_(target), program_(program), numbers_(numbers), run_(run), begin_(numbers.of(run.place())) {
   if (const auto* at = std::get_if<AtInstruction>(&target)) {
     if (at->number >= numbers.count())
-      throw InputError(fmt::format("there is no instruction i{}: the Program has {}", at->number, numbers.count()));
+      throw InputError(
+          fmt::format("there is no instruction i{}: the Program has {}, counted from i0", at->number, numbers.count()));
     number_ = at->number;
   }
   if (const auto* at = std::get_if<AtClock>(&target)) number_ = clocks.first_after(at->clock, begin_);

@@ -128,7 +128,8 @@ story::Answer explain_pixel(const Call& call, const Text& text, const Held& prog
 nlohmann::ordered_json run_study(const Call& call) {
   const auto rows = studies::all();
   const auto row = std::ranges::find_if(rows, [&](const auto* one) { return one->name == call.command; });
-  if (row == rows.end()) throw session::UsageError("there is no study '" + call.command + "'");
+  if (row == rows.end())
+    throw session::UsageError("there is no study '" + call.command + "'; csgsim.studies() lists them");
   session::OptionList list(call.command);
   const std::shared_ptr<studies::StudyCommand> study_command = studies::describe_for_caller(list, **row);
   give(call, list);

@@ -104,7 +104,8 @@ model::Tree converted_model(const Options& options, bool is_flat) {
   model::Tree tree = read_model(options.model);
   if (tree.root == model::no_index || tree.is_flat == is_flat) return tree;
   const std::string name = printable(shown_name(options.model.model));
-  if (is_flat) throw InputError(fmt::format("{}: the model is solid; project it, or write a solid's format", name));
+  if (is_flat)
+    throw InputError(fmt::format("{}: the model is solid; project it, or name a format of solids such as .stl", name));
   std::vector<std::string_view> flat;
   for (const convert::Format* const one : convert::formats())
     if (one->is_flat) flat.push_back(one->ending);

@@ -41,7 +41,7 @@ void refuse_clashes(std::span<const std::filesystem::path> inputs, std::span<con
       clash->output.native(),
       is_standard_output(clash->output) ? "two outputs cannot both go to standard output; name a file for one"
       : clash->is_input ? fmt::format("it is the same file as the input {}; name another output", clash->other.native())
-                        : "two outputs cannot be the same file");
+                        : "two outputs cannot be the same file; name another one");
 }
 
 bool is_unnamed_stream(const std::filesystem::path& path) {

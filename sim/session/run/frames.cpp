@@ -49,12 +49,13 @@ std::vector<view::Camera> checked_cameras(const RenderRequest& request, const Fr
   });
   for (const auto& [option, is_given] : for_one_frame)
     if (is_given) throw UsageError(option, fmt::format("is for one frame; leave out {}", remedy));
-  if (wanted.orbit && !std::isfinite(*wanted.orbit)) throw UsageError("--orbit", "must be a finite angle");
+  if (wanted.orbit && !std::isfinite(*wanted.orbit))
+    throw UsageError("--orbit", "is not a finite number of degrees; give one such as 360");
   std::vector<view::Camera> cameras;
   if (!wanted.cameras.empty()) cameras = read_cameras(wanted.cameras, max_frames);
   if (!request.run.picture.empty() && is_stream(request.run.picture))
     throw UsageError("--output",
-                     fmt::format("several pictures have several names; name a file, or leave out {}", remedy));
+                     fmt::format("several pictures do not fit into one stream; name a file, or leave out {}", remedy));
   return cameras;
 }
 

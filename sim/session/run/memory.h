@@ -56,7 +56,7 @@ auto with_memory_for_run(std::span<const isa::Program> programs, const isa::Arra
 template <class Call>
 auto with_memory_for_threads(unsigned threads, const char* what, Call call) {
   const auto say = [&] {
-    if (threads == 1) return std::string("there is not enough memory; take a smaller picture or model");
+    if (threads == 1) return std::string("there is not enough memory; use a smaller picture or model");
     return fmt::format("there is not enough memory for {} {} at once; take fewer --threads", threads, what);
   };
   return with_memory(say, call);

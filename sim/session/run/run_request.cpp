@@ -93,7 +93,7 @@ void RunRequest::add_to(OptionList& options) {
 void refuse_overflow(const engine::RunResult& result) {
   if (result.overflows == 0) return;
   throw InputError("the Program overflows: at " + std::to_string(result.overflows) +
-                   " enabled pixels a linear expression does not fit its width; recompile it");
+                   " enabled pixels a linear expression does not fit its width; compile the model again");
 }
 
 Drawn draw(const isa::Program& program, const machines::Machine& machine, const std::string& level,

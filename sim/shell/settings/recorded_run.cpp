@@ -205,8 +205,8 @@ std::vector<std::string> changes_between(const RecordedRun& run, const Json& con
   std::vector<std::string> changes;
   const auto hash = [&](const Json& of, const char* what) { return member(run, member(run, of, what), "hash"); };
   if (hash(run.configuration, "machine") != hash(configuration, "machine"))
-    changes.push_back(
-        fmt::format("the machine {} has other parameters", configuration.at("machine").value("name", "")));
+    changes.push_back(fmt::format("the parameters of the machine {} differ from the recorded ones",
+                                  configuration.at("machine").value("name", "")));
   if (hash(run.configuration, "model") != hash(configuration, "model"))
     changes.push_back(fmt::format("{}, or a file that it includes, has changed",
                                   printable(bytes_from_json(configuration.at("model").at("file")))));

@@ -212,7 +212,7 @@ class Reader {
 
   void check_length(const SettableOption& option, const toml::array& list) const {
     if (list.size() > max_list_values)
-      fail(list.source().begin, fmt::format("{} has more than {} values", option.name, max_list_values));
+      fail(list.source().begin, fmt::format("{} has more than {} values; give fewer", option.name, max_list_values));
   }
 
   std::string shown_;
