@@ -64,14 +64,14 @@ std::vector<std::string> endings() {
   return all;
 }
 
-/// The same without the dots.
+/// The endings without their dots.
 std::vector<std::string> format_names() {
   std::vector<std::string> names = endings();
   for (std::string& name : names) name.erase(0, 1);
   return names;
 }
 
-/// A file name that ends like the requested format.
+/// A file name with the ending of the requested format.
 std::string format_file(const Options& options) {
   return options.format.empty() ? options.output : "." + options.format;
 }

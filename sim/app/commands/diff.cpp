@@ -39,7 +39,7 @@ namespace csgsim::app {
 
 namespace {
 
-/// Options of one side.
+/// Options of A or of B, the two sides of the comparison.
 struct SideOptions {
   std::string subject;
   std::string machine;
@@ -57,7 +57,7 @@ struct Options {
   ReportOption report;
 };
 
-/// A side that is ready to run.
+/// A Program and its machine, ready to run as A or B.
 struct Subject {
   std::string name;
   std::string level;
@@ -171,7 +171,7 @@ void print_stories(const lockstep::Comparison& comparison, const Subject& a, con
   print_story('B', b, pixel->first, pixel->second);
 }
 
-/// The same comparison with A and B exchanged.
+/// The comparison with A and B exchanged.
 lockstep::Comparison swapped(lockstep::Comparison comparison) {
   std::swap(comparison.a, comparison.b);
   if (!comparison.divergence) return comparison;

@@ -44,7 +44,7 @@ struct Subject {
   std::optional<isa::Program> program;
 };
 
-/// Rejects options for models where no model is given.
+/// Rejects options of models when the command line names a machine only.
 void refuse_model_only_options(const ModelRequest& options, const OptionList& command) {
   const std::string fix = "name one after the machine";
   refuse_model_options(command, {"size", "memory-bits", "set", "output"}, fix);

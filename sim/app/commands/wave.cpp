@@ -124,7 +124,8 @@ Windows windows_of(const Options& options, const std::optional<waves::WindowRequ
                       pixels.front().x, pixels.front().y, last.at_pixel.begin, last.at_pixel.end)};
 }
 
-/// Prints wall times: the functional run, the run with the window located and stepped, and writing the file.
+/// Prints the wall times, given in seconds, of the functional run, of the recording with its writing, and of the
+/// writing alone.
 void print_timing(double functional, double recording, double writing) {
   const double all = functional + recording - writing;
   fmt::print("functional run {:.1f} ms; with the window {:.1f} ms, {:.2f} times as long; writing {:.1f} ms more\n",
