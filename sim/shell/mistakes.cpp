@@ -32,7 +32,7 @@ struct Replacement {
   std::string_view instead;
 };
 
-/// Commands of earlier versions, and frequent words for those of today.
+/// Words that users try as commands, including commands of earlier versions.
 constexpr auto replacements = std::to_array<Replacement>({
     {"isa", "csgsim manual instructions"},
     {"instructions", "csgsim manual instructions"},
@@ -73,7 +73,8 @@ std::vector<std::string> with_command_first(const std::string& command, Words ar
   return words;
 }
 
-/// The command that a file or folder needs, typed in place of a command; empty if the word names neither.
+/// Advice for a file or folder typed in place of a command: the command that accepts it; empty if the word names
+/// neither.
 std::string command_for_file(Words arguments) {
   const std::string& file = arguments[1];
   const std::string shown = printable(file);
@@ -144,14 +145,14 @@ bool is_short_with_more(const std::string& word, Words names) {
   return !word.starts_with("--") && word.size() > 2 && is_one_of(word.substr(0, 2), names);
 }
 
-/// An operand that cannot be taken, with the words around it.
+/// A surplus operand, with the two words before it.
 struct Extra {
   const std::string& word;
   std::string before;         ///< the word before it; empty if there is none
   std::string before_before;  ///< the word before that one
 };
 
-/// What was meant by an operand too many; empty if that is unknown.
+/// The words that the user probably meant by a surplus operand; empty if unknown.
 std::string meant_by(const Extra& extra, const OptionList& command, Words words) {
   const std::vector<std::string> names = option_names(command);
   std::string option = "--" + extra.word;

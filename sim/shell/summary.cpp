@@ -48,7 +48,7 @@ std::string shown_text(const observe::Report& report, const std::optional<observ
   return bound ? rate + ", " + bound->limit : rate;
 }
 
-/// `an mc68000`, `a vax`: the article before a name whose first letters may be read one by one.
+/// The name with its indefinite article, as in `an mc68000`, whose letters are read one by one, and `a vax`.
 std::string with_indefinite_article(std::string_view name) {
   constexpr std::string_view vowels = "aeiou";
   constexpr std::string_view begin_with_vowels = "aefhilmnorsx";  // when read alone, as in MC
@@ -57,7 +57,7 @@ std::string with_indefinite_article(std::string_view name) {
   return fmt::format("{} {}", takes_an ? "an" : "a", name);
 }
 
-/// What the host needs, and the rate to which it limits the frames if it does.
+/// Text of the host's time for the model and per frame, and of the frame rate if the host limits it.
 std::string host_text(const observe::Report& report, const std::optional<observe::Bound>& bound) {
   const machines::Machine& machine = report.machine;
   if (machine.host.processor == machines::ideal_processor) return "ideal: needs no time";
@@ -73,7 +73,7 @@ std::string host_text(const observe::Report& report, const std::optional<observe
   return text;
 }
 
-/// A change, what to add to the command line for it, and its worth.
+/// Text of a change: the option to add to the command line, and its worth.
 std::string knob_text(const observe::Knob& knob) {
   return printable(knob.sentence.starts_with(knob.option) ? knob.sentence : knob.option + ": " + knob.worth);
 }
@@ -109,7 +109,7 @@ void print_purposes(const observe::Report& report) {
              percent(report.result.latency_clocks, whole), "", "", "until the last instruction reaches the pixels");
 }
 
-/// What each pruning did, and where it was left out.
+/// Prints, for each pruning, how often it was tried, decided and left out.
 void print_prunings(const observe::Report& report) {
   for (const isa::PruningFacts& pruning : report.program.facts->prunings) {
     std::string text = fmt::format("tried {}, decided {}", grouped(pruning.tried), grouped(pruning.decided));
