@@ -23,11 +23,11 @@ class LongWork {
   LongWork(std::string what, std::string remedy, Stopwatch stopwatch = wall_time(),
            double warning_threshold = min_warned_seconds);
 
-  /// Reports the completed fraction of the work, above 0 and at most 1.
+  /// Records that this fraction of the work, above 0 and at most 1, is completed; may print the warning.
   void at(double done);
 
-  /// Reports the completed points of a study. The first points also read, compile and judge what the others share, so
-  /// no estimate is made before some seconds or some points.
+  /// Records the number of completed points of a study; may print the warning. The first points also read, compile and
+  /// judge what the others share, so no estimate is made before some seconds or some points.
   void at_point(std::size_t done, std::size_t points);
 
   /// The expected total in seconds, if a warning was printed.

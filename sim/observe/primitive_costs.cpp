@@ -35,7 +35,7 @@ PictureSurface in_picture(std::uint32_t place, const isa::Linear& squares, const
   return {place, {xx, xy, yy, a - 2 * xx * x - xy * y, b - xy * x - 2 * yy * y, c}, linear.shift};
 }
 
-/// Whether it is a side of the rectangle of pixels to which a surface is clipped first, or a half-space equal to one.
+/// Whether the expression is a side of the rectangle of pixels to which a surface is clipped first, or equals one.
 bool is_pixel_edge(const isa::Linear& linear) {
   return linear.shift == 0 && std::abs(linear.a) + std::abs(linear.b) == 1;
 }

@@ -45,7 +45,7 @@ inline constexpr std::size_t max_listed_primitives = 10;
 
 ClockShares clock_shares(const isa::Program& program, const engine::RunResult& result, const Stats& stats);
 
-/// The position in a primitive's name; empty if there is none.
+/// The position in the model's file that a primitive's name contains, `9:9` of `cylinder@9:9`; empty if there is none.
 std::string source_position(const std::string& name);
 
 /// Number of visible pixels of each primitive of the Program.
