@@ -19,9 +19,9 @@ struct ScadOptions {
   std::chrono::seconds time_limit = default_openscad_time;
 };
 
-/// Evaluates a source file with the OpenSCAD on the PATH and returns the text of a `.csg` file. Its messages go to
-/// standard error. Throws InputError if OpenSCAD is missing, reports an error such as a failed assert(), or exceeds its
-/// limits of time, memory or output, and if the file of parameter sets lacks the set.
+/// Evaluates a source file with the OpenSCAD on the PATH and returns the text of a `.csg` file. OpenSCAD's messages go
+/// to standard error. Throws InputError if OpenSCAD is missing, reports an error such as a failed assert(), or exceeds
+/// its limits of time, memory or output, and if the file of parameter sets lacks the set.
 std::string evaluate_scad(const std::string& file, const ScadOptions& options = {});
 
 /// Evaluates a text that replaces the file's content, in the file's folder; messages name the file.

@@ -91,10 +91,11 @@ class Option {
   [[nodiscard]] std::string problem(std::span<const std::string> texts) const;
 
   [[nodiscard]] bool is_given() const { return !given.empty(); }
-  [[nodiscard]] std::string key() const;                      ///< see SettableOption
-  [[nodiscard]] bool is_called(std::string_view name) const;  ///< whether that is its key or another long name
-  [[nodiscard]] std::string shown_name() const;               ///< `--z-bits`, or `MODEL`
-  [[nodiscard]] std::string value_text() const;               ///< the given texts, separated by commas
+  [[nodiscard]] std::string key() const;  ///< see SettableOption
+  /// Whether `name` is the key or another of the long names.
+  [[nodiscard]] bool is_called(std::string_view name) const;
+  [[nodiscard]] std::string shown_name() const;  ///< `--z-bits`, or `MODEL`
+  [[nodiscard]] std::string value_text() const;  ///< the given texts, separated by commas
   [[nodiscard]] OptionValue value() const;
 
   std::vector<std::string> names;  ///< names with dashes, short ones first; one name for an operand
@@ -141,7 +142,7 @@ class OptionList {
                       const std::string& meaning);
   Option& flag(const std::string& names, bool& is_given, const std::string& meaning);
 
-  /// Removes an option of a group that does not apply to this request.
+  /// Removes an option that a group of options added but that does not apply to this request.
   void remove(const std::string& shown_name);
 
   /// Clears the given values.
@@ -152,6 +153,7 @@ class OptionList {
   void give(std::string_view key, const std::string& text);
   /// Sets the flag with that key. Throws UsageError for an unknown key, and for an option that needs a value.
   void give_flag(std::string_view key);
+  /// Gives the text to the first operand that still accepts one. Throws UsageError if there is none.
   void give_operand(const std::string& text);
 
   /// Gives the options and operands in the result of words(). Throws UsageError.
@@ -161,7 +163,7 @@ class OptionList {
   /// for a value of a settings file.
   void apply_given();
 
-  /// Checks that required options are given and that no given option excludes another, then does apply_given(). Throws
+  /// Checks that required options are given and that no given option excludes another, then calls apply_given(). Throws
   /// UsageError, or InputError like apply_given().
   void check_and_apply();
 
@@ -185,6 +187,7 @@ class OptionList {
 
   /// Every option and operand, in the order of help.
   [[nodiscard]] std::vector<OptionValue> values() const;
+  /// Key and type of every option and operand.
   [[nodiscard]] std::vector<SettableOption> settable() const;
 
   /// The given options and operands as words of a command line: the request's name, operands, and each option by its

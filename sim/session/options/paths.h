@@ -10,7 +10,7 @@
 
 namespace csgsim::session {
 
-/// Whether the path's extension is this one, regardless of case.
+/// Whether the path's extension is `ending`, as in `.png`, regardless of case.
 bool ends_in(const std::filesystem::path& path, std::string_view ending);
 
 /// The files read for models or Programs and machines. Built-in machines have no file.

@@ -76,7 +76,7 @@ bool has_part(std::string_view key, std::string_view part) {
   return std::ranges::any_of(parts, [&](std::string_view one) { return are_alike(one, part); });
 }
 
-/// The keys that contain the part; the switch of an effect of that name.
+/// The keys with a dotted part equal to `part`; only the switch `.on` if an effect has that name.
 std::vector<std::string> keys_with(std::string_view part, std::span<const std::string> keys) {
   std::vector<std::string> found;
   for (const std::string& key : keys) {

@@ -36,7 +36,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-/// Refuses options for one frame, and reads the cameras of --cameras; empty without.
+/// Rejects options that apply to a single frame, and reads the cameras of --cameras; empty without that option.
 std::vector<view::Camera> checked_cameras(const RenderRequest& request, const FramesRequest& wanted) {
   const char* const remedy = wanted.cameras.empty() ? "--frames" : "--cameras";
   const auto for_one_frame = std::to_array<std::pair<const char*, bool>>({
@@ -99,7 +99,7 @@ FrameCounts counts_of(const isa::Program& program, const engine::RunResult& resu
           .reused = reused};
 }
 
-/// Observes the run of one frame; as one observer, for sequences.
+/// The observers of one frame, combined into one, since cycle::run_sequence() takes one observer per Program.
 struct FrameRun final : engine::Observer {
   explicit FrameRun(const isa::Program& program) : picture(program), stats(program) {}
 
@@ -156,7 +156,7 @@ class FrameDrawing {
     return finish();
   }
 
-  /// The configuration, if it is wanted; after the first frame.
+  /// The configuration, null if it is not requested; valid after the first frame.
   [[nodiscard]] Json configuration() const { return configuration_; }
 
  private:

@@ -23,13 +23,13 @@ std::string out_of_memory_message(const std::string& model, std::size_t halfspac
 /// blames the Programs or the pixels, whichever take more.
 std::string out_of_memory_message(std::span<const isa::Program> programs, const isa::ArrayShape& array);
 
-/// Calls the function. If memory does not suffice, throws an InputError with the text that `say` returns.
-template <class Say, class Call>
-auto with_memory(Say say, Call call) {
+/// Calls the function. If memory does not suffice, throws an InputError with the text that `make_message` returns.
+template <class MakeMessage, class Call>
+auto with_memory(MakeMessage make_message, Call call) {
   try {
     return call();
   } catch (const std::bad_alloc&) {
-    throw InputError(say());
+    throw InputError(make_message());
   }
 }
 
@@ -39,6 +39,8 @@ auto with_memory_for(const std::string& what, Call call) {
   return with_memory([&] { return fmt::format("there is not enough memory for {}; use a smaller model", what); }, call);
 }
 
+/// Calls the function, which creates a picture of the array. If memory does not suffice, throws an InputError with the
+/// message of out_of_memory_message().
 template <class Call>
 auto with_memory_for_picture(const isa::ArrayShape& array, Call call) {
   return with_memory([&] { return out_of_memory_message({}, array); }, call);

@@ -27,15 +27,8 @@ class RunOutputs {
   void commit();
 
  private:
-  enum Output : std::uint8_t {
-    picture,
-    depth,
-    owner,
-    legend,
-    stats,
-    page
-  };  ///< the legend belongs to the owner
-      ///< picture
+  /// Kinds of output files; `legend` belongs to the owner picture.
+  enum Output : std::uint8_t { picture, depth, owner, legend, stats, page };
 
   bool of_opaque_;  ///< depth and owner show opaque surfaces
   std::array<std::optional<OutputFile>, page + 1> files_;
