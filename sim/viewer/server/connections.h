@@ -24,6 +24,7 @@ class Connections {
   /// Counts a stranger as admitted. Returns false if max_admitted are admitted already.
   [[nodiscard]] bool admit(const std::shared_ptr<Connection>& one);
 
+  /// Removes a closed connection, stranger or admitted.
   void remove(const std::shared_ptr<Connection>& one);
 
  private:
