@@ -11,7 +11,7 @@
 
 namespace csgsim::debug {
 
-/// Watches a run for one stop, and computes how far the run can advance before the stop must be checked.
+/// Watches a run for one breakpoint or target, and computes how far the run can advance before the next check.
 class Stop {
  public:
   /// Starts watching at the run's place. All arguments but the target must outlive this object. Throws InputError for a

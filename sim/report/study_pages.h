@@ -20,7 +20,8 @@ struct StudyContext {
   std::string no_picture;          ///< reason why there is no picture
 };
 
-/// Begins a page with the picture. The caller adds sections before end_page() adds the configuration.
+/// A page with the data and the picture of the model. The caller adds sections before end_page() adds the
+/// configuration.
 Page begin_page(const std::string& title, Json data, const StudyContext& study);
 void end_page(Page& page, const StudyContext& study);
 
