@@ -92,7 +92,7 @@ std::string command_for_file(Words arguments) {
 }
 
 /// Message for options before the command.
-std::string options_first(Words arguments, Words commands) {
+std::string leading_option_message(Words arguments, Words commands) {
   const std::string& first = arguments[1];
   const auto precedes = [&](const std::string& command) {
     return fmt::format("{} precedes the command; write {}", printable(first),
@@ -153,7 +153,7 @@ struct Extra {
 };
 
 /// The words that the user probably meant by a surplus operand; empty if unknown.
-std::string meant_by(const Extra& extra, const OptionList& command, Words words) {
+std::string probable_words(const Extra& extra, const OptionList& command, Words words) {
   const std::vector<std::string> names = option_names(command);
   std::string option = "--" + extra.word;
   if (is_one_of(name_in(option), names)) return option;
@@ -180,8 +180,8 @@ std::string operands_of(const OptionList& command) {
   return operands.empty() ? "no operands" : fmt::format("only {}", fmt::join(operands, " and "));
 }
 
-std::string unexpected(const Extra& extra, const OptionList& command, Words words) {
-  const std::string meant = meant_by(extra, command, words);
+std::string unexpected_argument_message(const Extra& extra, const OptionList& command, Words words) {
+  const std::string meant = probable_words(extra, command, words);
   const std::string shown = printable(extra.word);
   if (!meant.empty()) return fmt::format("unexpected argument '{}'; did you mean {}?", shown, printable(meant));
   return fmt::format("unexpected argument '{}'; csgsim {} takes {}", shown, command.name(), operands_of(command));
@@ -208,7 +208,7 @@ std::string unknown_command_message(Words arguments, Words commands) {
   const std::string shown =
       first.starts_with('-') ? "option " + printable(first) : fmt::format("command '{}'", printable(first));
   if (!instead.empty()) return fmt::format("there is no {}; did you mean {}? see csgsim --help", shown, instead);
-  if (first.starts_with('-')) return with_help(options_first(arguments, commands), "");
+  if (first.starts_with('-')) return with_help(leading_option_message(arguments, commands), "");
   if (std::string message = command_for_file(arguments); !message.empty()) return message;
   return with_help(fmt::format("there is no {};{}", shown, session::did_you_mean(first, commands)), "");
 }
@@ -246,7 +246,7 @@ std::string unreadable_word_message(const OptionList& command, Words words) {
         return session::unknown_option_message(printable(name), names, command.name());
       if (takes_next(command, word)) ++i;
     } else if (most && ++operands > *most) {
-      return unexpected({word, i > 0 ? words[i - 1] : "", i > 1 ? words[i - 2] : ""}, command, words);
+      return unexpected_argument_message({word, i > 0 ? words[i - 1] : "", i > 1 ? words[i - 2] : ""}, command, words);
     }
   }
   return {};

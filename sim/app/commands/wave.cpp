@@ -146,7 +146,7 @@ void refuse_pixel_options(const OptionList& command) {
 }
 
 /// Rejects options that contradict each other. Returns the requested window, or nothing where --at replaces it.
-std::optional<waves::WindowRequest> checked(const Options& options, const OptionList& command) {
+std::optional<waves::WindowRequest> checked_window(const Options& options, const OptionList& command) {
   if (options.lanes && !is_unnamed_stream(options.output) && !ends_in(options.output, ".json"))
     throw UsageError("--lanes",
                      fmt::format("a file of lanes needs a name that ends in .json, not '{}'", options.output));
@@ -197,7 +197,7 @@ void print_summary(const Options& options, const Windows& windows, const wave::R
 }
 
 void record(const Options& options, const OptionList& command) {
-  const std::optional<waves::WindowRequest> requested = checked(options, command);
+  const std::optional<waves::WindowRequest> requested = checked_window(options, command);
   std::vector<std::filesystem::path> outputs{options.output};
   for (std::filesystem::path& path : view_paths(options)) outputs.push_back(std::move(path));
   refuse_clashes(options.model.inputs(), outputs);

@@ -19,7 +19,7 @@ void add_once(std::vector<Value>& values, Value value) {
 }
 
 /// Advice for a range with another sign between its numbers, as in `12-20`.
-std::string as_range(std::string_view word) {
+std::string range_advice(std::string_view word) {
   constexpr std::string_view digits = "0123456789";
   const std::size_t end = std::min(word.find_first_not_of(digits), word.size());
   const std::size_t next = word.find_first_of(digits, end);
@@ -31,7 +31,7 @@ unsigned parse_number(std::string_view text, std::string_view word) {
   unsigned number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc{} || end != text.data() + text.size() || text.empty())
-    throw InputError(fmt::format("'{}' is neither a number nor a range such as 3..8{}", word, as_range(word)));
+    throw InputError(fmt::format("'{}' is neither a number nor a range such as 3..8{}", word, range_advice(word)));
   return number;
 }
 

@@ -48,7 +48,7 @@ std::optional<Number> number_in(std::string_view text) {
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
 /// Advice for a number followed by a unit, as in `20bits`; empty for other texts and for SI prefixes.
-std::string without_unit(std::string_view text) {
+std::string unit_advice(std::string_view text) {
   const std::size_t end = std::min(text.find_first_not_of("0123456789."), text.size());
   std::string_view unit = text.substr(end);
   if (unit.starts_with(' ')) unit.remove_prefix(1);
@@ -59,9 +59,9 @@ std::string without_unit(std::string_view text) {
 template <class Number>
 std::string number_problem(const std::string& text) {
   if (number_in<Number>(text)) return "";
-  if constexpr (std::is_floating_point_v<Number>) return "'" + text + "' is not a number" + without_unit(text);
+  if constexpr (std::is_floating_point_v<Number>) return "'" + text + "' is not a number" + unit_advice(text);
   const bool is_digits = !text.empty() && std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
-  if (!is_digits) return "'" + text + "' is not a whole number, 0 or more" + without_unit(text);
+  if (!is_digits) return "'" + text + "' is not a whole number, 0 or more" + unit_advice(text);
   return fmt::format("'{}' is more than {}", text, std::numeric_limits<Number>::max());
 }
 
@@ -132,7 +132,7 @@ Option& Option::between(std::uint64_t low, std::uint64_t high) {
     const std::optional<std::uint64_t> number = number_in<std::uint64_t>(text);
     const bool is_within = number && *number >= low && *number <= high;
     return is_within ? ""
-                     : fmt::format("'{}' is not a whole number from {} to {}{}", text, low, high, without_unit(text));
+                     : fmt::format("'{}' is not a whole number from {} to {}{}", text, low, high, unit_advice(text));
   });
   return *this;
 }

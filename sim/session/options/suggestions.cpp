@@ -97,7 +97,7 @@ std::string nearest_part(std::string_view word, std::span<const std::string> key
 }
 
 /// Known options that begin with the word, if it has at least three letters.
-std::vector<std::string> continued(std::string_view word, std::span<const std::string> known) {
+std::vector<std::string> options_that_begin_with(std::string_view word, std::span<const std::string> known) {
   constexpr std::size_t shortest = 5;
   std::vector<std::string> found;
   if (word.size() < shortest) return found;
@@ -166,7 +166,8 @@ std::vector<std::string> suggested_keys(std::string_view key) {
 std::string suggested_option(std::string_view word, std::span<const std::string> known) {
   if (const std::string_view replaced = replacement_for(word, known); !replaced.empty()) return std::string(replaced);
   if (std::string other = with_other_dashes(word, known); !other.empty()) return other;
-  if (const std::vector<std::string> longer = continued(word, known); !longer.empty()) return alternatives(longer);
+  if (const std::vector<std::string> longer = options_that_begin_with(word, known); !longer.empty())
+    return alternatives(longer);
   if (is_known(known, "--set")) {
     if (std::string set = set_for(without_dashes(word)); !set.empty()) return set;
   }

@@ -26,7 +26,7 @@ nlohmann::ordered_json wanted_configuration(const OptionList& options, const Run
   return configuration;
 }
 
-FinishedRun simulated(const RunSubject& subject, const RunRequest& request, const CheckpointOptions& checkpoints) {
+FinishedRun run_simulation(const RunSubject& subject, const RunRequest& request, const CheckpointOptions& checkpoints) {
   const isa::Program& program = subject.program;
   const machines::Machine& machine = subject.machine;
   RunObservers observers{observe::FrameObserver(program), observe::StatsObserver(program), {}};
@@ -69,7 +69,7 @@ FinishedRun finish(const OptionList& options, const RunSubject& subject, const R
                    const Advice& advice, const Judge& judge, const CheckpointOptions& checkpoints, bool is_configured) {
   const isa::Program& program = subject.program;
   nlohmann::ordered_json configuration = wanted_configuration(options, subject, request, is_configured);
-  FinishedRun run = simulated(subject, request, checkpoints);
+  FinishedRun run = run_simulation(subject, request, checkpoints);
   run.knobs = knobs_of(advice, program, subject.machine, run.result);
   run.stats_file = observe::to_json(run.report(subject));
   if (!configuration.is_null()) put_configuration(run.stats_file, std::move(configuration), run.picture);
