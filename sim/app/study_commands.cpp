@@ -13,7 +13,7 @@ void add_study(shell::CommandLine& line, const studies::StudyRow& row) {
   shell::Command& command = line.add(row.name, row.group, row.does, std::string("Example:\n") + row.example);
   const std::shared_ptr<studies::StudyCommand> study = studies::describe(command, row);
   command.add_quiet_option();
-  command.runs([study] { run_study(*study); });
+  command.set_action([study] { run_study(*study); });
 }
 
 void add_gather(shell::CommandLine& line, std::span<const studies::StudyRow* const> studies) {
@@ -27,7 +27,7 @@ void add_gather(shell::CommandLine& line, std::span<const studies::StudyRow* con
       "repeat its command to continue. docs/design-space.md has commands for Slurm, GNU Parallel and MPI launchers.");
   request->add_to(command);
   command.add_quiet_option();
-  command.runs([request, studies] { run_gather(studies, *request); });
+  command.set_action([request, studies] { run_gather(studies, *request); });
 }
 
 }  // namespace csgsim::app

@@ -23,7 +23,7 @@ class Command : public OptionList {
   void add_quiet_option();
 
   /// Sets the action, which runs after the command line has been parsed.
-  void runs(std::function<void()> action) { action_ = std::move(action); }
+  void set_action(std::function<void()> action) { action_ = std::move(action); }
 
   void run() const;
 

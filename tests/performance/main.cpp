@@ -145,7 +145,7 @@ void describe_measure(CommandLine& line) {
       .check(not_empty);
   command.flag("--no-plots", options->no_plots, "Do without plots (gnuplot)");
   command.add_quiet_option();
-  command.runs([options] { run(*options); });
+  command.set_action([options] { run(*options); });
 }
 
 struct CountOptions {
@@ -178,7 +178,7 @@ void describe_count(CommandLine& line) {
   command.option("PROGRAM", options->program, "A Program file").required();
   command.option("--machine", options->machine, "Machine whose figures say what a bit step is; else the Program's own");
   command.flag("--json", options->json, "Print a JSON object");
-  command.runs([options] { count(*options); });
+  command.set_action([options] { count(*options); });
 }
 
 }  // namespace csgsim::bench

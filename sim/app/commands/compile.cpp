@@ -35,7 +35,7 @@ void add_compile(CommandLine& line) {
   options->model.add_to(command);
   command.option("-o,--output", options->output, "The Program file, .csgt").required().check(not_empty);
   command.add_quiet_option();
-  command.runs([options] {
+  command.set_action([options] {
     refuse_clashes(options->model.inputs(), std::to_array<std::filesystem::path>({options->output}));
     refuse_terminal("--output", options->output);
     OutputFile file(options->output);

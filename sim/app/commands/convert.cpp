@@ -287,7 +287,7 @@ void add_convert(CommandLine& line) {
       .between(1U, max_threads);
   command.option("--stats", options->stats, "Counts and measures of the result, .json").check(not_empty);
   command.add_quiet_option();
-  command.runs([options] { run(*options); });
+  command.set_action([options] { run(*options); });
 }
 
 }  // namespace

@@ -103,7 +103,7 @@ void add_debug(CommandLine& line) {
   command.option("-x,--commands", options->commands, "File with one command per line").check(not_empty);
   command.option("--threads", options->threads, "Worker threads; the states do not depend on their number")
       .between(1U, max_threads);
-  command.runs([options, &command] {
+  command.set_action([options, &command] {
     if (options->model.model == standard_stream && options->commands.empty())
       throw UsageError(
           "MODEL", "standard input cannot hold both the Program and the commands; name a file of commands, -x FILE");

@@ -311,7 +311,7 @@ void add_diff(CommandLine& line) {
   command.flag("--no-stories", options->no_stories, "Omit the histories of the first pixel that differs");
   options->report.add_to(command);
   command.add_quiet_option();
-  command.runs([options, &command] {
+  command.set_action([options, &command] {
     if (options->b.subject.empty()) options->b.subject = options->a.subject;
     diff(*options, command);
   });

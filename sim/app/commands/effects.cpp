@@ -221,7 +221,7 @@ void add_effects(CommandLine& line) {
       .folder();
   options->report.add_to(command);
   command.add_quiet_option();
-  command.runs([options] { run(*options); });
+  command.set_action([options] { run(*options); });
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ void add_levels(CommandLine& line) {
       .list_of(level_names(), "level");
   add_progress(command, options->progress);
   command.add_quiet_option();
-  command.runs([options] { compare_levels(*options); });
+  command.set_action([options] { compare_levels(*options); });
 }
 
 }  // namespace

@@ -170,7 +170,7 @@ void add_manual(CommandLine& line) {
   command.option("NAME", options->machines,
                  "Comma-separated machines, processors or processes, by name or .toml file; all: every built-in one");
   add_parameter_sets(command, options->sets, "the machine, or of those that have it");
-  command.runs([options] { run(*options); });
+  command.set_action([options] { run(*options); });
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ void add_render(CommandLine& line) {
   options->frames.add_to(command);
   add_verbose(command, options->run);
   command.add_quiet_option();
-  command.runs([options, &command] { run(*options, command); });
+  command.set_action([options, &command] { run(*options, command); });
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ void add_rerun(CommandLine& line) {
   command.flag("--anyway", options->anyway, "Continue even if csgsim or an input file has changed");
   add_progress(command, options->run.progress);
   command.add_quiet_option();
-  command.runs([&line, options] { rerun(line, *options); });
+  command.set_action([&line, options] { rerun(line, *options); });
 }
 
 }  // namespace

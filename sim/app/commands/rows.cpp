@@ -96,7 +96,7 @@ void add_rows(CommandLine& line) {
                  "A .toml file with your own commands for the gates at the sense amplifiers (docs/row-traces.md)");
   command.option("-o,--output", options->output, "The trace, or - for standard output").required().check(not_empty);
   command.add_quiet_option();
-  command.runs([options, &command] { write_rows(*options, command); });
+  command.set_action([options, &command] { write_rows(*options, command); });
 }
 
 }  // namespace

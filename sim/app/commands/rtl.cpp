@@ -124,7 +124,7 @@ void add_rtl(CommandLine& line) {
       .required()
       .folder();
   command.add_quiet_option();
-  command.runs([options, &command] { write_design(*options, command); });
+  command.set_action([options, &command] { write_design(*options, command); });
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ void add_run(CommandLine& line) {
   options->add_to(command);
   add_verbose(command, options->run);
   command.add_quiet_option();
-  command.runs([options, &command] {
+  command.set_action([options, &command] {
     refuse_model(options->program);
     refuse_misuse(*options);
     RunOutputs outputs(options->run, options->files_read());

@@ -280,7 +280,7 @@ void add_wave(CommandLine& line) {
               "over the frame, and with --pixel also the signals, as trace events for Perfetto")
       .required();
   command.add_quiet_option();
-  command.runs([options, &command] { record(*options, command); });
+  command.set_action([options, &command] { record(*options, command); });
 }
 
 }  // namespace
