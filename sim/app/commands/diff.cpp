@@ -222,7 +222,7 @@ report::ShownRun shown(const Subject& side, const lockstep::SideResult& run, std
 
 void write_page(ReportFile& page, const lockstep::Comparison& comparison, const Subject& a, const Subject& b,
                 const Options& options, const OptionList& command) {
-  if (!page.asked()) return;
+  if (!page.is_requested()) return;
   const machines::Machine machines[] = {a.machine, b.machine};
   const std::span shown_machines = std::span(machines).first(a.machine.name == b.machine.name ? 1 : 2);
   report::FirstDifference first{difference_sentences(comparison, a, b), std::nullopt};

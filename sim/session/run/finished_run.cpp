@@ -20,7 +20,7 @@ namespace {
 /// The configuration if it is wanted, else null: it hashes the input files, so they are read once more.
 nlohmann::ordered_json wanted_configuration(const OptionList& options, const RunSubject& subject,
                                             const RunRequest& request, bool is_wanted) {
-  if (!is_wanted && request.stats.empty() && !request.report.asked() && !options.watch.before) return nullptr;
+  if (!is_wanted && request.stats.empty() && !request.report.is_requested() && !options.watch.before) return nullptr;
   nlohmann::ordered_json configuration = configuration_of(options, subject);
   if (options.watch.before) options.watch.before(configuration);
   return configuration;
@@ -76,7 +76,7 @@ FinishedRun finish(const OptionList& options, const RunSubject& subject, const R
   if (judge) run.verdict = judge(run.picture, run.stats_file["accuracy"]);
   outputs.write_pictures(run.picture, program);
   outputs.write_stats(run.stats_file.dump(2) + "\n");
-  if (request.report.asked()) outputs.write_report(page_of(options, run, subject, request.report));
+  if (request.report.is_requested()) outputs.write_report(page_of(options, run, subject, request.report));
   outputs.commit();
   return run;
 }

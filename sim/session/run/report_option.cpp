@@ -47,7 +47,7 @@ report::Context ReportOption::context(std::span<const machines::Machine> machine
 }
 
 ReportFile::ReportFile(const ReportOption& option, std::span<const std::filesystem::path> inputs) {
-  if (!option.asked()) return;
+  if (!option.is_requested()) return;
   refuse_clashes(inputs, std::to_array<std::filesystem::path>({option.file}));
   file_.emplace(option.file);
 }
