@@ -85,7 +85,7 @@ std::string message_of(const std::string& messages) {
 
 std::string failure_reason(const system::ChildEnd& end) {
   if (end.exceeded != system::Exceeded::nothing || WIFSIGNALED(end.status))
-    return system::why_failed(end, program_limits);
+    return system::failure_text(end, program_limits);
   const std::string message = message_of(end.errors);
   if (!message.empty()) return "gnuplot reports: " + message;
   return end.status == 0 ? "the picture is incomplete"

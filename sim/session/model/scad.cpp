@@ -35,7 +35,7 @@ std::string_view fix_for(system::Exceeded exceeded) {
 }
 
 std::string reason_of(const system::ChildEnd& end, const system::ChildLimits& limits) {
-  const std::string why = printable(system::why_failed(end, limits));
+  const std::string why = printable(system::failure_text(end, limits));
   return end.exceeded == system::Exceeded::nothing
              ? why
              : "OpenSCAD was stopped: " + why + "; " + std::string(fix_for(end.exceeded));
