@@ -45,7 +45,8 @@ void ProgressObserver::after_instruction(const engine::Step& step, const engine:
     total_ -= machines::clocks(all.subspan(step.index + 1, static_cast<std::size_t>(skipped)), machine_);
   }
   if (++instructions_ % look_every != 0) return;
-  if (work_ != nullptr && work_->elapsed() >= 1.0) work_->at(static_cast<double>(done_) / static_cast<double>(total_));
+  if (work_ != nullptr && work_->elapsed() >= 1.0)
+    work_->record_fraction(static_cast<double>(done_) / static_cast<double>(total_));
   if (!shows_) return;
   const Clock::time_point now = Clock::now();
   const std::chrono::duration<double> since_shown = now - last_shown_;

@@ -33,7 +33,7 @@ class Progress {
     // Points that are measured concurrently are assumed to be nearly done.
     const std::size_t missing = points_ - known_;
     const std::size_t done = std::min(measured_ + threads_ - 1, missing);
-    work_.at_point(done, missing);
+    work_.record_points(done, missing);
     show();
   }
 

@@ -161,7 +161,7 @@ class FrameDrawing {
 
  private:
   void begin(std::size_t frame) {
-    if (frame > 0) work_.at_point(frame, cameras_.size());
+    if (frame > 0) work_.record_points(frame, cameras_.size());
     progress_(frame, cameras_.size());
   }
 

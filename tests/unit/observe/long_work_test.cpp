@@ -66,12 +66,12 @@ TEST_CASE("a warning of long work is printed once and only for long work") {
   observe::LongWork work(
       "this study", "take less", [&now] { return now; }, 60);
   now = 5;
-  work.at(0.1);
+  work.record_fraction(0.1);
   CHECK_FALSE(work.announced_seconds().has_value());
   now = 40;
-  work.at(0.4);
+  work.record_fraction(0.4);
   CHECK(work.announced_seconds() == 100.0);
   now = 90;
-  work.at(0.5);
+  work.record_fraction(0.5);
   CHECK(work.announced_seconds() == 100.0);
 }
