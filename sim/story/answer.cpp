@@ -9,7 +9,7 @@ namespace csgsim::story {
 
 Answer answer_of(const Subject& subject, const machines::Machine& machine, std::uint32_t x, std::uint32_t y,
                  std::optional<std::uint32_t> missed) {
-  const Story story = Teller(subject.program, machine).story_of(x, y);
+  const Story story = StoryBuilder(subject.program, machine).story_of(x, y);
   Answer answer{text_of(subject, story), to_json(subject, story)};
   if (!missed) return answer;
   const WhyNot why = why_not(subject, story, *missed);

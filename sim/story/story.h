@@ -148,11 +148,11 @@ struct Story {
 inline bool is_seen_through(const Story& story) { return story.depth != story.opaque_depth; }
 
 /// Computes the stories of a Program's pixels. The Program has to outlive it.
-class Teller {
+class StoryBuilder {
  public:
   /// Runs the Program once at the functional level if its clocks depend on the run. Throws InputError if the machine
   /// cannot run it.
-  Teller(const isa::Program& program, const machines::Machine& machine);
+  StoryBuilder(const isa::Program& program, const machines::Machine& machine);
 
   /// Throws InputError if the picture has no such pixel.
   [[nodiscard]] Story story_of(std::uint32_t x, std::uint32_t y) const;

@@ -152,7 +152,7 @@ void print_picture(const lockstep::Comparison& comparison, const Subject& a, con
 }
 
 void print_story(char letter, const Subject& subject, std::uint32_t x, std::uint32_t y) {
-  const story::Story history = story::Teller(subject.program, subject.machine).story_of(x, y);
+  const story::Story history = story::StoryBuilder(subject.program, subject.machine).story_of(x, y);
   fmt::print("\n{}  {}", letter, story::text_of({subject.program}, history));
 }
 
