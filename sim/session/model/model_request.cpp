@@ -122,7 +122,8 @@ const ModelRequest::LoadedScene& ModelRequest::loaded_scene() const {
   LoadedScene loaded{scene_file.empty() ? "" : read_file(scene_file, scene_input), {}, {}};
   try {
     const std::vector<scene::Section> sections = effects::sections();
-    loaded.scene = scene::read_scene(loaded.text, printable(scene_file), sorted(sets).scene, sections, &loaded.values);
+    loaded.scene =
+        scene::read_scene(loaded.text, printable(scene_file), divide_sets(sets).scene, sections, &loaded.values);
   } catch (const scene::SetError& error) {
     throw UsageError(error.what());
   }

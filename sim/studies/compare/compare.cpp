@@ -70,7 +70,7 @@ std::vector<Named> named_machines(const Options& options) {
   for (const std::string& name : session::with_parameters(session::parse_words(options.machines), options.model.sets)) {
     session::ModelRequest one = options.model;
     one.machine = name;  // with its figures as set
-    one.sets = session::sorted(one.sets).scene;
+    one.sets = session::divide_sets(one.sets).scene;
     machines.push_back({escaped(name), session::machine_of(one)});
   }
   return machines;

@@ -32,7 +32,7 @@ std::vector<session::ModelRequest> SweepOptions::designs() const {
       {"curves", session::parse_words(curves)},       {"colouring", session::parse_words(colourings)},
       {"strategy", session::parse_words(strategies)}, {"stack-bits", values("stack-bits", stack_bits)}};
   session::ModelRequest base = view;
-  base.sets = session::sorted(view.sets).scene;
+  base.sets = session::divide_sets(view.sets).scene;
   const std::vector<std::string> with_sets = session::with_parameters(session::parse_words(machines), view.sets);
   std::vector<session::ModelRequest> all;
   for (const std::string& model : without_duplicates(models)) {
