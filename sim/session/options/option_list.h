@@ -140,6 +140,7 @@ class OptionList {
   /// Adds an option whose text is passed to `take`, which may throw UsageError.
   Option& read_option(const std::string& names, const std::function<void(const std::string&)>& take,
                       const std::string& meaning);
+  /// Adds an option without a value; `is_given` becomes true if the option is given.
   Option& flag(const std::string& names, bool& is_given, const std::string& meaning);
 
   /// Removes an option that a group of options added but that does not apply to this request.

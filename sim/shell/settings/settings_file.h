@@ -21,6 +21,7 @@ inline constexpr std::size_t max_list_values = 10'000;  ///< values of an option
 inline constexpr std::string_view config_name = "--config";
 inline constexpr std::string_view dump_name = "--dump-config";
 
+/// A command and its options that a settings file may give.
 struct SettableCommand {
   std::string name;
   std::vector<SettableOption> options;
