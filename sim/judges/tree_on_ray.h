@@ -17,6 +17,7 @@ class TreeOnRay {
   /// Starts with the point outside all primitives.
   explicit TreeOnRay(const model::Tree& tree);
 
+  /// Moves the point into a primitive or out of it.
   void set(std::uint32_t primitive, bool is_inside);
 
   [[nodiscard]] bool is_in_model() const { return root_ != model::no_index && nodes_[root_].value(); }

@@ -21,6 +21,7 @@ struct FrameClocks {
   bool operator==(const FrameClocks&) const = default;
 };
 
+/// The clocks from one frame to the next that result from the timing of a frame.
 FrameClocks frame_clocks(const machines::FrameTiming& timing);
 
 /// A setting or a machine parameter that was changed to measure its worth.

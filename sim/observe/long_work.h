@@ -12,6 +12,7 @@ namespace csgsim::observe {
 /// Returns seconds since some fixed point in time.
 using Stopwatch = std::function<double()>;
 
+/// A stopwatch that reads the steady clock of the system.
 Stopwatch wall_time();
 
 /// Warns once on standard error about work that will take minutes, judging by the time of its first part.

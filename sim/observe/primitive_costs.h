@@ -43,6 +43,7 @@ struct ClockShares {
 
 inline constexpr std::size_t max_listed_primitives = 10;
 
+/// Distributes the clocks of the run with these stats.
 ClockShares clock_shares(const isa::Program& program, const engine::RunResult& result, const Stats& stats);
 
 /// The position in the model's file that a primitive's name contains, `9:9` of `cylinder@9:9`; empty if there is none.

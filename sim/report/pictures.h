@@ -38,6 +38,7 @@ struct Difference {
   std::size_t first = 0;               ///< first differing pixel, in row order
 };
 
+/// Compares two pictures of the same size; `caption` and `alt` are those of the resulting picture.
 Difference difference_of(const DrawnProgram& a, const DrawnProgram& b, std::string caption, std::string alt);
 
 }  // namespace csgsim::report

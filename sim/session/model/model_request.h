@@ -116,7 +116,9 @@ machines::Machine machine_of(const ModelRequest& request);
 /// UsageError for invalid options.
 setup::Choices choices_of(const ModelRequest& request, const machines::Machine& machine);
 
+/// Size, depth bits, accuracy and near plane of the picture. Throws UsageError for invalid options.
 view::Sampling sampling_of(const ModelRequest& request, const machines::Machine& machine);
+/// Strategy, colouring, colour bits, scene, prunings and work limit. Throws UsageError for invalid options.
 emit::Options emit_options_of(const ModelRequest& request);
 
 /// Work limit of reading and of compiling the model.

@@ -21,9 +21,11 @@ class RunOutputs {
   /// Throws UsageError for a file that is an input or another output, InputError for one that cannot be written.
   RunOutputs(const RunRequest& request, std::span<const std::filesystem::path> inputs);
 
+  /// Writes the requested pictures: colours, depths, owners and their legend.
   void write_pictures(const observe::Frame& frame, const isa::Program& program);
   void write_stats(std::string_view json);
   void write_report(const report::Page& page);
+  /// Commits all files as a group.
   void commit();
 
  private:
