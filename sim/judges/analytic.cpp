@@ -120,7 +120,8 @@ struct RayEvent {
 /// Computes the pixels of one picture.
 class RayPainter {
  public:
-  /// `nearest`: the distance at which each pixel's ray first meets a solid, regardless of the near plane; updated.
+  /// `nearest`: the distance at which each pixel's ray first meets a solid, regardless of the near plane. paint()
+  /// updates it.
   RayPainter(const model::Tree& tree, std::span<const TrueSolid> solids, const view::Camera& camera, long double near,
              Truth& truth, std::span<long double> nearest)
       : solids_(solids),

@@ -14,7 +14,7 @@
 
 namespace csgsim::judges {
 
-/// The depth of a surface: planes have one, quadrics two.
+/// Selects a depth of a surface on a ray: planes have one, quadrics two.
 enum class Root : std::int8_t { nearer = -1, only = 0, farther = 1 };
 
 /// One surface of a ray: a canonical plane, or one root of a canonical quadric.

@@ -51,7 +51,7 @@ std::size_t parameters_to_try(const machines::Machine& machine);
 /// sorts the rest by the clocks with the host, then without.
 std::vector<Knob> helpful_knobs(std::vector<Knob> knobs);
 
-/// The first of the changes that help, for alternatives of one setting; empty if none helps.
+/// The best of several alternatives of one setting; empty if none helps.
 std::vector<Knob> best_knob(std::vector<Knob> knobs);
 
 }  // namespace csgsim::observe

@@ -137,7 +137,7 @@ CommandLine::Read CommandLine::read_words(std::span<const std::string> arguments
   } catch (const CLI::CallForHelp&) {
     read.wants_help = true;
   } catch (const CLI::ParseError& error) {
-    // CLI11's messages differ between its versions.
+    // Replaces CLI11's message, which differs between versions of CLI11.
     const std::string message = unreadable_word_message(*read.command, words);
     throw UsageError(message.empty() ? error.what() : message);
   }

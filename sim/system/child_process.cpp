@@ -62,7 +62,7 @@ struct Stream {
   Descriptor file;
   std::string& bytes;
   std::size_t most;
-  Exceeded exceeded;  ///< reported if there are more bytes
+  Exceeded exceeded;  ///< the limit to report if there are more bytes
 
   /// Reads the available bytes. Beyond the limit it reads only one byte, which indicates the excess; returns false
   /// then.

@@ -77,7 +77,7 @@ std::string evaluated(std::span<const std::string> words, const system::MemoryFi
   return csg;
 }
 
-/// The words of an OpenSCAD command line that evaluates `input`, after `first`.
+/// The words of a command line that runs OpenSCAD on `input`; `first` are words that precede `openscad`.
 std::vector<std::string> openscad_words(std::vector<std::string> first, const std::string& input,
                                         const ScadOptions& options) {
   first.insert(first.end(), {"openscad", "-o", "-", "--export-format", "csg"});

@@ -118,7 +118,7 @@ class Option {
   std::function<void(const std::vector<std::string>&)> take_;
 };
 
-/// Callbacks of a run's caller.
+/// Callbacks by which the caller observes a run.
 struct RunWatch {
   std::function<void(const nlohmann::ordered_json& configuration)> before;  ///< called before the run; may throw
   std::function<void(const nlohmann::ordered_json& stats)> after;           ///< called after all files are written

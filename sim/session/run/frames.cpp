@@ -192,7 +192,7 @@ class FrameDrawing {
     const std::size_t number = drawn_.frames.size();
     if (number == 0 && configure_) configuration_ = configure_(program);
     FrameCounts counts = counts_of(program, result, run.stats.stats(), reused);
-    // The same Program again contains the work for the model that the first frame has done.
+    // A Program drawn again still records the work for the model, which only the first frame did.
     if (number > 0 && repeats_) counts.host_model_clocks = 0;
     drawn_.sums += counts;
     drawn_.frames.push_back({cameras_[number], pictures_.file_of(number), std::move(counts)});

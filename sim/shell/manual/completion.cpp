@@ -90,7 +90,7 @@ std::string value_of(const std::vector<std::string>& words, bool files) {
   return text;
 }
 
-/// The completions of operands.
+/// Lines of the bash script that complete the operands of a command.
 std::string bash_operands_of(const CommandHelp& command) {
   std::vector<std::string> words;
   bool files = false;

@@ -67,7 +67,7 @@ const Json& member(const RecordedRun& run, const Json& json, const std::string& 
                                run.file, printable(value.dump().substr(0, 40)), wanted));
 }
 
-/// Neither command lines nor file names can hold a zero byte.
+/// A recorded text. Rejects zero bytes, which neither command lines nor file names can hold.
 std::string text_in(const RecordedRun& run, const Json& json) {
   try {
     std::string text = bytes_from_json(json);
