@@ -17,7 +17,8 @@ namespace {
 std::string own_program() {
   std::error_code error;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-  if (error) throw InputError("csgsim: cannot find its own program file: " + error.message());
+  if (error)
+    throw InputError("csgsim: cannot find its own program file: " + error.message() + "; check that /proc is mounted");
   return program.native();
 }
 

@@ -91,7 +91,8 @@ void refuse_misuse(const Options& options, const OptionList& command) {
     for (const auto& [name, is_given] :
          {std::pair("strategy", !side->strategy.empty()), {"pruning", !side->pruning.empty()}}) {
       if (is_given)
-        throw UsageError(fmt::format("--{}-{}", name, letter), "is for models; a Program has been compiled already");
+        throw UsageError(fmt::format("--{}-{}", name, letter),
+                         "is for models; a Program has been compiled already; leave it out");
     }
     refuse_scene_sets(side->sets, fmt::format("--set-{}", letter));
   }

@@ -296,9 +296,11 @@ view::Sampling sampling_of(const ModelRequest& request, const machines::Machine&
     throw UsageError("--near", "an orthographic view has no near plane; leave it out");
   }
   if (request.near && !(*request.near > 0 && std::isfinite(*request.near)))
-    throw UsageError("--near", fmt::format("{:g} is not a finite distance above 0", *request.near));
+    throw UsageError("--near",
+                     fmt::format("{:g} is not a finite distance above 0; give one such as 0.1", *request.near));
   if (!(request.edge_on > 0 && request.edge_on <= 1))
-    throw UsageError("--edge-on", fmt::format("{:g} is not a fraction of a pixel above 0, at most 1", request.edge_on));
+    throw UsageError("--edge-on",
+                     fmt::format("{:g} is not a fraction of a pixel; give one above 0, at most 1", request.edge_on));
   const machines::Size picture = machine.picture;
   const std::optional<double> near = request.near ? request.near : near_of(request);
   return {picture.width, picture.height, request.z_bits, request.fraction_bits, request.edge_on, near};
