@@ -24,8 +24,8 @@ struct ModelFile {
   std::string hash;  ///< hash of the bytes of the file and of the scene
 };
 
-/// Reads the model, or a text that replaces the file's content. Throws InputError.
-ModelFile read_model_file(const ModelRequest& request, const std::optional<std::string>& instead = {});
+/// Reads the model, or `replacement`, a text in place of the file's content. Throws InputError.
+ModelFile read_model_file(const ModelRequest& request, const std::optional<std::string>& replacement = {});
 /// The model's tree alone; otherwise like read_model_file().
 model::Tree read_model(const ModelRequest& request);
 

@@ -57,7 +57,7 @@ std::vector<std::string> parse_words(std::string_view text) {
   return words;
 }
 
-std::vector<unsigned> parse_numbers(std::string_view text, unsigned least, unsigned most) {
+std::vector<unsigned> parse_numbers(std::string_view text, unsigned min_number, unsigned max_number) {
   std::vector<unsigned> numbers;
   for (const std::string& word : parse_words(text)) {
     const std::string_view view = word;
@@ -65,7 +65,8 @@ std::vector<unsigned> parse_numbers(std::string_view text, unsigned least, unsig
     const unsigned first = parse_number(view.substr(0, dots), word);
     const unsigned last = dots == std::string_view::npos ? first : parse_number(view.substr(dots + 2), word);
     if (last < first) throw InputError(fmt::format("range '{}' is reversed; use {}..{}", word, last, first));
-    if (first < least || last > most) throw InputError(fmt::format("'{}' is not within {} to {}", word, least, most));
+    if (first < min_number || last > max_number)
+      throw InputError(fmt::format("'{}' is not within {} to {}", word, min_number, max_number));
     for (unsigned number = first; number <= last; ++number) add_once(numbers, number);
   }
   return numbers;

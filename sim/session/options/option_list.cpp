@@ -383,13 +383,13 @@ std::vector<SettableOption> OptionList::settable() const {
   return options;
 }
 
-std::vector<std::string> OptionList::words(std::span<const std::string_view> but) const {
+std::vector<std::string> OptionList::words(std::span<const std::string_view> excluded_keys) const {
   std::vector<std::string> operands;
   std::vector<std::string> options;
   for (const Option& option : options_) {
     if (option.is_operand) {
       operands.insert(operands.end(), option.given.begin(), option.given.end());
-    } else if (option.is_given() && std::ranges::find(but, option.key()) == but.end()) {
+    } else if (option.is_given() && std::ranges::find(excluded_keys, option.key()) == excluded_keys.end()) {
       if (option.takes == Takes::flag) {
         if (option.given.back() != is_false) options.push_back(option.shown_name());
         continue;

@@ -192,8 +192,8 @@ class OptionList {
   [[nodiscard]] std::vector<SettableOption> settable() const;
 
   /// The given options and operands as words of a command line: the request's name, operands, and each option by its
-  /// long name, except those in `but`. Parsing the words gives the same values.
-  [[nodiscard]] std::vector<std::string> words(std::span<const std::string_view> but = {}) const;
+  /// long name, except those with `excluded_keys`. Parsing the words gives the same values.
+  [[nodiscard]] std::vector<std::string> words(std::span<const std::string_view> excluded_keys = {}) const;
 
   /// The command line of this request, whose first word is the program: as typed, if it was typed.
   [[nodiscard]] std::vector<std::string> arguments() const;
