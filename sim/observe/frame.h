@@ -106,7 +106,7 @@ class FrameObserver : public engine::Observer {
   isa::Field candidate_colour_;
   isa::Field nearest_;                         ///< depth; of width 0 if the Program blends no transparent surfaces
   isa::Field nearest_colour_;                  ///< colour of that surface
-  std::uint8_t pane_effect_ = isa::no_effect;  ///< the effect that blends them
+  std::uint8_t pane_effect_ = isa::no_effect;  ///< index of the effect that blends transparent surfaces
   Frame frame_;
   std::vector<std::uint32_t> candidate_owner_;  ///< owner of the colour beside Z1, where several are drawn as one
   Panes panes_;

@@ -28,7 +28,7 @@ FrameClocks frame_clocks(const machines::FrameTiming& timing);
 struct Knob {
   std::string option;    ///< option of csgsim render, as `--machine scan-line+link.width=64`
   std::string sentence;  ///< description of the change, its worth and its side effect
-  std::string worth;     ///< worth() of the clocks
+  std::string worth;     ///< text of the gain, from worth()
   FrameClocks before;
   FrameClocks after;  ///< with the option
 };

@@ -20,7 +20,7 @@ namespace {
 /// the most expensive, the coefficients of x^2, x*y, y^2, x, y and 1, and the shift.
 using PictureSurface = std::tuple<std::uint32_t, std::array<std::uint64_t, 6>, std::uint16_t>;
 
-/// Coefficients may wrap around; they wrap alike in every segment.
+/// The surface with coefficients relative to the picture's origin. They may wrap around, alike in every segment.
 PictureSurface in_picture(std::uint32_t place, const isa::Linear& squares, const isa::Linear& linear,
                           const isa::Region& region) {
   const auto number = [](std::int64_t value) { return static_cast<std::uint64_t>(value); };
