@@ -12,8 +12,8 @@ namespace csgsim::app {
 void add_study(shell::CommandLine& line, const studies::StudyRow& row) {
   shell::Command& command = line.add(row.name, row.group, row.does, std::string("Example:\n") + row.example);
   const std::shared_ptr<studies::StudyCommand> study = studies::describe(command, row);
-  command.prints_summary();
-  command.runs([study] { run_study(*study); });
+  command.add_quiet_option();
+  command.set_action([study] { run_study(*study); });
 }
 
 void add_gather(shell::CommandLine& line, std::span<const studies::StudyRow* const> studies) {
@@ -26,8 +26,8 @@ void add_gather(shell::CommandLine& line, std::span<const studies::StudyRow* con
       "Shards may run at the same time, on any number of computers. A shard that was killed keeps its measurements;\n"
       "repeat its command to continue. docs/design-space.md has commands for Slurm, GNU Parallel and MPI launchers.");
   request->add_to(command);
-  command.prints_summary();
-  command.runs([request, studies] { run_gather(studies, *request); });
+  command.add_quiet_option();
+  command.set_action([request, studies] { run_gather(studies, *request); });
 }
 
 }  // namespace csgsim::app

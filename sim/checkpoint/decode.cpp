@@ -30,7 +30,7 @@ std::span<const std::byte> checked_body(std::span<const std::byte> bytes) {
   require(bytes.size() >= snapshot_magic.size() &&
               std::equal(snapshot_magic.begin(), snapshot_magic.end(), bytes.begin(),
                          [](std::uint8_t expected, std::byte found) { return std::byte{expected} == found; }),
-          "is not a checkpoint: it does not begin with CSGS");
+          "is another kind of file: it does not begin with CSGS");
   require(bytes.size() >= head + snapshot_checksum_size, "ends too soon");
   const auto version = std::to_integer<unsigned>(bytes[snapshot_magic.size()]);
   if (version != snapshot_version)

@@ -19,7 +19,7 @@ Snapshot load_snapshot(const std::filesystem::path& path, const isa::Program& pr
 Snapshot take_snapshot(RunIdentity identity, const engine::Run& run, const observe::FrameObserver& frame,
                        const observe::StatsObserver& stats);
 
-/// Restores the run, which must be one of the same Program, and the observers from the snapshot.
+/// Restores the run and the observers from the snapshot; the run must be one of the Program of the snapshot.
 void resume(const Snapshot& snapshot, engine::Run& run, observe::FrameObserver& frame, observe::StatsObserver& stats);
 
 }  // namespace csgsim::checkpoint

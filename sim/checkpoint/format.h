@@ -10,7 +10,7 @@
 
 namespace csgsim::checkpoint {
 
-/// Frame of a Snapshot in its file.
+/// The bytes with which the file of a Snapshot begins, its format version, and the size of its checksum in bytes.
 inline constexpr std::array<std::uint8_t, 4> snapshot_magic{'C', 'S', 'G', 'S'};
 inline constexpr std::uint8_t snapshot_version = 3;
 inline constexpr std::size_t snapshot_checksum_size = 4;

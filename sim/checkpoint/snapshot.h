@@ -24,6 +24,7 @@ struct RunIdentity {
   constexpr bool operator==(const RunIdentity&) const = default;
 };
 
+/// Hashes the Program and the machine of a run.
 RunIdentity identity_of(const isa::Program& program, const machines::Machine& machine);
 
 /// A run at an instruction boundary, with the data collected by observers. A run that continues from it ends as if it

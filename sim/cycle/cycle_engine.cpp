@@ -35,7 +35,7 @@ engine::RunResult make_result(systemc::RunReport&& report, const Relay& relay, c
   return result;
 }
 
-/// The Program must be compiled for the machine.
+/// Runs a Program, which must be compiled for the machine, on the hardware.
 engine::RunResult run_on(systemc::ClockedMachine& hardware, const machines::Machine& machine,
                          const isa::Program& program, std::span<engine::Observer* const> observers) {
   Relay relay(program, observers);

@@ -22,7 +22,7 @@ class Clocks {
   [[nodiscard]] machines::ClockSpan issue_span(engine::Place place);
 
   /// Number of the first instruction, from `from` on, that is not completely issued when the clock begins. Throws
-  /// InputError as issued does.
+  /// InputError as issue_span() does.
   [[nodiscard]] std::uint64_t first_after(std::uint64_t clock, std::uint64_t from);
 
  private:

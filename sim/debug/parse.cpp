@@ -90,7 +90,8 @@ struct Reading {
     if (is_index) {
       target = AtPrimitive{number_in<std::uint32_t>(digits)};
       if (std::get<AtPrimitive>(target).primitive < names.size()) return;
-      throw InputError(fmt::format("there is no primitive {}: the Program has {}", digits, names.size()));
+      throw InputError(
+          fmt::format("there is no primitive {}: the Program has {}, counted from 0", digits, names.size()));
     }
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) {

@@ -75,9 +75,9 @@ std::string Session::go(std::optional<Stop> until, const Target* target) {
   stops.reserve(breakpoints_.size());
   for (const Breakpoint& one : breakpoints_) stops.emplace_back(one.target, program_, numbers_, *run_, clocks_);
   while (!run_->is_finished()) {
-    std::uint64_t look = until ? until->next_look() : engine::Run::end;
-    for (Stop& stop : stops) look = std::min(look, stop.next_look());
-    advance(look);
+    std::uint64_t check = until ? until->next_check() : engine::Run::end;
+    for (Stop& stop : stops) check = std::min(check, stop.next_check());
+    advance(check);
     std::string why;
     // every stop must be evaluated, since each remembers the last value
     if (until && until->is_reached()) why = to_text(*target, program_) + "\n";
@@ -197,7 +197,8 @@ std::string Session::perform(const Where& /*command*/) { return where_text(*run_
 std::string Session::perform(const ListAround& command) {
   const std::uint64_t number = command.number.value_or(this->number());
   if (command.number && number >= numbers_.count())
-    throw InputError(fmt::format("there is no instruction i{}: the Program has {}", number, numbers_.count()));
+    throw InputError(
+        fmt::format("there is no instruction i{}: the Program has {}, counted from i0", number, numbers_.count()));
   return list_text(number, program_);
 }
 

@@ -17,6 +17,7 @@ struct FieldMeaning {
   bool is_depth = false;
 };
 
+/// The meaning of a field, from its role in the Program.
 FieldMeaning field_meaning(isa::Field field, const isa::Program& program);
 
 /// Text of a value according to its field's role: a colour, or a depth that may be empty.

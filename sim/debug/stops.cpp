@@ -14,7 +14,8 @@ Stop::Stop(const Target& target, const isa::Program& program, const engine::Numb
     : target_(target), program_(program), numbers_(numbers), run_(run), begin_(numbers.of(run.place())) {
   if (const auto* at = std::get_if<AtInstruction>(&target)) {
     if (at->number >= numbers.count())
-      throw InputError(fmt::format("there is no instruction i{}: the Program has {}", at->number, numbers.count()));
+      throw InputError(
+          fmt::format("there is no instruction i{}: the Program has {}, counted from i0", at->number, numbers.count()));
     number_ = at->number;
   }
   if (const auto* at = std::get_if<AtClock>(&target)) number_ = clocks.first_after(at->clock, begin_);
@@ -60,17 +61,17 @@ std::uint64_t Stop::look_at_condition(const Condition& condition, std::uint64_t 
   return engine::Run::end;
 }
 
-std::uint64_t Stop::next_look() {
+std::uint64_t Stop::next_check() {
   const std::uint64_t from = numbers_.of(run_.place());
-  if (look_ > from) return look_;
+  if (next_check_ > from) return next_check_;
   if (const auto* condition = std::get_if<Condition>(&target_)) {
-    look_ = look_at_condition(*condition, from);
+    next_check_ = look_at_condition(*condition, from);
   } else if (const auto* at = std::get_if<AtPrimitive>(&target_)) {
-    look_ = look_at_primitive(at->primitive, from);
+    next_check_ = look_at_primitive(at->primitive, from);
   } else {
-    look_ = number_ > from ? number_ : engine::Run::end;
+    next_check_ = number_ > from ? number_ : engine::Run::end;
   }
-  return look_;
+  return next_check_;
 }
 
 bool Stop::is_met(const Condition& condition) {
@@ -90,7 +91,7 @@ bool Stop::is_met(const Condition& condition) {
 
 bool Stop::is_reached() {
   const std::uint64_t here = numbers_.of(run_.place());
-  if (here < look_ || here == begin_) return false;
+  if (here < next_check_ || here == begin_) return false;
   if (const auto* condition = std::get_if<Condition>(&target_)) return is_met(*condition);
   if (const auto* at = std::get_if<AtPrimitive>(&target_)) return begins(at->primitive, here);
   return begin_ < number_ && here >= number_;

@@ -11,7 +11,7 @@
 
 namespace csgsim::debug {
 
-/// Watches a run for one stop, and computes how far the run can advance before the stop must be checked.
+/// Watches a run for one breakpoint or target, and computes how far the run can advance before the next check.
 class Stop {
  public:
   /// Starts watching at the run's place. All arguments but the target must outlive this object. Throws InputError for a
@@ -26,7 +26,7 @@ class Stop {
   [[nodiscard]] bool is_behind() const;
 
   /// Number of the next instruction before which is_reached() must be called; Run::end if there is none.
-  [[nodiscard]] std::uint64_t next_look();
+  [[nodiscard]] std::uint64_t next_check();
 
   /// Whether the run must stop at its place.
   [[nodiscard]] bool is_reached();
@@ -43,7 +43,7 @@ class Stop {
   const engine::Run& run_;
   std::uint64_t begin_;                   ///< start of the watch
   std::uint64_t number_ = 0;              ///< target instruction, or the one of a target clock
-  std::uint64_t look_ = 0;                ///< last result of next_look
+  std::uint64_t next_check_ = 0;          ///< last result of next_check
   std::optional<std::uint32_t> segment_;  ///< segment of the previous value
   std::uint32_t value_ = 0;
   bool held_ = false;

@@ -11,7 +11,7 @@ namespace csgsim::engine {
 struct Work {
   std::uint64_t instructions = 0;  ///< executions at a tile of pixels; each tile counts
   std::uint64_t words = 0;         ///< words of 64 pixel bits processed individually
-  std::uint64_t lanes = 0;         ///< pixels whose number was computed or moved
+  std::uint64_t lanes = 0;         ///< pixels at which a field was processed as a number
 
   Work& operator+=(const Work& other) {
     instructions += other.instructions;

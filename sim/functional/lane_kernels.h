@@ -39,7 +39,7 @@ void add_lanes(const Enabled& pixels, Lanes& target, const Lanes& source, std::u
 
 enum class Comparison : std::uint8_t { less, less_or_equal, equal };
 
-/// enable := enable and left ? right. Returns the number of pixels enabled afterwards.
+/// enable := enable and (left OP right), where OP is the comparison. Returns the number of pixels enabled afterwards.
 std::uint32_t compare_lanes(const Enabled& pixels, Comparison comparison, const Lanes& left, const Lanes& right);
 
 /// Sets every value of a constant block to its bound. Values of constant blocks are otherwise undefined. The block

@@ -28,7 +28,7 @@ using SumTag = hn::CappedTag<std::int64_t, blocks_per_side>;
 using Sums = hn::Vec<SumTag>;
 using SumMask = hn::Mask<SumTag>;
 
-/// Blocks whose pixels all have the same result. Blocks at which the sum may wrap are only in the last set.
+/// Blocks whose pixels all have the same result. Blocks at which the sum may wrap are only in `may_wrap`.
 struct Decided {
   std::uint64_t all = 0;   ///< the test holds
   std::uint64_t none = 0;  ///< the test does not hold

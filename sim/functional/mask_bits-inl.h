@@ -24,7 +24,7 @@ HWY_INLINE hwy::HWY_NAMESPACE::Mask<Tag> mask_of_bits(Tag tag, std::uint64_t bit
   return hwy::HWY_NAMESPACE::LoadMaskBits(tag, bytes);
 }
 
-/// The inverse; bits beyond the lanes are 0.
+/// The word whose bit i is lane i of the mask; bits beyond the lanes are 0.
 template <class Tag>
 HWY_INLINE std::uint64_t bits_of_mask(Tag tag, hwy::HWY_NAMESPACE::Mask<Tag> mask) {
   std::uint64_t bits = 0;

@@ -98,7 +98,7 @@ class Memory {
   std::vector<std::unique_ptr<TileBits>> planes_;  ///< null or cleared: 0; also 0 where lanes store the bit
   std::vector<Holder> holders_;                    ///< no two store a bit in the same block
   std::vector<std::uint8_t> holder_counts_;        ///< for each bit, the number of holders whose field contains it
-  std::size_t next_reused_ = 0;                    ///< index into holders_, once all are in use
+  std::size_t next_reused_ = 0;                    ///< index of the next holder to replace, once all are in use
   Lanes* last_ = nullptr;                          ///< last lanes requested
 };
 

@@ -65,7 +65,7 @@ class PlaneSum {
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(c_) + static_cast<std::uint64_t>(a_) * x +
                                      static_cast<std::uint64_t>(b_) * y);
   }
-  /// The minimum at the block's corners; the maximum is `spread` more.
+  /// The minimum of the sum at the block's corners; the maximum is greater by spread().
   [[nodiscard]] std::int64_t min_sum(unsigned block) const { return first_sum(block) + low_; }
   [[nodiscard]] std::int64_t spread() const { return spread_; }
   /// Difference from one block to the next in its row.

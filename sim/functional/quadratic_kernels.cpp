@@ -133,7 +133,7 @@ HWY_INLINE Sums written(Sums f, Sums z) {
 
 /// Executes the task on a block of lanes. Returns the pixels that stay enabled.
 template <LinearKind kind>
-std::uint64_t meet_lanes(const BlockF& f, Lanes& lanes, unsigned block, std::uint64_t enabled) {
+std::uint64_t execute_on_lanes(const BlockF& f, Lanes& lanes, unsigned block, std::uint64_t enabled) {
   constexpr SumTag tag;
   constexpr hn::RebindToUnsigned<SumTag> unsigned_tag;
   constexpr hn::Rebind<std::uint32_t, SumTag> lane_tag;
@@ -199,7 +199,7 @@ std::uint64_t meet(const BlockF& f, const QuadraticTask& task, const TileShape& 
   if constexpr (is_sign(kind)) return enabled & pixels_where_negative<kind>(f);
   if constexpr (kind == LinearKind::load || adds(kind))
     if (!task.planes.empty()) return meet_planes<kind>(f, task.planes, shape, block, enabled);
-  if constexpr (!is_sign(kind)) return meet_lanes<kind>(f, *task.lanes, block, enabled);
+  if constexpr (!is_sign(kind)) return execute_on_lanes<kind>(f, *task.lanes, block, enabled);
 }
 
 /// The blocks that remain undecided after tests for the whole tile and for each block.

@@ -95,7 +95,7 @@ namespace csgsim::functional {
 
 HWY_EXPORT(root_of_planes);
 
-void take_root(const Enabled& pixels, std::span<TileBits* const> planes) {
+void execute_root(const Enabled& pixels, std::span<TileBits* const> planes) {
   HWY_DYNAMIC_DISPATCH(root_of_planes)(pixels, planes);
 }
 

@@ -53,11 +53,11 @@ void FunctionalRun::advance(std::uint64_t number, Observers observers) {
   }
 }
 
-void FunctionalRun::execute_stretch(std::uint64_t most, Observers observers) {
+void FunctionalRun::execute_stretch(std::uint64_t max_count, Observers observers) {
   end_if_interrupted();
   const Instructions left = instructions().subspan(place_.index);
-  if (met_.is_needed()) most = 1;
-  const Instructions within = left.first(static_cast<std::size_t>(std::min<std::uint64_t>(most, left.size())));
+  if (met_.is_needed()) max_count = 1;
+  const Instructions within = left.first(static_cast<std::size_t>(std::min<std::uint64_t>(max_count, left.size())));
   const Stretch stretch(within, observers);
   const Instructions executed = stretch.instructions();
   met_.before(place_, executed.front(), tiles_);

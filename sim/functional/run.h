@@ -36,8 +36,8 @@ class FunctionalRun final : public engine::Run {
 
  private:
   [[nodiscard]] std::span<const isa::Instruction> instructions() const;
-  /// Executes instructions, at most `most`, until one after which an observer reads the pixels.
-  void execute_stretch(std::uint64_t most, std::span<engine::Observer* const> observers);
+  /// Executes instructions, at most `max_count`, until one after which an observer reads the pixels.
+  void execute_stretch(std::uint64_t max_count, std::span<engine::Observer* const> observers);
   void notify_end(std::span<engine::Observer* const> observers);
   [[nodiscard]] std::optional<machines::PixelClocks> at_pixels() const;
   [[nodiscard]] std::vector<machines::PixelActivity> met_pixels() const;

@@ -14,8 +14,9 @@ namespace csgsim::functional {
 /// Instructions that are executed one tile after the other.
 class Stretch {
  public:
-  /// The first of `instructions` (at least one), up to and including one after which others may be skipped or an
-  /// observer reads pixels beyond their enable bits. The number is limited so that progress is shown.
+  /// Holds the first of `instructions` (at least one), up to and including the first one after which others may be
+  /// skipped or an observer reads more of the pixels than their enable bits. The number is limited, so that progress is
+  /// shown.
   Stretch(std::span<const isa::Instruction> instructions, std::span<engine::Observer* const> observers);
 
   [[nodiscard]] std::span<const isa::Instruction> instructions() const { return instructions_; }

@@ -177,7 +177,7 @@ void Tile::root(Field target) {
   if (enabled_ == 0) return;
   WidePlanes planes{};
   memory_.planes(target, blocks_to_update(), planes);
-  take_root(pixels(), std::span(planes).first(target.width));
+  execute_root(pixels(), std::span(planes).first(target.width));
 }
 
 bool Tile::uses_bits(Field first, Field second) const {

@@ -19,7 +19,7 @@ namespace csgsim::functional {
 /// blocks of 8 x 8 pixels that are not uniform. Tiles of a segment share nothing.
 class alignas(64) Tile {
  public:
-  /// (x, y) is the position of its first pixel in the segment.
+  /// (x, y) is the position of the tile's first pixel in the segment.
   Tile(std::uint32_t x, std::uint32_t y, TileShape shape, std::uint32_t memory_bits, Decide decide);
 
   /// Clears memory and enable, as at the start of a segment.
@@ -55,9 +55,10 @@ class alignas(64) Tile {
   }
 
  private:
-  /// The blocks of an instruction that reads the old values of its target.
+  /// The blocks on which an instruction works that reads the old values of its target.
   [[nodiscard]] Worked blocks_to_update() const { return {enable_.any(), 0}; }
-  /// The blocks of an instruction that does not read them.
+  /// The blocks on which an instruction works that does not read the old values of its target; it overwrites all pixels
+  /// of full blocks.
   [[nodiscard]] Worked blocks_to_overwrite() const { return {enable_.any(), enable_.full()}; }
   [[nodiscard]] Enabled pixels() { return {enable_, shape_, decide_, work_}; }
 

@@ -124,7 +124,7 @@ constexpr std::uint64_t row_part(std::uint64_t block_word, std::uint32_t row, st
 
 /// Writes the tile's bits as rows of 64 pixels, with `stride` words per row and one row per pixel row of the tile.
 void write_rows(const TileBits& bits, const TileShape& shape, std::uint64_t* rows, std::size_t stride);
-/// The inverse; bits of pixels that do not exist must be 0.
+/// Sets the tile's bits from rows in the format of write_rows(); bits of pixels that do not exist must be 0.
 void read_rows(const std::uint64_t* rows, std::size_t stride, const TileShape& shape, TileBits& bits);
 
 }  // namespace csgsim::functional

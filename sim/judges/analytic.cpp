@@ -61,7 +61,7 @@ class LongCamera {
     return std::abs(b - a) <= same_depth_tolerance * std::max({std::abs(a), std::abs(b), min_unit_});
   }
 
-  /// Column and row at which a point is seen, and its distance.
+  /// Column and row of a point in the picture, in fractions of pixels, and its distance along the view axis.
   [[nodiscard]] LongVector see(const LongVector& point) const {
     const LongVector d = point - eye_;
     const long double distance = glm::dot(d, forward_);
@@ -78,8 +78,8 @@ class LongCamera {
   LongVector up_{};
   LongVector forward_{};
   long double pixel_ = 0;  ///< orthographic: model units; perspective: tangent
-  /// Unit of the tolerance: in an orthographic view, which also shows solids at the eye and behind it, the size of the
-  /// picture.
+  /// Lower limit of the unit of the tolerance: |centre - eye| in an orthographic view, which also shows solids at the
+  /// eye and behind it; 0 in perspective.
   long double min_unit_ = 0;
 };
 
@@ -120,7 +120,8 @@ struct RayEvent {
 /// Computes the pixels of one picture.
 class RayPainter {
  public:
-  /// `nearest`: the distance at which each pixel's ray first meets a solid, regardless of the near plane; updated.
+  /// `nearest`: the distance at which each pixel's ray first meets a solid, regardless of the near plane. paint()
+  /// updates it.
   RayPainter(const model::Tree& tree, std::span<const TrueSolid> solids, const view::Camera& camera, long double near,
              Truth& truth, std::span<long double> nearest)
       : solids_(solids),

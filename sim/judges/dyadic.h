@@ -46,6 +46,7 @@ class Dyadic {
 
 using Vector = std::array<Dyadic, 3>;
 
+/// The vector without rounding; its elements must be finite.
 Vector to_exact(const glm::dvec3& v);
 Vector operator-(const Vector& a, const Vector& b);
 Dyadic dot(const Vector& a, const Vector& b);

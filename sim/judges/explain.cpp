@@ -43,7 +43,7 @@ DepthLine depth_line(const isa::Program& program, double unit) {
 
 }  // namespace
 
-/// The results for a plane at a place that are allowed to a machine.
+/// The results that a machine may compute for a plane at a place.
 struct Explainer::Nature {
   enum class Kind : std::uint8_t {
     surface,
@@ -115,7 +115,7 @@ Explainer::Nature Explainer::nature(std::uint32_t index, Place place) const {
   return {positive ? Nature::Kind::holds : Nature::Kind::excludes, {}};
 }
 
-/// Adds what the half-space means at the place to the candidate. Returns false if it excludes the whole ray.
+/// Adds the half-space's front, back or edge at the place to the candidate. Returns false if it excludes the whole ray.
 bool Explainer::add_halfspace(Candidate& candidate, const facet::Halfspace& halfspace, Place place) const {
   const Nature is = nature(halfspace.plane, place);
   switch (is.kind) {
@@ -132,7 +132,7 @@ bool Explainer::add_halfspace(Candidate& candidate, const facet::Halfspace& half
   return true;
 }
 
-/// Adds what the quadric's side means at the place to the candidate. Returns false if it excludes the whole ray. If
+/// Adds the quadric's front, back or edge at the place to the candidate. Returns false if it excludes the whole ray. If
 /// rays begin inside the quadric, it has a back only if it is met at all.
 bool Explainer::add_quadric(Candidate& candidate, const facet::QuadricSide& side, Place place) const {
   const SightQuadric& quadric = sight_.quadrics().quadric(side.quadric);
@@ -158,7 +158,7 @@ bool Explainer::add_quadric(Candidate& candidate, const facet::QuadricSide& side
   return true;
 }
 
-/// Whether the pixel is one of those at which the primitive may be.
+/// Whether the place is inside the rectangle of pixels at which the primitive is drawn.
 Maybe Explainer::in_rectangle(std::uint32_t primitive, Place place) const {
   const PlaceRect& reach = reaches_[primitive];
   if (reach.x0 > reach.x1) return Maybe::no;

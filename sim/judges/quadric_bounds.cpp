@@ -165,7 +165,7 @@ QuadricMet QuadricBounds::met_in_units(std::uint32_t index, Place place, int uni
   return met;
 }
 
-/// The section in the middle of the depth range; negative inside.
+/// The quadric's section in the middle of the depth range, as a quadratic that is negative inside.
 FilterQuadratic QuadricBounds::section(std::uint32_t index) const {
   const SightQuadric& quadric = sight_.quadrics().quadric(index);
   const FilterQuadratic& q = quadric.value;

@@ -39,7 +39,7 @@ struct DepthLine {
   [[nodiscard]] std::int64_t farthest() const { return (std::int64_t{1} << z_bits) - 1; }
 };
 
-/// The results for a quadric at a place that are allowed to a machine.
+/// The results that a machine may compute for a quadric at a place.
 struct QuadricMet {
   bool is_doubtful = false;  ///< any result is allowed
   bool is_edge = false;      ///< whole rays are inside or outside
@@ -84,7 +84,7 @@ class QuadricBounds {
   [[nodiscard]] double drift(std::uint32_t quadric) const;
   [[nodiscard]] int max_unit(std::uint32_t quadric, double greatest_square) const;
   [[nodiscard]] FilterQuadratic section(std::uint32_t quadric) const;
-  /// The allowed results if depths are in units of 2^unit steps.
+  /// The results that a machine may compute if depths are in units of 2^unit steps.
   [[nodiscard]] QuadricMet met_in_units(std::uint32_t quadric, Place place, int unit) const;
   [[nodiscard]] Maybe edge_holds(std::uint32_t quadric, Place place) const;
 

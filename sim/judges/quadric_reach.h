@@ -27,12 +27,12 @@ std::vector<PlaceRect> quadric_reaches(const facet::Geometry& geometry, const Ex
 /// front of the near plane.
 std::vector<PlaceRect> solid_reaches(const facet::Geometry& geometry, const ExactCamera& camera);
 
-/// Maximum and minimum over a rectangle of places; 0 if the rectangle is empty.
+/// Maximum and minimum of a quadratic over a rectangle of places, without its error; 0 if the rectangle is empty.
 double maximum(const FilterQuadratic& quadratic, const PlaceRect& rectangle);
 double minimum(const FilterQuadratic& quadratic, const PlaceRect& rectangle);
 
-/// Maximum sideways movement in the picture, pixels, of a cone whose apex is near the eye, for each unit of depth q
-/// (Sight), over the picture's corners.
+/// Maximum sideways shift, in pixels per unit of depth q (sight.h), of the section of a cone whose apex is near the
+/// eye. The maximum is over the picture's corners.
 double apex_shift(const facet::QuadricTable& quadrics, std::uint32_t index, const ExactCamera& camera);
 
 }  // namespace csgsim::judges

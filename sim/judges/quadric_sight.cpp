@@ -33,7 +33,7 @@ Vector operator*(const Form& form, const Vector& v) {
 Dyadic twice(const Dyadic& value) { return value + value; }
 
 /// Error bound of v^T form v in units of the rounding of doubles, if u = rows v is computed first.
-double sizes(const Rows& rows, const Vector& v) {
+double rounding_size(const Rows& rows, const Vector& v) {
   double sum = 0;
   for (const Vector& row : rows) {
     double terms = 0;
@@ -84,7 +84,7 @@ QuadricSight::Exact QuadricSight::make_exact(std::uint32_t index) const {
              dot(camera_.right, form_right) * right * right,
              twice(dot(camera_.right, form_up) * right * down),
              dot(camera_.up, form_up) * down * down};
-  exact.sizes_of_a = sizes(rows, along) + (camera_.is_perspective ? std::abs(quadric.level()) : 0.0);
+  exact.sizes_of_a = rounding_size(rows, along) + (camera_.is_perspective ? std::abs(quadric.level()) : 0.0);
   Dyadic& constant = camera_.is_perspective ? exact.a : exact.q.c;
   constant = constant + Dyadic(quadric.level());
   const ExactLinear& l = exact.l;

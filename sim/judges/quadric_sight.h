@@ -14,10 +14,10 @@
 
 namespace csgsim::judges {
 
-/// The depth of a surface: planes have one, quadrics two.
+/// Selects a depth of a surface on a ray: planes have one, quadrics two.
 enum class Root : std::int8_t { nearer = -1, only = 0, farther = 1 };
 
-/// A depth of a ray: that of a canonical plane, or of one root of a canonical quadric.
+/// One surface of a ray: a canonical plane, or one root of a canonical quadric.
 struct Sheet {
   std::uint32_t index = 0;
   Root root = Root::only;
@@ -99,10 +99,10 @@ class QuadricSight {
   /// Parts behind the eye are included.
   [[nodiscard]] Parts parts(const facet::QuadricSide& side, Place place) const;
 
-  /// Approximate depth of the quadric at the place, which it must have there.
+  /// Approximate depth of the sheet at the place; the ray must meet its quadric.
   [[nodiscard]] Estimate estimate(Sheet sheet, Place place) const;
 
-  /// Exact depth of the quadric at the place, which it must have there.
+  /// Exact depth of the sheet at the place; the ray must meet its quadric.
   [[nodiscard]] Surd exactly_at(Sheet sheet, Place place) const;
 
  private:

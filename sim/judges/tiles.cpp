@@ -82,7 +82,8 @@ class Narrowing {
  private:
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(into_.halfspaces.size()); }
 
-  /// Returns false if the primitive is nowhere in the tile.
+  /// Adds the half-spaces and quadrics of the primitive that matter in the tile. Returns false if the primitive is
+  /// nowhere in the tile.
   bool add(const Piece& piece) {
     Piece kept{piece.primitive, {size(), 0}, {}, {}, {}};
     for (const facet::Halfspace& edge : from_.of(piece.edges)) {

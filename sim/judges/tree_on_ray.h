@@ -11,12 +11,13 @@
 namespace csgsim::judges {
 
 /// A tree's value at a point that moves along a ray: primitives are switched inside and outside, and only the affected
-/// operators above them are updated. No recursion.
+/// operators above them are updated, without recursion.
 class TreeOnRay {
  public:
   /// Starts with the point outside all primitives.
   explicit TreeOnRay(const model::Tree& tree);
 
+  /// Moves the point into a primitive or out of it.
   void set(std::uint32_t primitive, bool is_inside);
 
   [[nodiscard]] bool is_in_model() const { return root_ != model::no_index && nodes_[root_].value(); }
@@ -45,9 +46,10 @@ class TreeOnRay {
   std::uint32_t root_;
 };
 
-/// The event of the visible surface: at the first depth behind which the point is in the model, of the first primitive
-/// in tree order whose surface is exposed there; null if the ray meets nothing. Events have members `primitive` and
-/// `enters` and are sorted by depth. The point must be outside all primitives, and is so again on return.
+/// The event at which the ray meets the visible surface: at the first depth behind which the point is in the model,
+/// that of the first primitive in tree order whose surface is exposed. Null if the ray meets nothing. Events have
+/// members `primitive` and `enters` and are sorted by depth. `on_ray` must be outside all primitives, and is again on
+/// return.
 template <typename Event, typename SameDepth>
 const Event* first_seen(TreeOnRay& on_ray, std::span<const Event> events, const SameDepth& same_depth) {
   const Event* seen = nullptr;

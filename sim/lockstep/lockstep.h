@@ -51,7 +51,8 @@ class Lockstep final : public engine::Observer {
   void finish();
 
   [[nodiscard]] const std::optional<Divergence>& divergence() const { return divergence_; }
-  /// Number of the last instruction after which all of memory was equal, plus one; 0 if there was none.
+  /// One more than the number of the last instruction after which all of memory was compared and equal; 0 if there was
+  /// none.
   [[nodiscard]] std::uint64_t compared_fully_until() const { return whole_until_; }
   /// Number of instructions after which the states were compared and equal.
   [[nodiscard]] std::uint64_t compared() const { return compared_; }

@@ -13,7 +13,7 @@ namespace csgsim::observe {
 /// Whether several frames can be written into one file of that name: an animated GIF.
 bool is_animated(const std::filesystem::path& path);
 
-/// Writes frames into one animated picture; it stores no frame. Each function throws InputError if it cannot write.
+/// Writes frames into one animated picture, without storing them. Each function throws InputError if it cannot write.
 class Animation {
  public:
   Animation(const std::filesystem::path& path, unsigned frames_per_second);

@@ -25,7 +25,7 @@ std::uint32_t nothing_in(isa::Field depth) { return static_cast<std::uint32_t>((
 
 std::size_t row_words(const isa::Region& region) { return (region.width + word_bits - 1) / word_bits; }
 
-/// The field of an effect with that name; of width 0 if it has none.
+/// The field of that name of an effect; of width 0 if the effect has none.
 isa::Field field_named(const isa::Facts& facts, const std::string& effect, std::string_view name) {
   const auto found = std::find_if(facts.fields.begin(), facts.fields.end(), [&](const isa::NamedField& one) {
     return one.role == isa::FieldRole::effect && one.name == effect + "." + std::string(name);
@@ -42,7 +42,7 @@ void for_rows(const isa::Region& region, std::uint32_t width, const Visit& visit
 
 }  // namespace
 
-Frame of_opaque(Frame frame) {
+Frame with_opaque_surfaces(Frame frame) {
   if (frame.opaque_depth.empty()) return frame;
   frame.depth = std::exchange(frame.opaque_depth, {});
   frame.owner = std::exchange(frame.opaque_owner, {});

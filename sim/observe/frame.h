@@ -27,8 +27,8 @@ struct Frame {
   bool operator==(const Frame&) const = default;
 };
 
-/// The frame with the opaque surfaces in place of the nearest ones.
-Frame of_opaque(Frame frame);
+/// The frame with depth and owner of the visible opaque surfaces instead of the nearest surfaces.
+Frame with_opaque_surfaces(Frame frame);
 
 /// Assembles the picture of a run, segment by segment, over the background. Pixel memory has no room for owners, so
 /// they are recorded outside of it: when a primitive's depth is copied into the depth field, or, where several
@@ -54,12 +54,12 @@ class FrameObserver : public engine::Observer {
   [[nodiscard]] bool merges(const isa::Instruction& instruction) const {
     return is_merge(instruction) || is_pane_merge(instruction);
   }
-  /// Owner of the transparent surface currently before the opaque one; no_owner if there is none.
+  /// Owner of the nearest transparent surface that is currently in front of the opaque one; no_owner if there is none.
   [[nodiscard]] std::uint32_t pane_owner(std::size_t pixel) const {
     return panes_.owner.empty() ? no_owner : panes_.owner[pixel];
   }
 
-  /// Transparent surfaces before the opaque ones, in segments that have not ended. Empty if the Program has none.
+  /// Transparent surfaces in front of the opaque ones, in segments that have not ended. Empty if the Program has none.
   struct Panes {
     std::vector<std::uint32_t> owner;  ///< no_owner if there is none
     std::vector<std::uint32_t> depth;  ///< unread_depth if there is none, or if it has not been read yet
@@ -93,11 +93,11 @@ class FrameObserver : public engine::Observer {
   /// Calls take(pixel of the picture) for each enabled pixel.
   template <class Take>
   void for_enabled(const isa::Region& part, std::span<const std::uint64_t> words, const Take& take) const;
-  /// Clears the owner of pixels that became empty again, since a picture may be drawn several times, one over the
-  /// other.
+  /// Clears the owner of pixels that are empty at the end of a segment: an earlier segment with the same pixels may
+  /// have set it.
   void forget_unseen(const isa::Region& region);
   void take_pane_depths(const engine::PixelState& state);
-  /// Copies the opaque depths and owners aside, then puts the transparent surfaces before them into the picture.
+  /// Saves the opaque depths and owners, then replaces them in the picture by those of transparent surfaces in front.
   void put_panes(const isa::Region& region);
   void place(const engine::PixelState& state, isa::Field field, std::vector<std::uint32_t>& picture);
 
@@ -106,7 +106,7 @@ class FrameObserver : public engine::Observer {
   isa::Field candidate_colour_;
   isa::Field nearest_;                         ///< depth; of width 0 if the Program blends no transparent surfaces
   isa::Field nearest_colour_;                  ///< colour of that surface
-  std::uint8_t pane_effect_ = isa::no_effect;  ///< the effect that blends them
+  std::uint8_t pane_effect_ = isa::no_effect;  ///< index of the effect that blends transparent surfaces
   Frame frame_;
   std::vector<std::uint32_t> candidate_owner_;  ///< owner of the colour beside Z1, where several are drawn as one
   Panes panes_;

@@ -12,7 +12,7 @@ namespace csgsim::observe {
 
 struct FrameHashes {
   std::string surfaces;  ///< hash of depth and owner of every pixel
-  std::string picture;   ///< hash of these and the colour
+  std::string picture;   ///< hash of depth, owner and colour of every pixel
 };
 
 inline FrameHashes hashes_of(const Frame& frame) {

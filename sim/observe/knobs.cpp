@@ -129,9 +129,9 @@ std::optional<FrameClocks> clocks_with(const Change& change, const isa::Program&
 }
 
 /// The --machine option with that parameter, in place of any value it already has.
-std::string option_of(const std::string& word, const Change& change) {
+std::string option_of(const std::string& machine_option, const Change& change) {
   const std::string key = fmt::format("+{}=", change.figure->key);
-  std::string machine = word;
+  std::string machine = machine_option;
   if (const std::size_t at = machine.find(key); at != std::string::npos)
     machine.erase(at, std::min(machine.find('+', at + 1), machine.size()) - at);
   return fmt::format("--machine {}{}{}", machine, key, text_of(change, change.after));
@@ -178,7 +178,7 @@ std::vector<Knob> best_knob(std::vector<Knob> knobs) {
 }
 
 std::vector<Knob> parameter_knobs(const isa::Program& program, const machines::Machine& machine,
-                                  const engine::RunResult& result, const std::string& word) {
+                                  const engine::RunResult& result, const std::string& machine_option) {
   const FrameClocks before = frame_clocks(engine::timing_of(result));
   std::vector<Knob> knobs;
   for (const FigureStep& row : figure_steps) {
@@ -186,7 +186,7 @@ std::vector<Knob> parameter_knobs(const isa::Program& program, const machines::M
     for (const Change& change : changes_of(machine, row)) {
       const std::optional<FrameClocks> after = clocks_with(change, program, machine, engine::run_outcome(result));
       if (!after) continue;
-      Knob knob{option_of(word, change), "", worth(before, *after, machine.clock_hz), before, *after};
+      Knob knob{option_of(machine_option, change), "", worth(before, *after, machine.clock_hz), before, *after};
       knob.sentence = fmt::format("{} {} instead of {}: {}", change.figure->key, text_of(change, change.after),
                                   text_of(change, change.before), knob.worth);
       of_figure.push_back(std::move(knob));

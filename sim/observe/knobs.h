@@ -21,13 +21,14 @@ struct FrameClocks {
   bool operator==(const FrameClocks&) const = default;
 };
 
+/// The clocks from one frame to the next that result from the timing of a frame.
 FrameClocks frame_clocks(const machines::FrameTiming& timing);
 
 /// A setting or a machine parameter that was changed to measure its worth.
 struct Knob {
   std::string option;    ///< option of csgsim render, as `--machine scan-line+link.width=64`
   std::string sentence;  ///< description of the change, its worth and its side effect
-  std::string worth;     ///< worth() of the clocks
+  std::string worth;     ///< text of the gain, from worth()
   FrameClocks before;
   FrameClocks after;  ///< with the option
 };
@@ -38,19 +39,19 @@ std::string worth(const FrameClocks& before, const FrameClocks& after, std::uint
 
 /// Changes each machine parameter that can be improved without another Program by one step, such as twice the width,
 /// half the time or another processor as host. The worth is computed from the same instructions with the clock account
-/// of the run itself; nothing is drawn or compiled. `word` is the value of --machine. Returns only changes that help,
-/// best first.
+/// of the run itself; nothing is drawn or compiled. `machine_option` is the value of --machine. Returns only changes
+/// that help, best first.
 std::vector<Knob> parameter_knobs(const isa::Program& program, const machines::Machine& machine,
-                                  const engine::RunResult& result, const std::string& word);
+                                  const engine::RunResult& result, const std::string& machine_option);
 
 /// Number of machine parameters that parameter_knobs would try.
 std::size_t parameters_to_try(const machines::Machine& machine);
 
-/// Removes changes that make neither the frames with the host faster nor, at their rate, those without; sorts the rest
-/// by the clocks with the host, then without.
+/// Removes changes that reduce neither the clocks with the host nor, if those are unchanged, the clocks without it;
+/// sorts the rest by the clocks with the host, then without.
 std::vector<Knob> helpful_knobs(std::vector<Knob> knobs);
 
-/// The first of the changes that help, for alternatives of one setting; empty if none helps.
+/// The best of several alternatives of one setting; empty if none helps.
 std::vector<Knob> best_knob(std::vector<Knob> knobs);
 
 }  // namespace csgsim::observe

@@ -32,20 +32,20 @@ LongWork::LongWork(std::string what, std::string remedy, Stopwatch stopwatch, do
       begin_(stopwatch_()),
       warning_threshold_(warning_threshold) {}
 
-void LongWork::at(double done) {
-  if (warned_ || !(done > 0)) return;
+void LongWork::record_fraction(double done) {
+  if (announced_seconds_ || !(done > 0)) return;
   const double expected = elapsed() / done;
   if (expected < warning_threshold_) return;
-  warned_ = expected;
+  announced_seconds_ = expected;
   report_line(fmt::format("warning: {} will take about {}, judging by the first {:.2g} %; {}", what_,
                           duration_text(expected), 100 * done, remedy_));
 }
 
-void LongWork::at_point(std::size_t done, std::size_t points) {
+void LongWork::record_points(std::size_t done, std::size_t points) {
   constexpr double some_seconds = 5;
   constexpr double some_points = 0.05;
   const double part = static_cast<double>(done) / static_cast<double>(points);
-  if (elapsed() >= some_seconds || part >= some_points) at(part);
+  if (elapsed() >= some_seconds || part >= some_points) record_fraction(part);
 }
 
 }  // namespace csgsim::observe

@@ -12,6 +12,7 @@ namespace csgsim::observe {
 /// Returns seconds since some fixed point in time.
 using Stopwatch = std::function<double()>;
 
+/// A stopwatch that reads the steady clock of the system.
 Stopwatch wall_time();
 
 /// Warns once on standard error about work that will take minutes, judging by the time of its first part.
@@ -23,15 +24,15 @@ class LongWork {
   LongWork(std::string what, std::string remedy, Stopwatch stopwatch = wall_time(),
            double warning_threshold = min_warned_seconds);
 
-  /// Reports the completed fraction of the work, above 0 and at most 1.
-  void at(double done);
+  /// Records that this fraction of the work, above 0 and at most 1, is completed; may print the warning.
+  void record_fraction(double done);
 
-  /// Reports the completed points of a study. The first points also read, compile and judge what the others share, so
-  /// no estimate is made before some seconds or some points.
-  void at_point(std::size_t done, std::size_t points);
+  /// Records the number of completed points of a study; may print the warning. The first points also read, compile and
+  /// judge what the others share, so no estimate is made before some seconds or some points.
+  void record_points(std::size_t done, std::size_t points);
 
   /// The expected total in seconds, if a warning was printed.
-  [[nodiscard]] std::optional<double> warned() const { return warned_; }
+  [[nodiscard]] std::optional<double> announced_seconds() const { return announced_seconds_; }
 
   /// Seconds since the work began.
   [[nodiscard]] double elapsed() const { return stopwatch_() - begin_; }
@@ -42,7 +43,7 @@ class LongWork {
   Stopwatch stopwatch_;
   double begin_;
   double warning_threshold_;
-  std::optional<double> warned_;
+  std::optional<double> announced_seconds_;
 };
 
 }  // namespace csgsim::observe

@@ -30,7 +30,7 @@ pictures::Raster colours(const Frame& frame, const std::vector<std::uint8_t>& sa
 }
 
 /// The name, with the default extension if it has none that selects a format.
-std::filesystem::path named(std::filesystem::path path, const char* usual_ending) {
+std::filesystem::path with_default_extension(std::filesystem::path path, const char* usual_ending) {
   return path.has_extension() || !is_stream(path) ? path : path += usual_ending;
 }
 
@@ -38,17 +38,17 @@ constexpr const char* png = ".png";
 constexpr const char* exr = ".exr";
 
 void write(OutputFile& file, const char* usual_ending, const pictures::Raster& raster) {
-  file.write(pictures::encode(named(file.requested(), usual_ending), raster));
+  file.write(pictures::encode(with_default_extension(file.requested(), usual_ending), raster));
 }
 
 }  // namespace
 
 void check_format(const std::filesystem::path& path) {
-  pictures::check_format(named(path, png), pictures::Samples::bytes);
+  pictures::check_format(with_default_extension(path, png), pictures::Samples::bytes);
 }
 
 void check_depth_format(const std::filesystem::path& path) {
-  pictures::check_format(named(path, exr), pictures::Samples::floats);
+  pictures::check_format(with_default_extension(path, exr), pictures::Samples::floats);
 }
 
 std::vector<std::uint8_t> channels_of(const Frame& frame, const isa::Program& program) {
@@ -79,7 +79,7 @@ void write_depth(OutputFile& file, const Frame& frame, const isa::Program& progr
 }
 
 bool has_legend(const std::filesystem::path& owner_picture) {
-  std::string extension = named(owner_picture, png).extension().native();
+  std::string extension = with_default_extension(owner_picture, png).extension().native();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return extension == ".png";
@@ -125,7 +125,7 @@ void write_owner(OutputFile& file, const Frame& frame) {
   write(file, exr, floats(frame, "owner", pixels));
 }
 
-Frame of_primitives(Frame frame, const isa::Facts& facts) {
+Frame with_primitive_owners(Frame frame, const isa::Facts& facts) {
   if (facts.primitive_of_piece.empty()) return frame;
   for (std::uint32_t& owner : frame.owner)
     if (owner != no_owner) owner = isa::primitive_of(facts, owner);

@@ -36,8 +36,8 @@ bool has_legend(const std::filesystem::path& owner_picture);
 /// visible. PNG: its colour, see owner_colour.
 void write_owner(OutputFile& file, const Frame& frame);
 
-/// The frame with primitives as owners instead of their pieces.
-Frame of_primitives(Frame frame, const isa::Facts& facts);
+/// The frame with each owner, a piece, replaced by the primitive to which the piece belongs.
+Frame with_primitive_owners(Frame frame, const isa::Facts& facts);
 
 /// The colour of a primitive in an owner picture, 8 bits per channel; black for no_owner. Indices below 2^24 - 1 have
 /// different colours: the bits of index + 1 go to red, green and blue in turn, the lowest three into the highest bit of

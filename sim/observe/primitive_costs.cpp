@@ -20,7 +20,7 @@ namespace {
 /// the most expensive, the coefficients of x^2, x*y, y^2, x, y and 1, and the shift.
 using PictureSurface = std::tuple<std::uint32_t, std::array<std::uint64_t, 6>, std::uint16_t>;
 
-/// Coefficients may wrap around; they wrap alike in every segment.
+/// The surface with coefficients relative to the picture's origin. They may wrap around, alike in every segment.
 PictureSurface in_picture(std::uint32_t place, const isa::Linear& squares, const isa::Linear& linear,
                           const isa::Region& region) {
   const auto number = [](std::int64_t value) { return static_cast<std::uint64_t>(value); };
@@ -35,7 +35,7 @@ PictureSurface in_picture(std::uint32_t place, const isa::Linear& squares, const
   return {place, {xx, xy, yy, a - 2 * xx * x - xy * y, b - xy * x - 2 * yy * y, c}, linear.shift};
 }
 
-/// Whether it is a side of the rectangle of pixels to which a surface is clipped first, or a half-space equal to one.
+/// Whether the expression is a side of the rectangle of pixels to which a surface is clipped first, or equals one.
 bool is_pixel_edge(const isa::Linear& linear) {
   return linear.shift == 0 && std::abs(linear.a) + std::abs(linear.b) == 1;
 }
@@ -53,15 +53,15 @@ bool is_halfspace(const isa::Instruction& one) {
 constexpr std::uint32_t not_listed = ~std::uint32_t{0};
 
 /// Rank of each primitive among the most expensive.
-std::vector<std::uint32_t> places_of(const std::vector<PrimitiveCost>& dearest, std::size_t primitives) {
+std::vector<std::uint32_t> places_of(const std::vector<PrimitiveCost>& most_expensive, std::size_t primitives) {
   std::vector<std::uint32_t> places(primitives, not_listed);
-  for (std::uint32_t i = 0; i < dearest.size(); ++i) places[dearest[i].primitive] = i;
+  for (std::uint32_t i = 0; i < most_expensive.size(); ++i) places[most_expensive[i].primitive] = i;
   return places;
 }
 
 /// Counts each half-space once, no matter how many segments and pieces have it.
-void count_halfspaces(const isa::Program& program, std::vector<PrimitiveCost>& dearest) {
-  const std::vector<std::uint32_t> places = places_of(dearest, program.facts->primitives.size());
+void count_halfspaces(const isa::Program& program, std::vector<PrimitiveCost>& most_expensive) {
+  const std::vector<std::uint32_t> places = places_of(most_expensive, program.facts->primitives.size());
   std::vector<PictureSurface> found;
   for (const isa::Segment& segment : program.segments) {
     for (std::size_t i = 0; i < segment.instructions.size(); ++i) {
@@ -76,7 +76,7 @@ void count_halfspaces(const isa::Program& program, std::vector<PrimitiveCost>& d
   }
   std::ranges::sort(found);
   found.erase(std::unique(found.begin(), found.end()), found.end());
-  for (const PictureSurface& one : found) ++dearest[std::get<0>(one)].halfspaces;
+  for (const PictureSurface& one : found) ++most_expensive[std::get<0>(one)].halfspaces;
 }
 
 std::vector<std::uint32_t> by_clocks(const std::vector<Cost>& costs) {
@@ -103,7 +103,7 @@ std::vector<EffectCost> effects_of(const isa::Program& program, const Stats& sta
 
 }  // namespace
 
-std::string source_of(const std::string& name) {
+std::string source_position(const std::string& name) {
   const std::size_t at = name.rfind('@');
   return at == std::string::npos ? "" : name.substr(at + 1);
 }
@@ -117,11 +117,11 @@ ClockShares clock_shares(const isa::Program& program, const engine::RunResult& r
   for (std::size_t i = 0; i < shown; ++i) {
     const std::uint32_t index = order[i];
     const std::string name = printable(program.facts->primitives[index]);
-    shares.dearest.push_back({index, name, source_of(name), costs[index].clocks,
-                              static_cast<double>(costs[index].clocks) / static_cast<double>(shares.whole),
-                              isa::pieces_of(*program.facts, index).count, 0});
+    shares.most_expensive.push_back({index, name, source_position(name), costs[index].clocks,
+                                     static_cast<double>(costs[index].clocks) / static_cast<double>(shares.whole),
+                                     isa::pieces_of(*program.facts, index).count, 0});
   }
-  count_halfspaces(program, shares.dearest);
+  count_halfspaces(program, shares.most_expensive);
   shares.other_primitives = order.size() - shown;
   for (std::size_t i = shown; i < order.size(); ++i) shares.other_clocks += costs[order[i]].clocks;
   shares.effects = effects_of(program, stats);
@@ -130,7 +130,7 @@ ClockShares clock_shares(const isa::Program& program, const engine::RunResult& r
   return shares;
 }
 
-std::vector<std::uint64_t> pixels_seen(const Frame& frame, const isa::Program& program) {
+std::vector<std::uint64_t> visible_pixel_counts(const Frame& frame, const isa::Program& program) {
   std::vector<std::uint64_t> pixels(program.facts->primitives.size());
   for (const std::uint32_t piece : frame.owner) {
     if (piece == no_owner) continue;

@@ -33,7 +33,7 @@ struct EffectCost {
 /// Distribution of a frame's clocks. Primitives, effects and the rest add up to the whole.
 struct ClockShares {
   std::vector<PrimitiveCost>
-      dearest;  ///< most expensive first, at most `max_listed_primitives`; only primitives with clocks
+      most_expensive;  ///< most expensive first, at most `max_listed_primitives`; only primitives with clocks
   std::uint64_t other_primitives = 0;  ///< number of further primitives with clocks
   std::uint64_t other_clocks = 0;      ///< clocks of these
   std::vector<EffectCost> effects;     ///< effects with clocks, except flat shading, which counts for the primitives
@@ -43,12 +43,13 @@ struct ClockShares {
 
 inline constexpr std::size_t max_listed_primitives = 10;
 
+/// Distributes the clocks of the run with these stats.
 ClockShares clock_shares(const isa::Program& program, const engine::RunResult& result, const Stats& stats);
 
-/// The position in a primitive's name; empty if there is none.
-std::string source_of(const std::string& name);
+/// The position in the model's file that a primitive's name contains, `9:9` of `cylinder@9:9`; empty if there is none.
+std::string source_position(const std::string& name);
 
 /// Number of visible pixels of each primitive of the Program.
-std::vector<std::uint64_t> pixels_seen(const Frame& frame, const isa::Program& program);
+std::vector<std::uint64_t> visible_pixel_counts(const Frame& frame, const isa::Program& program);
 
 }  // namespace csgsim::observe

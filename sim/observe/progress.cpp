@@ -35,7 +35,7 @@ void ProgressObserver::warn(LongWork& work, bool shows_progress) {
 }
 
 ProgressObserver::~ProgressObserver() {
-  if (shown_) tell("\r\x1b[K");
+  if (shown_) write_to_standard_error("\r\x1b[K");
 }
 
 void ProgressObserver::after_instruction(const engine::Step& step, const engine::PixelState& /*state*/) {
@@ -45,7 +45,8 @@ void ProgressObserver::after_instruction(const engine::Step& step, const engine:
     total_ -= machines::clocks(all.subspan(step.index + 1, static_cast<std::size_t>(skipped)), machine_);
   }
   if (++instructions_ % look_every != 0) return;
-  if (work_ != nullptr && work_->elapsed() >= 1.0) work_->at(static_cast<double>(done_) / static_cast<double>(total_));
+  if (work_ != nullptr && work_->elapsed() >= 1.0)
+    work_->record_fraction(static_cast<double>(done_) / static_cast<double>(total_));
   if (!shows_) return;
   const Clock::time_point now = Clock::now();
   const std::chrono::duration<double> since_shown = now - last_shown_;
@@ -56,8 +57,8 @@ void ProgressObserver::after_instruction(const engine::Step& step, const engine:
   const double rate = static_cast<double>(done_) / elapsed.count();
   const double left = static_cast<double>(total_ - done_) / rate;
   const double percent = 100.0 * static_cast<double>(done_) / static_cast<double>(total_);
-  tell(fmt::format("\r\x1b[K{:5.1f} %  {} of {} clocks  {:.0f} clocks/s  {:.0f} s left", percent, done_, total_, rate,
-                   left));
+  write_to_standard_error(fmt::format("\r\x1b[K{:5.1f} %  {} of {} clocks  {:.0f} clocks/s  {:.0f} s left", percent,
+                                      done_, total_, rate, left));
 }
 
 }  // namespace csgsim::observe

@@ -11,12 +11,12 @@
 
 namespace csgsim::observe {
 
-/// Cost of some of the instructions.
+/// Cost of a set of executed instructions.
 struct Cost {
   std::uint64_t instructions = 0;
   std::uint64_t clocks = 0;
   std::uint64_t pixel_operations = 0;  ///< bit steps times pixel processors, or the machine's own count if it differs
-  std::uint64_t enabled = 0;           ///< the part at pixels whose E was 1 when the instruction began
+  std::uint64_t enabled = 0;           ///< pixel operations at pixels whose E was 1 when the instruction began
 
   Cost& operator+=(const Cost& other);
   bool operator==(const Cost&) const = default;

@@ -165,7 +165,7 @@ Json bound_json(const Report& report) {
 
 Json dearest_json(const Report& report) {
   Json dearest = Json::array();
-  for (const PrimitiveCost& one : clock_shares(report.program, report.result, report.stats).dearest) {
+  for (const PrimitiveCost& one : clock_shares(report.program, report.result, report.stats).most_expensive) {
     dearest.push_back({{"primitive", one.primitive},
                        {"name", one.name},
                        {"source", one.source},

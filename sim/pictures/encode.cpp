@@ -29,8 +29,9 @@ std::string extension_of(const std::filesystem::path& path) {
 }
 
 [[noreturn]] void throw_no_format(const std::filesystem::path& path) {
-  throw FormatError(path.native() +
-                    ": unknown picture format; end the name in .png, .tif, .ppm, .exr or a similar extension");
+  throw FormatError(
+      path.native() +
+      ": unknown picture format; end the name in .png, .tif, .ppm, .exr or another extension of pictures");
 }
 
 [[noreturn]] void throw_unwritten(const std::filesystem::path& path, const std::string& why) {

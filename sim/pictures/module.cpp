@@ -57,7 +57,7 @@ Encoded encode(const char* path, const char* file, const Raster& raster) {
   return {{reinterpret_cast<const char*>(buffer.buffer().data()), buffer.buffer().size()}, {}};
 }
 
-/// Output that is taken away piece by piece.
+/// Output in memory; each call of take() removes and returns the bytes written until then.
 class Taken final : public OIIO::Filesystem::IOProxy {
  public:
   Taken() : IOProxy("", IOProxy::Write) {}

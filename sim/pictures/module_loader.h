@@ -12,7 +12,8 @@ namespace csgsim::pictures {
 /// picture's path, if the module's file does not exist.
 void start_opening_module(const std::filesystem::path& picture);
 
-/// Waits until the module is open and returns it. Throws InputError as above, and if the module cannot be opened.
+/// Waits until the module is open and returns it. Throws InputError as start_opening_module() does, and if the module
+/// cannot be opened.
 const Module& wait_for_module(const std::filesystem::path& picture);
 
 }  // namespace csgsim::pictures

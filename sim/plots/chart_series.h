@@ -20,6 +20,7 @@ struct SeriesLooks {
 /// the others.
 std::vector<std::string> names_by_priority(const Chart& chart);
 
+/// Chooses the looks of all series of a chart and makes its key.
 SeriesLooks series_looks(const Chart& chart);
 
 }  // namespace csgsim::plots

@@ -30,7 +30,7 @@ struct Box {
 
 [[nodiscard]] bool overlap(const Box& one, const Box& other);
 [[nodiscard]] bool is_within(const Box& inner, const Box& outer);
-/// A square with sides of 2 * half_side pixels.
+/// The square with centre `middle` and sides of 2 * half_side pixels.
 [[nodiscard]] Box around(const Pixel& middle, double half_side);
 
 /// A straight line between two points.

@@ -14,7 +14,7 @@ constexpr double room_for_zero = 0.2;    ///< fraction of the axis below the sma
 constexpr double place_of_zero = 0.05;   ///< position along the axis
 constexpr double logarithmic_from = 20;  ///< ratio of maximum to smallest positive value
 constexpr double near_greatest = 0.4;    ///< fraction of the maximum
-constexpr double min_shown = 1e-250;     ///< lower limit of a logarithmic axis, leaves room below
+constexpr double min_shown = 1e-250;     ///< lower limit of a logarithmic axis, so that the margin below it is not 0
 constexpr double max_shown = 1e250;      ///< larger values are clamped to the edge, so that differences stay finite
 
 bool is_logarithmic(std::span<const double> values, double min_positive, Scale scale) {

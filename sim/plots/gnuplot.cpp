@@ -85,7 +85,7 @@ std::string message_of(const std::string& messages) {
 
 std::string failure_reason(const system::ChildEnd& end) {
   if (end.exceeded != system::Exceeded::nothing || WIFSIGNALED(end.status))
-    return system::why_failed(end, program_limits);
+    return system::failure_text(end, program_limits);
   const std::string message = message_of(end.errors);
   if (!message.empty()) return "gnuplot reports: " + message;
   return end.status == 0 ? "the picture is incomplete"
@@ -93,7 +93,7 @@ std::string failure_reason(const system::ChildEnd& end) {
 }
 
 /// Replaces characters that no font on this computer has.
-Drawing with_letters(Drawing drawing) {
+Drawing without_missing_glyphs(Drawing drawing) {
   for (Text& text : drawing.texts) text.text = replace_missing_glyphs(text.text);
   return drawing;
 }
@@ -135,7 +135,7 @@ PngResult draw_png(const std::filesystem::path& file, const Drawing& drawing) {
   system::MemoryFile input(file);
   input.write(fmt::format("set encoding utf8\nset terminal pngcairo size {:.0f},{:.0f} font 'sans,{}'\nset output\n{}",
                           drawing.width, drawing.height, font_size * points_per_pixel,
-                          gnuplot_script(with_letters(drawing))));
+                          gnuplot_script(without_missing_glyphs(drawing))));
   const std::array<std::string, 2> words{"gnuplot", "-d"};  // -d ignores the user's gnuplot settings
   std::optional<system::ChildEnd> ended = system::run_child(words, input, program_limits);
   if (!ended)

@@ -11,7 +11,7 @@ namespace csgsim::plots {
 
 namespace {
 
-std::string raised(int number) {
+std::string superscript_text(int number) {
   constexpr std::array<std::string_view, 10> digits{"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
                                                     "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
   std::string text;
@@ -32,7 +32,7 @@ std::string unit_text(int unit) {
     case 6: return " M";
     case 9: return " G";
     case 12: return " T";
-    default: return "\u00b710" + raised(unit);
+    default: return "\u00b710" + superscript_text(unit);
   }
 }
 
@@ -63,7 +63,8 @@ std::vector<std::string> number_texts(std::span<const double> values, int expone
 }
 
 std::string power_text(int factor, int exponent, bool is_power) {
-  if (is_power) return (factor == 1 ? std::string() : fmt::format("{}\u00b7", factor)) + "10" + raised(exponent);
+  if (is_power)
+    return (factor == 1 ? std::string() : fmt::format("{}\u00b7", factor)) + "10" + superscript_text(exponent);
   return grouped(fmt::format("{:.{}f}", factor * std::pow(10, exponent), std::max(0, -exponent)));
 }
 

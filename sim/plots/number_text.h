@@ -15,8 +15,8 @@ std::vector<std::string> number_texts(std::span<const double> values, int expone
 /// Text of factor · 10^exponent: `200`, or `2·10²` if `is_power`.
 std::string power_text(int factor, int exponent, bool is_power);
 
-/// A number for people: whole numbers with grouped digits, others rounded to an integer from 1,000 on and to four
-/// significant digits below.
+/// A number as tables and tooltips show it: whole numbers with grouped digits, others rounded to an integer from 1,000
+/// on and to four significant digits below.
 std::string number_text(double value);
 
 }  // namespace csgsim::plots

@@ -83,7 +83,7 @@ struct Part {
 
 struct Bar {
   std::string name;
-  double length = 0;  ///< sections that no part covers are free
+  double length = 0;  ///< sections that no part covers stay white
   std::vector<Part> parts{};
 };
 

@@ -25,7 +25,7 @@ constexpr auto of_terminals = std::to_array<std::string_view>({"help", "dump-con
 void refuse_terminal_options(const Call& call) {
   for (const auto& [name, text] : call.options) {
     const bool is_of_terminals = std::ranges::find(of_terminals, name) != of_terminals.end();
-    if (is_of_terminals) throw session::UsageError("--" + name, "only the command line has this option");
+    if (is_of_terminals) throw session::UsageError("--" + name, "only the command line has this option; leave it out");
     const bool is_output = session::known_option(name).role == session::FileRole::output;
     if (is_output && text && is_standard_output(*text))
       throw session::UsageError("--" + name, "name a file; the call returns what the command line would print");
@@ -56,7 +56,7 @@ void give(const Call& call, session::OptionList& list) {
       list.give_flag(name);
     }
   }
-  list.take();
+  list.check_and_apply();
 }
 
 std::vector<session::OptionValue> command_options(const std::string& command) {
@@ -66,7 +66,8 @@ std::vector<session::OptionValue> command_options(const std::string& command) {
   if (command == "explain") return values_of<session::ExplainRequest>(command);
   const auto studies = studies::all();
   const auto row = std::ranges::find_if(studies, [&](const auto* one) { return one->name == command; });
-  if (row == studies.end()) throw session::UsageError("there is no call '" + command + "'");
+  if (row == studies.end())
+    throw session::UsageError("there is no command or study '" + command + "'; csgsim.studies() lists the studies");
   session::OptionList list(command);
   return studies::describe_for_caller(list, **row)->command.values();
 }

@@ -62,8 +62,8 @@ struct Drawn {
 
 Drawn make_drawn(session::FinishedRun run, const session::RunRequest& options, Held held) {
   const bool is_of_opaque = options.surface == "opaque";
-  return {is_of_opaque ? observe::of_opaque(std::move(run.picture)) : std::move(run.picture), std::move(run.stats_file),
-          std::move(held)};
+  return {is_of_opaque ? observe::with_opaque_surfaces(std::move(run.picture)) : std::move(run.picture),
+          std::move(run.stats_file), std::move(held)};
 }
 
 /// A request filled from a call.
@@ -128,7 +128,8 @@ story::Answer explain_pixel(const Call& call, const Text& text, const Held& prog
 nlohmann::ordered_json run_study(const Call& call) {
   const auto rows = studies::all();
   const auto row = std::ranges::find_if(rows, [&](const auto* one) { return one->name == call.command; });
-  if (row == rows.end()) throw session::UsageError("there is no study '" + call.command + "'");
+  if (row == rows.end())
+    throw session::UsageError("there is no study '" + call.command + "'; csgsim.studies() lists them");
   session::OptionList list(call.command);
   const std::shared_ptr<studies::StudyCommand> study_command = studies::describe_for_caller(list, **row);
   give(call, list);

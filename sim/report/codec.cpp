@@ -29,7 +29,7 @@ void put_varint(std::uint64_t number, std::string& bytes) {
   bytes.push_back(static_cast<char>(number));
 }
 
-std::uint64_t take_varint(std::string_view& bytes) {
+std::uint64_t read_varint(std::string_view& bytes) {
   std::uint64_t number = 0;
   for (unsigned shift = 0;; shift += varint_bits) {
     const auto byte = static_cast<unsigned char>(bytes.front());
@@ -63,7 +63,7 @@ std::string owner_runs(std::span<const std::uint32_t> owners) {
   return bytes;
 }
 
-std::string changes(std::span<const std::uint32_t> before, std::span<const std::uint32_t> after) {
+std::string encode_changes(std::span<const std::uint32_t> before, std::span<const std::uint32_t> after) {
   std::string bytes;
   std::size_t same = 0;
   const auto difference = [&](std::size_t at) { return before[at] ^ after[at]; };
@@ -82,12 +82,12 @@ std::string changes(std::span<const std::uint32_t> before, std::span<const std::
   return bytes;
 }
 
-void change(std::string_view changes, std::span<std::uint32_t> states) {
+void apply_changes(std::string_view changes, std::span<std::uint32_t> states) {
   std::size_t at = 0;
   while (!changes.empty()) {
-    at += take_varint(changes);
-    const std::uint64_t count = take_varint(changes);
-    const auto difference = static_cast<std::uint32_t>(take_varint(changes));
+    at += read_varint(changes);
+    const std::uint64_t count = read_varint(changes);
+    const auto difference = static_cast<std::uint32_t>(read_varint(changes));
     for (const std::uint64_t end = at + count; at < end; ++at) states[at] ^= difference;
   }
 }

@@ -12,8 +12,8 @@ namespace csgsim::report {
 /// Appends a number in groups of 7 bits, the lowest first; all but the last byte have their highest bit set (LEB128).
 void put_varint(std::uint64_t number, std::string& bytes);
 
-/// Takes a number from the front. The bytes have to begin with one.
-std::uint64_t take_varint(std::string_view& bytes);
+/// Removes a number from the front and returns it. The bytes must begin with the result of put_varint().
+std::uint64_t read_varint(std::string_view& bytes);
 
 /// Base 64 with padding (RFC 4648).
 std::string base64(std::string_view bytes);
@@ -22,9 +22,9 @@ std::string base64(std::string_view bytes);
 std::string owner_runs(std::span<const std::uint32_t> owners);
 
 /// The exclusive or that turns `before` into `after`, in the form of DrawingStep::changes. Both have the same length.
-std::string changes(std::span<const std::uint32_t> before, std::span<const std::uint32_t> after);
+std::string encode_changes(std::span<const std::uint32_t> before, std::span<const std::uint32_t> after);
 
-/// Applies such changes.
-void change(std::string_view changes, std::span<std::uint32_t> states);
+/// Applies the result of encode_changes() to the states.
+void apply_changes(std::string_view changes, std::span<std::uint32_t> states);
 
 }  // namespace csgsim::report

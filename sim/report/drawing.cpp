@@ -83,7 +83,7 @@ class Recorder {
     const States nothing = states_;
     std::fill(states_.begin(), states_.end(), state(program.background, false));
     kept_ = states_;
-    add({0, "", "nothing yet: the background", 0, 0, changes(nothing, states_)});
+    add({0, "", "nothing yet: the background", 0, 0, encode_changes(nothing, states_)});
   }
 
   /// Advances to that boundary, or past it if instructions are skipped, and adds a step unless the run is already
@@ -97,7 +97,7 @@ class Recorder {
       step.text = isa::text_of(*progress_.last(), program_.facts->fields);
       step.serves = served_by(*progress_.last(), *program_.facts);
     }
-    step.changes = changes(kept_, states_);
+    step.changes = encode_changes(kept_, states_);
     kept_ = states_;
     add(std::move(step));
   }
@@ -112,9 +112,9 @@ class Recorder {
     const States nothing(states_.size(), 0);
     States difference = nothing;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      change(all[i].changes, difference);
+      apply_changes(all[i].changes, difference);
       if (i % 2 != 0 && !(at_end && i + 1 == all.size())) continue;
-      all[i].changes = changes(nothing, difference);
+      all[i].changes = encode_changes(nothing, difference);
       difference = nothing;
       add(std::move(all[i]));
     }

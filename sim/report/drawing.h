@@ -53,12 +53,12 @@ struct DrawingLimits {
   std::uint32_t side = 512;     ///< displayed pixels per row and per column
 };
 
-/// Describes what an instruction serves: its purpose, and pieces of primitives.
+/// Text of the purpose of an instruction, and of the pieces of primitives for which it works.
 std::string served_by(const isa::Instruction& instruction, const isa::Facts& facts);
 
 /// Runs the Program at the functional level and records what it draws. If the steps exceed the limits, every second one
-/// is removed until they do not, and `summary` mentions it. The first and the last step always stay. There are no
-/// stories yet (stories.h).
+/// is removed until they do not, and `summary` mentions it. The first and the last step always stay. The result
+/// has no stories; add_stories() adds them.
 Drawing record_drawing(const isa::Program& program, const machines::Machine& machine, const DrawingLimits& limits = {});
 
 /// Index of the first step after at least this number of instructions; of the last step if there is none.

@@ -2,7 +2,7 @@
 
 // Evolution of the picture, step by step, and the histories of pixels.
 (() => {
-  const {read, grouped, tell, make, bytesOf, eachRun, showTip, hideTip} = page;
+  const {read, grouped, announce, make, bytesOf, eachRun, showTip, hideTip} = page;
   const tintColour = [255, 150, 0];
   const tintShare = 0.55;
   const linesOf = text => text.split('\n').map(line => line.trim()).filter(line => line);
@@ -71,7 +71,7 @@
         make('pre', {class: 'command', tabindex: '0', 'aria-label': 'The command'}, `${this.explain} --pixel ${x},${y}`),
         make('p', {class: 'note'}, 'csgsim view shows the history of every pixel, and every field at every instruction.'),
         make('p', {}, 'The nearest pixel with a history on this page: ', other));
-      tell(`this page does not include the history of pixel ${x},${y}`);
+      announce(`this page does not include the history of pixel ${x},${y}`);
     }
 
     tellStory(story) {
@@ -81,12 +81,12 @@
       for (const part of story.parts.slice(1)) events.append(...(typeof part === 'string' ? this.between(part) : [this.event(...part)]));
       this.story.replaceChildren(make('p', {class: 'shows'}, make('strong', {}, first)), make('ul', {class: 'facts'}, ...facts.map(line => make('li', {}, line))), events);
       this.mark(this.drawing.now);
-      tell([first, ...facts].join(', '));
+      announce([first, ...facts].join(', '));
     }
 
     say(text) {
       this.story.replaceChildren(make('p', {}, text));
-      tell(text);
+      announce(text);
     }
 
     // Lines between events: the result of a surface, a segment, surfaces beside the pixel.
@@ -103,7 +103,7 @@
       const button = make('button', {type: 'button', 'data-step': step, title: `Go to step ${grouped(step)} of the drawing`}, numbers);
       button.addEventListener('click', () => {
         this.drawing.goTo(step);
-        tell(`step ${step}, ${what}: ${happened}`);
+        announce(`step ${step}, ${what}: ${happened}`);
       });
       return make('li', {}, make('span', {}, button, make('small', {title: 'clocks'}, clocks)), make('span', {class: 'what'}, what),
         make('div', {}, happened || '', ...more.map(line => make('small', {}, line))));
@@ -260,7 +260,7 @@
         if (event.ctrlKey || event.metaKey || event.altKey) return;
         if (arrow) {
           this.moveTo(this.cursor[0] + arrow[0], this.cursor[1] + arrow[1]);
-          tell(this.describe(...this.cursor));
+          announce(this.describe(...this.cursor));
         } else if (event.key === 'Enter') {
           this.askAtCursor();
         } else {

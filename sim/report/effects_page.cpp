@@ -52,7 +52,7 @@ plots::Plot bill_plot(const Json& effects) {
 }  // namespace
 
 Page effects_page(const Json& file, std::vector<Picture> pictures, const StudyContext& study) {
-  Page page = begun_page("Cost of effects: " + study.model, file, study);
+  Page page = begin_page("Cost of effects: " + study.model, file, study);
   page.sections.push_back({"Pictures", {Gallery{std::move(pictures)}}});
   page.sections.push_back({"Costs",
                            {points_table(page.data, "/effects", "Each effect", effects_columns),

@@ -31,7 +31,7 @@ struct Cell {
 /// A cell with the value of `data` at the JSON pointer `at`; an empty cell if there is none.
 Cell cell(const Json& data, const std::string& at, Show show = Show::plain);
 
-/// The JSON pointer of a member of the value at another pointer.
+/// The JSON pointer of the member `key` of the value at the pointer `at`.
 std::string child(const std::string& at, const std::string& key);
 
 /// The quotient of two numbers as a share; 0 if the whole is 0.

@@ -5,7 +5,7 @@ const page = (() => {
   const byId = id => document.getElementById(id);
   const read = id => byId(id) && JSON.parse(byId(id).textContent);
   const grouped = number => String(number).replace(/\B(?=(\d{3})+$)/g, ',');
-  const tell = text => { byId('told').textContent = text; };
+  const announce = text => { byId('told').textContent = text; };
 
   const make = (name, attributes = {}, ...children) => {
     const element = document.createElement(name);
@@ -68,7 +68,7 @@ const page = (() => {
       const box = points[now].getBoundingClientRect();
       const text = texts.filter((_, index) => near(points[index], box)).join('\n');
       showTip(text, box.left + box.width / 2, box.top + box.height / 2);
-      if (spoken) tell(text);
+      if (spoken) announce(text);
     };
     svg.setAttribute('tabindex', '0');
     svg.setAttribute('role', 'application');
@@ -190,7 +190,7 @@ const page = (() => {
         buttons.get(primitive).setAttribute('tabindex', '0');
       }
       linkToStory('primitive', {primitive});
-      if (spoken) tell(name + ': ' + facts.join(', '));
+      if (spoken) announce(name + ': ' + facts.join(', '));
     };
 
     // The table is one tab stop; arrow keys move between its rows.
@@ -240,5 +240,5 @@ const page = (() => {
   document.querySelectorAll('svg.plot').forEach(setUpPlot);
   const owners = read('owners-data');
   if (owners) setUpOwners(byId('owners-box'), owners, read('data'));
-  return {read, grouped, tell, make, bytesOf, eachRun, showTip, hideTip};
+  return {read, grouped, announce, make, bytesOf, eachRun, showTip, hideTip};
 })();

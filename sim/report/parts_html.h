@@ -23,8 +23,8 @@ std::string json_in_html(const Json& json);
 std::string html_id(std::string_view text);
 
 /// A table in its own box, which scrolls in narrow windows. A cell whose value is in the page's data has its JSON
-/// pointer in data-at. `more` are attributes of the rows: one per row, or none.
-std::string table_html(const Table& table, const std::vector<std::string>& more = {});
+/// pointer in data-at. `row_attributes` has the HTML attributes of each row, or is empty.
+std::string table_html(const Table& table, const std::vector<std::string>& row_attributes = {});
 
 /// A plot as a figure: the same picture as in its file, in a box which scrolls in narrow windows, and its values as
 /// tables.

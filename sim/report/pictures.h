@@ -20,7 +20,8 @@ inline constexpr std::array<std::uint8_t, 3> mark_colour{192, 85, 16};
 /// The frame as displayed.
 Picture picture_of(const observe::Frame& frame, const isa::Program& program, std::string caption, std::string alt);
 
-/// The visible primitives, in one colour each (observe::owner_colour). Owners are primitives (observe::of_primitives).
+/// The visible primitives, in one colour each (observe::owner_colour). Owners are primitives
+/// (observe::with_primitive_owners).
 Picture owners_of(const observe::Frame& frame, std::string caption, std::string alt);
 
 /// A Program and its picture.
@@ -37,6 +38,7 @@ struct Difference {
   std::size_t first = 0;               ///< first differing pixel, in row order
 };
 
+/// Compares two pictures of the same size; `caption` and `alt` are those of the resulting picture.
 Difference difference_of(const DrawnProgram& a, const DrawnProgram& b, std::string caption, std::string alt);
 
 }  // namespace csgsim::report

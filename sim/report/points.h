@@ -15,9 +15,9 @@ struct PointColumn {
   Show show = Show::plain;
 };
 
-/// The points of a study, one row each, from the list of objects at that pointer of the data. Keys may be nested, as in
-/// `segments/clocks`; columns whose key no point has are omitted. The last column has the `reason` of points that could
-/// not be measured.
+/// The points of a study, one row each, from the list of objects at the pointer `at` of the data. Keys may be nested,
+/// as in `segments/clocks`; columns whose key no point has are omitted. The last column has the `reason` of points that
+/// could not be measured.
 Table points_table(const Json& data, const std::string& at, const std::string& caption,
                    std::span<const PointColumn> columns);
 

@@ -85,7 +85,7 @@ std::pair<std::string, std::string> kind_and_place(const std::string& name) {
 }
 
 OwnerPicture owner_picture(const Json& data, const observe::Frame& frame, const isa::Program& program) {
-  const observe::Frame of_primitives = observe::of_primitives(frame, *program.facts);
+  const observe::Frame of_primitives = observe::with_primitive_owners(frame, *program.facts);
   const Json& primitives = data["by_primitive"];
   OwnerPicture owners{
       picture_of(frame, program, "", "Picture drawn by the machine"),
@@ -101,7 +101,7 @@ OwnerPicture owner_picture(const Json& data, const observe::Frame& frame, const 
         "The " + grouped(max_rows) + " most expensive of " + grouped(primitives.size()) + " primitives";
     owners.primitive.resize(max_rows);
   }
-  const std::vector<std::uint64_t> pixels = observe::pixels_seen(frame, program);
+  const std::vector<std::uint64_t> pixels = observe::visible_pixel_counts(frame, program);
   const double whole = whole_clocks(data);
   for (const std::uint32_t i : owners.primitive) {
     const std::string at = "/by_primitive/" + std::to_string(i);
@@ -129,13 +129,13 @@ Drawing drawing_with_stories(const OwnerPicture& owners, const story::Subject& s
 }
 
 /// The sentences in the stats: the bound and the advice.
-std::vector<Part> in_words(const Json& data) {
+std::vector<Part> sentences_of_stats(const Json& data) {
   std::vector<Part> parts = sentences(data, "/bound_by");
   for (Part& knob : sentences(data, "/knobs")) parts.push_back(std::move(knob));
   return parts;
 }
 
-Table dearest(const Json& data) {
+Table most_expensive_table(const Json& data) {
   Table table{
       "Most expensive primitives", {"primitive", "line:column", "clocks", "share", "pieces", "half-spaces"}, {}};
   const Json& rows = data["dearest"];
@@ -157,7 +157,7 @@ Page run_page(const Json& stats, const observe::Frame& frame, const isa::Program
   const Json& data = page.data;
   page.command = context.command;
   page.title = std::filesystem::path(program.facts->model.file).filename().native() + " on " + machine.name;
-  Section picture{"Picture", in_words(data)};
+  Section picture{"Picture", sentences_of_stats(data)};
   OwnerPicture owners = owner_picture(data, frame, program);
   Drawing drawing = drawing_with_stories(owners, {program, model}, machine, context);
   picture.parts.emplace_back(std::move(owners));
@@ -165,7 +165,8 @@ Page run_page(const Json& stats, const observe::Frame& frame, const isa::Program
   page.sections.push_back({"Drawing", {std::move(drawing)}});
   page.sections.push_back({"Counts", {summary(data)}});
   page.sections.push_back(clocks_section(data));
-  if (data.contains("dearest") && data["dearest"].is_array()) page.sections.back().parts.emplace_back(dearest(data));
+  if (data.contains("dearest") && data["dearest"].is_array())
+    page.sections.back().parts.emplace_back(most_expensive_table(data));
   page.sections.push_back(configuration_section(data, context));
   return page;
 }

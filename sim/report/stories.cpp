@@ -76,7 +76,7 @@ std::vector<std::size_t> central_pixels(std::span<const std::uint32_t> owner, st
 void add_stories(const story::Subject& subject, const machines::Machine& machine, std::span<const std::size_t> pixels,
                  Drawing& drawing, const StoryLimits& limits) {
   const std::size_t width = subject.program.shape.width;
-  const story::Teller teller(subject.program, machine);
+  const story::StoryBuilder builder(subject.program, machine);
   std::size_t bytes = 0;
   std::uint64_t instructions = 0;
   for (const std::size_t pixel : pixels) {
@@ -84,7 +84,7 @@ void add_stories(const story::Subject& subject, const machines::Machine& machine
     const auto has_story = [&](const PixelStory& one) { return one.y * width + one.x == pixel; };
     if (std::ranges::any_of(drawing.stories, has_story)) continue;
     const story::Story story =
-        teller.story_of(static_cast<std::uint32_t>(pixel % width), static_cast<std::uint32_t>(pixel / width));
+        builder.story_of(static_cast<std::uint32_t>(pixel % width), static_cast<std::uint32_t>(pixel / width));
     PixelStory text{story.x, story.y, primitive_seen(*subject.program.facts, story), story::parts_of(subject, story)};
     for (const story::TextPart& part : text.parts) bytes += part.text.size();
     for (const story::StorySegment& segment : story.segments) instructions += segment.end - segment.first;

@@ -16,7 +16,7 @@ bool has_content(const plots::Bars& plot) { return !plot.bars.empty(); }
 
 }  // namespace
 
-Page begun_page(const std::string& title, Json data, const StudyContext& study) {
+Page begin_page(const std::string& title, Json data, const StudyContext& study) {
   Page page{title, study.context.command, without_wall_times(std::move(data)), {}};
   if (study.picture) {
     page.sections.push_back({"Picture", {Gallery{{*study.picture}}}});

@@ -20,8 +20,9 @@ struct StudyContext {
   std::string no_picture;          ///< reason why there is no picture
 };
 
-/// Begins a page with the picture. The caller adds sections before end_page() adds the configuration.
-Page begun_page(const std::string& title, Json data, const StudyContext& study);
+/// A page with the data and the picture of the model. The caller adds sections before end_page() adds the
+/// configuration.
+Page begin_page(const std::string& title, Json data, const StudyContext& study);
 void end_page(Page& page, const StudyContext& study);
 
 /// A section of the plots that are not empty.

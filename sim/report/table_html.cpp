@@ -56,7 +56,7 @@ bool is_column_of_numbers(const Table& table, std::size_t column) {
 
 }  // namespace
 
-std::string table_html(const Table& table, const std::vector<std::string>& more) {
+std::string table_html(const Table& table, const std::vector<std::string>& row_attributes) {
   constexpr std::size_t long_table = 30;  // rows; longer tables scroll
   std::string html =
       fmt::format("<div class=\"scroll{}\" tabindex=0 role=region aria-label=\"{}\"><table{}>",
@@ -74,7 +74,7 @@ std::string table_html(const Table& table, const std::vector<std::string>& more)
   }
   html += "</tr></thead>\n<tbody>";
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    html += "<tr" + (more.empty() ? "" : " " + more[i]) + ">";
+    html += "<tr" + (row_attributes.empty() ? "" : " " + row_attributes[i]) + ">";
     for (const Cell& cell : table.rows[i]) html += cell_html(cell, &cell == &table.rows[i].front());
     html += "</tr>\n";
   }

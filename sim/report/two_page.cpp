@@ -87,7 +87,7 @@ std::vector<std::size_t> pixels_of_stories(const ShownRun& a, const FirstDiffere
   add_central(difference.differs, std::array{std::uint32_t{1}});
   std::vector<std::uint32_t> owners = most_expensive_first(a.stats);
   owners.insert(owners.begin(), observe::no_owner);
-  add_central(observe::of_primitives(a.drawn.frame, *a.drawn.program.facts).owner, owners);
+  add_central(observe::with_primitive_owners(a.drawn.frame, *a.drawn.program.facts).owner, owners);
   return pixels;
 }
 

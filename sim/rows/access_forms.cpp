@@ -78,7 +78,7 @@ void check_geometry(const Frame& frame, std::string_view form) {
 }
 
 constexpr unsigned byte_bits = 6;    ///< bits of an address within a burst of 64 bytes
-constexpr unsigned column_bits = 7;  ///< bursts of a row
+constexpr unsigned column_bits = 7;  ///< bits of the number of a burst in its row
 constexpr unsigned bank_bits = 4;    ///< two for the group, the lower ones, and two for the bank in its group
 
 /// Address with the fields row, rank, bank, bank group, burst from the highest to the lowest bit; the rank is 0.

@@ -15,7 +15,7 @@ inline constexpr std::uint64_t burst_clocks = 4;
 inline constexpr std::uint32_t burst_columns = 8;
 inline constexpr std::uint32_t bank_groups = 4;
 
-/// Banks in sequence belong to different groups, so that tRRD_S and tCCD_S apply between them.
+/// The group of a bank. Consecutive banks belong to different groups, so that tRRD_S and tCCD_S apply between them.
 constexpr std::uint32_t group_of(std::uint32_t bank) { return bank % bank_groups; }
 constexpr std::uint32_t bank_in_group(std::uint32_t bank) { return bank / bank_groups; }
 

@@ -59,7 +59,7 @@ class Form {
   /// Appends the line of a refresh of all banks.
   virtual void add_refresh(std::uint64_t clock, Lines& lines) const = 0;
 
-  /// What the form contains instead of a command that it cannot express; empty if it can.
+  /// Description of what the form contains instead of a command that it cannot express; empty if it can express it.
   [[nodiscard]] virtual std::string_view instead(RowOp op) const = 0;
   /// Whether the form contains refreshes.
   [[nodiscard]] virtual bool has_refreshes() const { return true; }

@@ -16,11 +16,11 @@
 
 namespace csgsim::rows {
 
-/// What a trace contains instead of something that its form cannot express.
+/// Something that the form of a trace cannot express, and its replacement.
 struct Replacement {
-  std::string what;
-  std::string instead;
-  std::uint64_t count = 0;
+  std::string what;         ///< a command or another feature, as in `masks of writes`
+  std::string instead;      ///< what the trace contains instead, as in `nothing`
+  std::uint64_t count = 0;  ///< number of replacements
 };
 
 struct TraceSummary {

@@ -15,7 +15,7 @@ namespace csgsim::rtl {
 struct Parameter {
   std::string_view name;
   std::uint32_t value = 0;
-  std::string_view figure;  ///< key in the machine description; empty: chosen here
+  std::string_view figure;  ///< key in the machine description; empty if verilog_parameters() chooses the value
 };
 
 /// Maximum number of pixels of a chip, which share word lines and their decoders.

@@ -17,7 +17,7 @@ struct ProgramMemory {
   std::size_t begin_count = 0;
 };
 
-/// The frame in words of `link_width` bits. Throws as isa::encode does.
+/// The Program's frame as words of a link that is `link_width` bits wide. Throws as isa::encode does.
 ProgramMemory program_memory(const isa::Program& program, unsigned link_width);
 
 }  // namespace csgsim::rtl

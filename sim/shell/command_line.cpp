@@ -75,7 +75,7 @@ void give(std::span<const Setting> settings, Command& command) {
 
 }  // namespace
 
-void Command::prints_summary() { flag("-q,--quiet", is_quiet_, "Print nothing but errors and warnings"); }
+void Command::add_quiet_option() { flag("-q,--quiet", is_quiet_, "Print nothing but errors and warnings"); }
 
 void Command::run() const {
   if (is_quiet_) silence_prints();
@@ -120,10 +120,11 @@ std::vector<SettableOption> CommandLine::options_of(std::string_view command) co
 
 CommandLine::Read CommandLine::read_words(std::span<const std::string> arguments, bool takes_settings) {
   Read read{arguments.size() < 2 ? nullptr : command_named(arguments[1]), {}};
-  if (read.command == nullptr) throw UsageError(no_such_command(arguments, command_names()));
+  if (read.command == nullptr) throw UsageError(unknown_command_message(arguments, command_names()));
   read.command->clear();
   const std::span<const std::string> words = arguments.subspan(2);
-  if (const std::string missing = missing_value(*read.command, words); !missing.empty()) throw UsageError(missing);
+  if (const std::string missing = missing_value_message(*read.command, words); !missing.empty())
+    throw UsageError(missing);
   CLI::App app;
   std::deque<Tokens> all;
   for (Option& option : read.command->all()) add_to(app, all.emplace_back(Tokens{&option, nullptr, {}, {}}));
@@ -136,8 +137,8 @@ CommandLine::Read CommandLine::read_words(std::span<const std::string> arguments
   } catch (const CLI::CallForHelp&) {
     read.wants_help = true;
   } catch (const CLI::ParseError& error) {
-    // CLI11's messages differ between its versions.
-    const std::string message = unreadable_word(*read.command, words);
+    // Replaces CLI11's message, which differs between versions of CLI11.
+    const std::string message = unreadable_word_message(*read.command, words);
     throw UsageError(message.empty() ? error.what() : message);
   }
   for (const Tokens& tokens : all) tokens.option->given = tokens.read->results();
@@ -167,7 +168,7 @@ void CommandLine::carry_out(std::span<const std::string> arguments, const std::f
 void CommandLine::print_help(std::span<const std::string> words) const {
   if (words.size() < 2) return fmt::print("{}", overview_text(description_, make_helps(commands_)));
   const auto found = std::ranges::find(commands_, words[1], &Command::name);
-  if (found == commands_.end()) throw UsageError(no_such_command(words, command_names()));
+  if (found == commands_.end()) throw UsageError(unknown_command_message(words, command_names()));
   fmt::print("{}", help_text(make_help(*found)));
 }
 
@@ -198,12 +199,12 @@ void CommandLine::run(std::span<char* const> arguments) {
     if (read.wants_help) return fmt::print("{}", help_text(make_help(command)));
     give(settings_in(read.settings_file, command), command);
     if (read.wants_dump) {
-      command.take_given();
+      command.apply_given();
       return fmt::print("{}", settings_text(command.name(), command.values()));
     }
     command.typed = words;
     command.watch = {};
-    command.take();
+    command.check_and_apply();
     command.run();
   });
 }
@@ -214,7 +215,7 @@ void CommandLine::run(std::vector<std::string> words, std::span<const Setting> s
     Command& command = *read_words(words, false).command;
     give(settings, command);
     command.watch = watch;
-    command.take();
+    command.check_and_apply();
     command.run();
   });
 }

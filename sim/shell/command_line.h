@@ -20,10 +20,10 @@ class Command : public OptionList {
   using OptionList::OptionList;
 
   /// Adds --quiet, which suppresses all text of the command on standard output.
-  void prints_summary();
+  void add_quiet_option();
 
   /// Sets the action, which runs after the command line has been parsed.
-  void runs(std::function<void()> action) { action_ = std::move(action); }
+  void set_action(std::function<void()> action) { action_ = std::move(action); }
 
   void run() const;
 

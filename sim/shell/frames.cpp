@@ -22,14 +22,14 @@ class FrameLine {
   FrameLine(const FrameLine&) = delete;
   FrameLine& operator=(const FrameLine&) = delete;
   ~FrameLine() {
-    if (is_shown_) tell("\r\x1b[K");
+    if (is_shown_) write_to_standard_error("\r\x1b[K");
   }
 
   void at(std::size_t frame, std::size_t frames) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
     if (!shows_ || elapsed.count() < 1.0) return;
     is_shown_ = true;
-    tell(fmt::format("\r\x1b[Kframe {} of {}", frame + 1, frames));
+    write_to_standard_error(fmt::format("\r\x1b[Kframe {} of {}", frame + 1, frames));
   }
 
  private:
@@ -50,7 +50,7 @@ void print_frames(const DrawnFrames& drawn) {
   const auto seconds = [&](std::uint64_t clocks) {
     return quantity(static_cast<double>(clocks) / static_cast<double>(drawn.machine.clock_hz), "s");
   };
-  fmt::print("{} in {} clocks: {} frames per second", counted(drawn.frames.size(), "frame"),
+  fmt::print("{} in {} clocks: {} frames per second", count_text(drawn.frames.size(), "frame"),
              grouped(sums.interval_clocks), rounded(drawn.frames_per_second()));
   if (sums.host_clocks > 0)
     fmt::print("; {} with the host, which needs {} for the model and {} for the frames",

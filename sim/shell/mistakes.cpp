@@ -32,7 +32,7 @@ struct Replacement {
   std::string_view instead;
 };
 
-/// Commands of earlier versions, and frequent words for those of today.
+/// Words that users try as commands, including commands of earlier versions.
 constexpr auto replacements = std::to_array<Replacement>({
     {"isa", "csgsim manual instructions"},
     {"instructions", "csgsim manual instructions"},
@@ -73,7 +73,8 @@ std::vector<std::string> with_command_first(const std::string& command, Words ar
   return words;
 }
 
-/// The command that a file or folder needs, typed in place of a command; empty if the word names neither.
+/// Advice for a file or folder typed in place of a command: the command that accepts it; empty if the word names
+/// neither.
 std::string command_for_file(Words arguments) {
   const std::string& file = arguments[1];
   const std::string shown = printable(file);
@@ -91,7 +92,7 @@ std::string command_for_file(Words arguments) {
 }
 
 /// Message for options before the command.
-std::string options_first(Words arguments, Words commands) {
+std::string leading_option_message(Words arguments, Words commands) {
   const std::string& first = arguments[1];
   const auto precedes = [&](const std::string& command) {
     return fmt::format("{} precedes the command; write {}", printable(first),
@@ -144,15 +145,15 @@ bool is_short_with_more(const std::string& word, Words names) {
   return !word.starts_with("--") && word.size() > 2 && is_one_of(word.substr(0, 2), names);
 }
 
-/// An operand that cannot be taken, with the words around it.
+/// A surplus operand, with the two words before it.
 struct Extra {
   const std::string& word;
   std::string before;         ///< the word before it; empty if there is none
   std::string before_before;  ///< the word before that one
 };
 
-/// What was meant by an operand too many; empty if that is unknown.
-std::string meant_by(const Extra& extra, const OptionList& command, Words words) {
+/// The words that the user probably meant by a surplus operand; empty if unknown.
+std::string probable_words(const Extra& extra, const OptionList& command, Words words) {
   const std::vector<std::string> names = option_names(command);
   std::string option = "--" + extra.word;
   if (is_one_of(name_in(option), names)) return option;
@@ -179,8 +180,8 @@ std::string operands_of(const OptionList& command) {
   return operands.empty() ? "no operands" : fmt::format("only {}", fmt::join(operands, " and "));
 }
 
-std::string unexpected(const Extra& extra, const OptionList& command, Words words) {
-  const std::string meant = meant_by(extra, command, words);
+std::string unexpected_argument_message(const Extra& extra, const OptionList& command, Words words) {
+  const std::string meant = probable_words(extra, command, words);
   const std::string shown = printable(extra.word);
   if (!meant.empty()) return fmt::format("unexpected argument '{}'; did you mean {}?", shown, printable(meant));
   return fmt::format("unexpected argument '{}'; csgsim {} takes {}", shown, command.name(), operands_of(command));
@@ -199,7 +200,7 @@ std::optional<std::size_t> max_operands(const OptionList& command) {
 
 }  // namespace
 
-std::string no_such_command(Words arguments, Words commands) {
+std::string unknown_command_message(Words arguments, Words commands) {
   if (arguments.size() < 2) return "name a command, as in csgsim render MODEL -o picture.png; see csgsim --help";
   const std::string& first = arguments[1];
   if (first.empty()) return "the name of the command is empty; see csgsim --help";
@@ -207,12 +208,12 @@ std::string no_such_command(Words arguments, Words commands) {
   const std::string shown =
       first.starts_with('-') ? "option " + printable(first) : fmt::format("command '{}'", printable(first));
   if (!instead.empty()) return fmt::format("there is no {}; did you mean {}? see csgsim --help", shown, instead);
-  if (first.starts_with('-')) return with_help(options_first(arguments, commands), "");
+  if (first.starts_with('-')) return with_help(leading_option_message(arguments, commands), "");
   if (std::string message = command_for_file(arguments); !message.empty()) return message;
   return with_help(fmt::format("there is no {};{}", shown, session::did_you_mean(first, commands)), "");
 }
 
-std::string missing_value(const OptionList& command, Words words) {
+std::string missing_value_message(const OptionList& command, Words words) {
   const std::vector<std::string> names = option_names(command);
   for (std::size_t i = 0; i < words.size() && words[i] != "--"; ++i) {
     const bool ends_in_equals = words[i].find('=') == words[i].size() - 1;
@@ -230,7 +231,7 @@ std::string missing_value(const OptionList& command, Words words) {
   return {};
 }
 
-std::string unreadable_word(const OptionList& command, Words words) {
+std::string unreadable_word_message(const OptionList& command, Words words) {
   const std::vector<std::string> names = option_names(command);
   const std::optional<std::size_t> most = max_operands(command);
   std::size_t operands = 0;
@@ -242,10 +243,10 @@ std::string unreadable_word(const OptionList& command, Words words) {
     } else if (!are_operands && is_like_option(word)) {
       const std::string name = name_in(word);
       if (!is_one_of(name, names) && !is_short_with_more(word, names))
-        return session::no_such_option(printable(name), names, command.name());
+        return session::unknown_option_message(printable(name), names, command.name());
       if (takes_next(command, word)) ++i;
     } else if (most && ++operands > *most) {
-      return unexpected({word, i > 0 ? words[i - 1] : "", i > 1 ? words[i - 2] : ""}, command, words);
+      return unexpected_argument_message({word, i > 0 ? words[i - 1] : "", i > 1 ? words[i - 2] : ""}, command, words);
     }
   }
   return {};

@@ -48,7 +48,7 @@ std::string shown_text(const observe::Report& report, const std::optional<observ
   return bound ? rate + ", " + bound->limit : rate;
 }
 
-/// `an mc68000`, `a vax`: the article before a name whose first letters may be read one by one.
+/// The name with its indefinite article, as in `an mc68000`, whose letters are read one by one, and `a vax`.
 std::string with_indefinite_article(std::string_view name) {
   constexpr std::string_view vowels = "aeiou";
   constexpr std::string_view begin_with_vowels = "aefhilmnorsx";  // when read alone, as in MC
@@ -57,7 +57,7 @@ std::string with_indefinite_article(std::string_view name) {
   return fmt::format("{} {}", takes_an ? "an" : "a", name);
 }
 
-/// What the host needs, and the rate to which it limits the frames if it does.
+/// Text of the host's time for the model and per frame, and of the frame rate if the host limits it.
 std::string host_text(const observe::Report& report, const std::optional<observe::Bound>& bound) {
   const machines::Machine& machine = report.machine;
   if (machine.host.processor == machines::ideal_processor) return "ideal: needs no time";
@@ -73,7 +73,7 @@ std::string host_text(const observe::Report& report, const std::optional<observe
   return text;
 }
 
-/// A change, what to add to the command line for it, and its worth.
+/// Text of a change: the option to add to the command line, and its worth.
 std::string knob_text(const observe::Knob& knob) {
   return printable(knob.sentence.starts_with(knob.option) ? knob.sentence : knob.option + ": " + knob.worth);
 }
@@ -109,7 +109,7 @@ void print_purposes(const observe::Report& report) {
              percent(report.result.latency_clocks, whole), "", "", "until the last instruction reaches the pixels");
 }
 
-/// What each pruning did, and where it was left out.
+/// Prints, for each pruning, how often it was tried, decided and left out.
 void print_prunings(const observe::Report& report) {
   for (const isa::PruningFacts& pruning : report.program.facts->prunings) {
     std::string text = fmt::format("tried {}, decided {}", grouped(pruning.tried), grouped(pruning.decided));
@@ -187,16 +187,16 @@ void print_rest(const std::string& name, std::uint64_t clocks, std::uint64_t who
 void print_most_expensive(const observe::Report& report, const observe::Frame& picture) {
   const observe::ClockShares shares = observe::clock_shares(report.program, report.result, report.stats);
   if (shares.whole == 0) return;
-  const std::vector<std::uint64_t> pixels = observe::pixels_seen(picture, report.program);
+  const std::vector<std::uint64_t> pixels = observe::visible_pixel_counts(picture, report.program);
   fmt::print("\n{:<28}{:<14}{:>16}{:>9}{:>9}{:>13}{:>11}\n", "most expensive primitives", "line:column", "clocks",
              "share", "pieces", "half-spaces", "pixels");
-  for (const observe::PrimitiveCost& one : shares.dearest) {
+  for (const observe::PrimitiveCost& one : shares.most_expensive) {
     const std::string name = one.name.substr(0, one.source.empty() ? one.name.size() : one.name.rfind('@'));
     fmt::print("  {:<26}{:<14}{:>16}{:>7.1f} %{:>9}{:>13}{:>11}\n", fmt::format("p{} {}", one.primitive, name),
                one.source, grouped(one.clocks), 100.0 * one.share, grouped(one.pieces), grouped(one.halfspaces),
                grouped(pixels[one.primitive]));
   }
-  print_rest(counted(shares.other_primitives, "other primitive"), shares.other_clocks, shares.whole);
+  print_rest(count_text(shares.other_primitives, "other primitive"), shares.other_clocks, shares.whole);
   for (const observe::EffectCost& effect : shares.effects)
     print_rest("effect " + effect.name, effect.clocks, shares.whole);
   print_rest("no primitive", shares.rest, shares.whole);
@@ -219,7 +219,7 @@ void print_first_lines(const observe::Report& report, const std::string& picture
   const machines::Machine& machine = report.machine;
   const std::optional<observe::Bound> bound = observe::bound_of(report.result, machine);
   print_line("picture", picture_text(picture));
-  print_line("model", counted(model.primitives, "primitive") + ", " + counted(model.halfspaces, "half-space"));
+  print_line("model", count_text(model.primitives, "primitive") + ", " + count_text(model.halfspaces, "half-space"));
   print_machine(report);
   print_line("drawn",
              fmt::format("in {} ({} clocks)", time_text(report.result.clocks, machine), grouped(report.result.clocks)));
@@ -239,15 +239,15 @@ void print_details(const observe::Report& report, const observe::Frame& picture,
   const machines::Machine& machine = report.machine;
   fmt::print("\n");
   print_line("operators",
-             fmt::format("{}, {}, {}", counted(model.unions, "union"), counted(model.differences, "difference"),
-                         counted(model.intersections, "intersection")));
+             fmt::format("{}, {}, {}", count_text(model.unions, "union"), count_text(model.differences, "difference"),
+                         count_text(model.intersections, "intersection")));
   print_line("frame", fmt::format("shown {} after its first clock ({} clocks)",
                                   time_text(report.result.shown_clocks, machine), grouped(report.result.shown_clocks)));
   print_line("instructions",
              fmt::format("{} executed, {} skipped", grouped(total.instructions), grouped(report.result.skipped)));
   print_line("scan-conversions",
              fmt::format("{} rendered into Z1, {} classified against Z1, {}", grouped(compile.rendered),
-                         grouped(compile.classified), counted(compile.depth_tests, "depth test")));
+                         grouped(compile.classified), count_text(compile.depth_tests, "depth test")));
   print_line("pixel operations", fmt::format("{} in total, {} at enabled pixels: utilization {:.2f} %",
                                              quantity(static_cast<double>(total.pixel_operations), ""),
                                              quantity(static_cast<double>(total.enabled), ""),

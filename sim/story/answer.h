@@ -18,9 +18,9 @@ struct Answer {
   nlohmann::ordered_json json;  ///< the explanation as JSON; docs/debugging.md describes every key with its unit
 };
 
-/// Explains the pixel and, if `missed` is given, why that primitive is not visible there. Throws InputError like Teller
-/// and Teller::story_of.
+/// Explains the pixel and, if `missing` is given, why that primitive is not visible there. Throws InputError like
+/// StoryBuilder and StoryBuilder::story_of.
 Answer answer_of(const Subject& subject, const machines::Machine& machine, std::uint32_t x, std::uint32_t y,
-                 std::optional<std::uint32_t> missed);
+                 std::optional<std::uint32_t> missing);
 
 }  // namespace csgsim::story

@@ -11,7 +11,7 @@ namespace {
 using Events = std::span<const Event>;
 
 /// Whether the event belongs to the surface rendered last.
-bool goes_on(const Event& event, std::uint32_t primitive, std::uint32_t segment) {
+bool belongs_to_surface(const Event& event, std::uint32_t primitive, std::uint32_t segment) {
   const isa::Origin& origin = event.origin;
   if (event.segment != segment) return false;
   switch (event.kind) {
@@ -167,7 +167,7 @@ std::vector<Attempt> find_attempts(const isa::Program& program, std::span<const 
     attempt.primitive = attempt.shown = events[i].origin.primitive;
     attempt.first_event = attempt.last_event = i;
     while (attempt.last_event + 1 < events.size() &&
-           goes_on(events[attempt.last_event + 1], attempt.primitive, events[i].segment))
+           belongs_to_surface(events[attempt.last_event + 1], attempt.primitive, events[i].segment))
       ++attempt.last_event;
     find_fate(program, events, attempt);
     attempts.push_back(attempt);

@@ -41,7 +41,6 @@ class HalfspaceFinder {
   /// Keeps a reference to the geometry.
   HalfspaceFinder(const model::Tree& tree, const facet::Geometry& geometry, view::View view);
 
-  /// The view of the half-spaces.
   [[nodiscard]] const view::View& view() const { return view_; }
 
   /// A half-space of the primitive whose surface is drawn or compared, or of a primitive that forms one convex solid

@@ -35,7 +35,7 @@ struct ShownSurface {
   std::uint32_t depth = 0;  ///< steps; all ones if nothing is visible
 };
 
-/// A frame from the point of view of one pixel.
+/// The part of a frame's run that concerns one pixel, and its result.
 struct PixelRun {
   std::vector<std::uint32_t> segments;  ///< segments that contain the pixel, in order
   std::vector<PixelStep> steps;         ///< executed instructions, in order

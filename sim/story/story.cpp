@@ -46,14 +46,14 @@ const isa::Program& checked(const isa::Program& program, const machines::Machine
 
 }  // namespace
 
-Teller::Teller(const isa::Program& program, const machines::Machine& machine)
+StoryBuilder::StoryBuilder(const isa::Program& program, const machines::Machine& machine)
     : program_(checked(program, machine)),
       machine_(machine),
       first_numbers_(isa::first_numbers(program)),
       record_(functional::make_run_record(program, machine)),
       timeline_(machine.kind->timeline(program, machine, record_.outcome())) {}
 
-Story Teller::story_of(std::uint32_t x, std::uint32_t y) const {
+Story StoryBuilder::story_of(std::uint32_t x, std::uint32_t y) const {
   const PixelRun run = run_pixel(program_, record_.skips, x, y);
   Story story;
   story.x = x;

@@ -30,7 +30,7 @@ enum class EventKind : std::uint8_t {
   stored,      ///< a primitive's depths are stored in separate fields
 };
 
-/// A written field. For several writes, the value before the first and after the last.
+/// The change of a written field, from its value before the first write to that after the last.
 struct Change {
   isa::Field field;  ///< the named field, if the target lies within one
   std::uint64_t before = 0;
@@ -96,7 +96,7 @@ struct Event {
   [[nodiscard]] const Change* change_of(const isa::Program& program, isa::FieldRole role) const;
 };
 
-/// Result for a drawn surface at the pixel.
+/// Outcome of a drawn surface at the pixel.
 enum class Fate : std::uint8_t {
   outside,     ///< the pixel, beside the primitive's outline, was disabled before it had a depth
   no_depth,    ///< nothing remains between the half-spaces of its other side, or within the depth range
@@ -147,12 +147,12 @@ struct Story {
 /// Whether the nearest surface is transparent and blended with what is behind it.
 inline bool is_seen_through(const Story& story) { return story.depth != story.opaque_depth; }
 
-/// Computes the stories of a Program's pixels. The Program has to outlive it.
-class Teller {
+/// Computes the stories of a Program's pixels. The Program must outlive this object.
+class StoryBuilder {
  public:
   /// Runs the Program once at the functional level if its clocks depend on the run. Throws InputError if the machine
   /// cannot run it.
-  Teller(const isa::Program& program, const machines::Machine& machine);
+  StoryBuilder(const isa::Program& program, const machines::Machine& machine);
 
   /// Throws InputError if the picture has no such pixel.
   [[nodiscard]] Story story_of(std::uint32_t x, std::uint32_t y) const;

@@ -13,6 +13,7 @@ namespace csgsim::story {
 /// The whole history; docs/debugging.md describes every key with its unit.
 nlohmann::ordered_json to_json(const Subject& subject, const Story& story);
 
+/// The answer to --why-not for one primitive.
 nlohmann::ordered_json to_json(const Subject& subject, const Story& story, const WhyNot& answer);
 
 }  // namespace csgsim::story

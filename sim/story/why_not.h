@@ -24,6 +24,7 @@ struct WhyNot {
   std::vector<std::size_t> attempts;  ///< indices into Story::attempts
 };
 
+/// Determines why the primitive is not visible at the pixel of the story.
 WhyNot why_not(const Subject& subject, const Story& story, std::uint32_t primitive);
 
 /// One sentence on how an attempt ended.

@@ -72,7 +72,7 @@ class GatheredStudy {
       : list_(words.front()), command_(describe(list_, row_of(studies, words.front()))) {
     list_.flag("-q,--quiet", is_quiet_, "The flag that the terminal adds to each command");
     list_.give_words(std::span(words).subspan(1));
-    list_.take();
+    list_.check_and_apply();
   }
 
   /// The words as csgsim writes them into a shard, without the options in `but`.

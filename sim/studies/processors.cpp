@@ -23,7 +23,7 @@ void add_processors(session::OptionList& command, std::string& list) {
       .option("--processors", list,
               "Processors for which seconds are computed: names or .toml files, separated by commas; this-computer is "
               "measured")
-      .check(session::is_read_by(parse_processors));
+      .check(session::check_by_parsing(parse_processors));
 }
 
 void add_model_without_machine(session::ModelRequest& model, session::OptionList& command) {

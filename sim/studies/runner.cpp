@@ -89,7 +89,7 @@ Inputs inputs_of(std::span<const PointRequest> points) {
 }
 
 void refuse_page(const StudyCommand& request) {
-  if (!request.options.report.asked()) return;
+  if (!request.options.report.is_requested()) return;
   throw session::UsageError("--report", "a shard has no page; csgsim gather writes one from all shards");
 }
 
@@ -130,7 +130,7 @@ report::StudyContext page_context(const StudyCommand& request, const PageSubject
 report::Page page_of(const StudyCommand& request, const std::string& json, std::span<const plots::Plot> plots) {
   const Study& study = *request.study;
   const report::StudyContext context = page_context(request, study.page_subject());
-  report::Page page = report::begun_page(study.page_title() + ": " + context.model,
+  report::Page page = report::begin_page(study.page_title() + ": " + context.model,
                                          study.page_data(report::Json::parse(json)), context);
   for (report::Section& section : study.sections(page.data)) page.sections.push_back(std::move(section));
   if (report::Section section = report::plots_section(plots); !section.parts.empty())
@@ -171,18 +171,18 @@ Table table_of(const StudyCommand& request, const Places& places) {
 bool write_shown(const StudyCommand& request, Places& places, const std::string& json) {
   const bool has_plot_files = places.folder && !request.options.no_plots;
   std::vector<plots::Plot> plots;
-  if (has_plot_files || places.report.asked()) plots = request.study->plots();
+  if (has_plot_files || places.report.is_requested()) plots = request.study->plots();
   // Series with the same name look the same in all plots of the study, even if several models have their own plots.
   plots::give_common_looks(plots);
   const bool are_drawn = has_plot_files && !plots.empty();
   if (are_drawn) plots::draw(plots, places.folder->path());
-  if (places.report.asked()) places.report.write(page_of(request, json, plots));
+  if (places.report.is_requested()) places.report.write(page_of(request, json, plots));
   return are_drawn;
 }
 
 void show(const StudyCommand& request, Places& places) {
   const Study& study = *request.study;
-  const std::string json = places.folder || places.report.asked() ? study.json(places.title) : "";
+  const std::string json = places.folder || places.report.is_requested() ? study.json(places.title) : "";
   if (places.folder) write_file(places.file(request, ".json"), json);
   study.print();
   const bool are_drawn = write_shown(request, places, json);

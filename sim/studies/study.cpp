@@ -19,7 +19,7 @@ PageSubject subject_of(const std::vector<std::string>& models, const session::Mo
                        const std::string& machines) {
   PageSubject subject = subject_on(view, machines);
   subject.model.model = models.front();
-  if (models.size() > 1) subject.name = session::counted(models.size(), "model");
+  if (models.size() > 1) subject.name = session::count_text(models.size(), "model");
   return subject;
 }
 

@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t kibibyte = 1024;  // unit of ru_maxrss
 
 /// Resets signal handlers to their defaults; ignored signals stay ignored.
-void drop_handlers() {
+void reset_handlers() {
   for (int signal = 1; signal <= SIGRTMAX; ++signal) {
     struct sigaction action {};
     if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) continue;
@@ -47,14 +47,14 @@ void report_to(int file, const GuardReport& report) {
 }
 
 /// Requests that the signal is sent when the parent process ends, and raises it if the parent has ended already.
-void follow(pid_t parent, int signal) {
+void signal_at_end_of(pid_t parent, int signal) {
   ::prctl(PR_SET_PDEATHSIG, signal);
   if (::getppid() != parent) ::raise(signal);
 }
 
 [[noreturn]] void become(const GuardedProgram& program, pid_t guard, const sigset_t& signals) {
   ::setpgid(0, 0);
-  follow(guard, SIGKILL);
+  signal_at_end_of(guard, SIGKILL);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_AS, program.memory);
   ::dup2(program.input, STDIN_FILENO);
@@ -87,8 +87,8 @@ void wait_for(pid_t program) {
 
 [[noreturn]] void guard(const GuardedProgram& program, pid_t parent, const sigset_t& signals) {
   ::setpgid(0, 0);
-  drop_handlers();
-  follow(parent, SIGTERM);
+  reset_handlers();
+  signal_at_end_of(parent, SIGTERM);
   ::prctl(PR_SET_CHILD_SUBREAPER, 1);  // orphans of the program become children of the guard
   const pid_t self = ::getpid();
   const pid_t child = ::fork();

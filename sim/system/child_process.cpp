@@ -62,7 +62,7 @@ struct Stream {
   Descriptor file;
   std::string& bytes;
   std::size_t most;
-  Exceeded exceeded;  ///< reported if there are more bytes
+  Exceeded exceeded;  ///< the limit to report if there are more bytes
 
   /// Reads the available bytes. Beyond the limit it reads only one byte, which indicates the excess; returns false
   /// then.
@@ -157,7 +157,7 @@ std::optional<ChildEnd> run_child(std::span<const std::string> words, const Memo
 
 bool has_succeeded(const ChildEnd& end) { return end.exceeded == Exceeded::nothing && end.status == 0; }
 
-std::string why_failed(const ChildEnd& end, const ChildLimits& limits) {
+std::string failure_text(const ChildEnd& end, const ChildLimits& limits) {
   switch (end.exceeded) {
     case Exceeded::nothing: break;
     case Exceeded::time: return fmt::format("it did not finish within {} s", limits.time.count());

@@ -48,6 +48,6 @@ std::optional<ChildEnd> run_child(std::span<const std::string> words, const Memo
 bool has_succeeded(const ChildEnd& end);
 
 /// Why the program failed: the limit, the signal, or the first line of its messages.
-std::string why_failed(const ChildEnd& end, const ChildLimits& limits);
+std::string failure_text(const ChildEnd& end, const ChildLimits& limits);
 
 }  // namespace csgsim::system

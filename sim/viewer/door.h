@@ -33,6 +33,7 @@ struct Admission {
   Reply refusal{};
 };
 
+/// Checks the header of a request to the server behind the door.
 Admission admit(const Door& door, const Request& request);
 
 }  // namespace csgsim::viewer

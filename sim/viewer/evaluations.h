@@ -77,6 +77,7 @@ class Evaluation {
   Evaluation(const Evaluation&) = delete;
   Evaluation& operator=(const Evaluation&) = delete;
 
+  /// Enters a stage and restarts the count of its seconds.
   void begin(Stage stage);
   [[nodiscard]] EndReason end_reason() const;
 

@@ -107,7 +107,8 @@ std::uint64_t Instants::first_of(std::uint64_t primitive) const {
       ++number;
     }
   }
-  throw InputError(fmt::format("no instruction draws p{}: it is not visible or does not exist", primitive));
+  throw InputError(fmt::format(
+      "no instruction draws p{}: it is not visible or does not exist; choose another primitive", primitive));
 }
 
 std::vector<std::uint8_t> Instants::pixels_of(isa::Field field, std::string& scale) const {

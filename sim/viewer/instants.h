@@ -33,9 +33,9 @@ class Instants {
   Instants(const isa::Program& program, const machines::Machine& machine);
   ~Instants();
 
-  /// Pixel memory at that instant as a picture, the next instruction (its purpose, its clocks of issue, its segment,
-  /// the piece that it draws), and the instructions around it. If a skip passes the requested number, `number` of the
-  /// result is the actual position. Throws InputError for an unknown field.
+  /// JSON with pixel memory at that instant as a picture, the next instruction (its purpose, its clocks of issue, its
+  /// segment, the piece that it draws), and the instructions around it. If a skip passes the requested number, `number`
+  /// of the result is the actual position. Throws InputError for an unknown field.
   nlohmann::ordered_json at(const InstantRequest& request);
 
   /// Names of the available fields.

@@ -35,7 +35,7 @@ bool flag_in(const Json& request, const char* key);
 /// Empty if the member is missing.
 Json object_in(const Json& request, const char* key);
 
-/// The text to send. Bytes that are not UTF-8 are replaced.
+/// The JSON as text for a reply. Bytes that are not UTF-8 are replaced.
 std::string text_of(const Json& json);
 
 }  // namespace csgsim::viewer

@@ -18,7 +18,7 @@ class Lanes {
   /// Reads trace events as waves::TraceEvents writes them.
   explicit Lanes(std::string_view trace_events);
 
-  /// The first recorded clock, and the one after the last.
+  /// The first recorded clock, and the clock after the last recorded one.
   [[nodiscard]] std::uint64_t begin() const { return begin_; }
   [[nodiscard]] std::uint64_t end() const { return end_; }
 

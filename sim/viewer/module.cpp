@@ -55,7 +55,7 @@ class Attendant {
       server_.serving.tick();
       if (!is_accepting_) accept();
       const std::chrono::milliseconds patience = server_.serving.patience;
-      if (patience.count() > 0 && server_.pages.is_left_for(patience)) return server_.io.stop();
+      if (patience.count() > 0 && server_.pages.are_closed_for(patience)) return server_.io.stop();
       wait();
     });
   }

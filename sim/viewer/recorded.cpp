@@ -17,7 +17,8 @@ namespace {
 std::string own_program() {
   std::error_code error;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-  if (error) throw InputError("csgsim: cannot find its own program file: " + error.message());
+  if (error)
+    throw InputError("csgsim: cannot find its own program file: " + error.message() + "; check that /proc is mounted");
   return program.native();
 }
 
@@ -39,7 +40,7 @@ std::string record_wave_with(const std::string& csgsim, const isa::Program& prog
   if (!end)
     throw InputError("cannot run csgsim wave: the csgsim executable has been moved or deleted; restart csgsim view");
   if (system::has_succeeded(*end)) return std::move(end->output);
-  const std::string why = system::why_failed(*end, limits);
+  const std::string why = system::failure_text(*end, limits);
   if (end->exceeded == system::Exceeded::nothing) throw InputError(why);
   throw InputError("csgsim wave: " + why + "; use a smaller picture, or record it with csgsim wave and a --window");
 }

@@ -13,7 +13,8 @@
 namespace csgsim::viewer {
 
 /// Output of `csgsim wave` for the Program with these options. It runs in a separate process, since SystemC allows one
-/// elaboration per process. Throws InputError with its message, or if it exceeds three minutes or 512 MB of output.
+/// elaboration per process. Throws InputError with the message of that process, or if it exceeds three
+/// minutes or 512 MB of output.
 std::string record_wave(const isa::Program& program, std::span<const std::string> options);
 
 /// Limits of that process.

@@ -325,7 +325,7 @@ Reply Session::answer(const Request& request, std::string_view path) {
   } catch (const InputError& error) {
     return json_reply(error_json(error.what(), session::shown_name(drawings_.beginning().model)), 422);
   } catch (const std::bad_alloc&) {
-    return json_reply({{"error", "there is not enough memory"}}, 422);
+    return json_reply({{"error", "there is not enough memory; use a smaller picture or model"}}, 422);
   }
 }
 

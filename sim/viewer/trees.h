@@ -36,7 +36,7 @@ class ActiveTrees {
  private:
   const session::CompiledModel& model_;
   const machines::Machine& machine_;
-  std::optional<emit::SegmentPlan> plan_;  ///< plan of the last segment
+  std::optional<emit::SegmentPlan> plan_;  ///< plan of the segment requested last
   std::uint32_t segment_ = 0;
 };
 

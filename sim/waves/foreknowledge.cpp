@@ -31,7 +31,7 @@ class Watcher final : public engine::Observer {
 
 }  // namespace
 
-Foreknowledge foresee(const isa::Program& program, const machines::Machine& machine) {
+Foreknowledge gather_foreknowledge(const isa::Program& program, const machines::Machine& machine) {
   Foreknowledge known;
   Watcher watcher(program, known);
   engine::Observer* const watchers[] = {&watcher};

@@ -23,6 +23,6 @@ struct Foreknowledge {
 
 /// Runs the Program at the functional level. Throws InputError like the engine, and for kinds of machines without a
 /// timeline.
-Foreknowledge foresee(const isa::Program& program, const machines::Machine& machine);
+Foreknowledge gather_foreknowledge(const isa::Program& program, const machines::Machine& machine);
 
 }  // namespace csgsim::waves

@@ -28,8 +28,8 @@ systemc::EvaluatorForm evaluator_for(const machines::Machine& machine, const wav
 /// Format of the output.
 enum class Format : std::uint8_t {
   value_changes,     ///< a value change dump
-  trace_events,      ///< activities of units: TraceEvents of texts
-  all_trace_events,  ///< TraceEvents of texts and numbers
+  trace_events,      ///< activities of units: trace events (trace_events.h) of taps with texts
+  all_trace_events,  ///< trace events of all taps: texts and numbers
 };
 
 /// The result of a recording.

@@ -78,7 +78,7 @@ void WaveFile::finish() {
   const std::string content((std::istreambuf_iterator<char>(fst)), std::istreambuf_iterator<char>());
   if (!system::has_succeeded(*ended) || content.empty()) {
     throw InputError(fmt::format("{}: vcd2fst failed ({}); choose a name that ends in .vcd", file_.requested().native(),
-                                 system::why_failed(*ended, limits)));
+                                 system::failure_text(*ended, limits)));
   }
   file_.write(content);
 }

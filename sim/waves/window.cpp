@@ -69,7 +69,7 @@ constexpr auto named_kinds =
 std::size_t index_of(std::string_view what, std::string_view name, std::span<const std::string_view> names) {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  throw InputError("in the Program " + no_such(what, name, names));
+  throw InputError("in the Program " + unknown_word_message(what, name, names));
 }
 
 using Belongs = std::function<bool(const isa::Instruction&)>;
@@ -152,7 +152,8 @@ isa::Field field_named(std::string_view target, const isa::Program& program) {
   if (is_colour || target == "depth") {
     const isa::Field field = is_colour ? program.colour : isa::field_of(program, isa::FieldRole::depth);
     if (field.width > 0) return field;
-    throw InputError(fmt::format("the Program has no field for the {}", is_colour ? "colour" : "depth"));
+    throw InputError(
+        fmt::format("the Program has no field for the {}; name another field", is_colour ? "colour" : "depth"));
   }
   std::vector<std::string_view> names;
   for (const isa::NamedField& named : program.facts->fields) names.push_back(named.name);
@@ -188,8 +189,8 @@ std::vector<wave::Window> find_windows(const WindowRequest& request, const isa::
   if (windows.empty()) {
     throw InputError(
         by_number
-            ? fmt::format("none of the instructions i{} to i{} is executed; the Program has {}", request.begin,
-                          request.end - 1, isa::first_numbers(program).back())
+            ? fmt::format("none of the instructions i{} to i{} is executed; the Program has {} instructions",
+                          request.begin, request.end - 1, isa::first_numbers(program).back())
             : fmt::format("no instruction of {} is executed at the probed pixels; choose other pixels", request.name));
   }
   return windows;

@@ -138,7 +138,7 @@ TEST_CASE("convert reports what it cannot convert and writes nothing") {
   const Outcome flat = run("convert " + (folder / "flat.csg") + output);
   fails(flat, 1, {"the model is flat; extrude it, or write .svg or .dxf"});
   fails(run("convert " + model("thesis_fig_2_3") + " -o " + (folder / "a.svg")), 1,
-        {"the model is solid; project it, or write a solid's format"});
+        {"the model is solid; project it, or name a format of solids such as .stl"});
   CHECK(folder.files() == 1);
   write(folder / "flat.csg",
         "difference() { cube(size = [1, 1, 1], center = false); cube(size = [1, 1, 1], center = false); }");

@@ -35,7 +35,7 @@ constexpr unsigned most_rounds = 1000;
 
 struct Options {
   std::vector<std::string> models;
-  std::string machines = all_machines();
+  std::string machines = studied_machines_text();
   std::string levels = "functional,cycle";
   std::string parts = "speed,dense,rivals,growth,counts,schedule,works";
   std::string works = fmt::format("{}", fmt::join(work_names(), ","));
@@ -144,8 +144,8 @@ void describe_measure(CommandLine& line) {
               "Folder for bench.json, bench.md (the tables), the plots, and what is drawn meanwhile")
       .check(not_empty);
   command.flag("--no-plots", options->no_plots, "Do without plots (gnuplot)");
-  command.prints_summary();
-  command.runs([options] { run(*options); });
+  command.add_quiet_option();
+  command.set_action([options] { run(*options); });
 }
 
 struct CountOptions {
@@ -178,7 +178,7 @@ void describe_count(CommandLine& line) {
   command.option("PROGRAM", options->program, "A Program file").required();
   command.option("--machine", options->machine, "Machine whose figures say what a bit step is; else the Program's own");
   command.flag("--json", options->json, "Print a JSON object");
-  command.runs([options] { count(*options); });
+  command.set_action([options] { count(*options); });
 }
 
 }  // namespace csgsim::bench

@@ -44,7 +44,7 @@ std::optional<ProcessCost> run(std::span<const std::string> words, const system:
   if (ended->exceeded == system::Exceeded::time)
     throw InputError(fmt::format("{}: takes more than {} s", program, limits.time.count()));
   if (!system::has_succeeded(*ended))
-    throw InputError(program + ": fails: " + printable(system::why_failed(*ended, limits)));
+    throw InputError(program + ": fails: " + printable(system::failure_text(*ended, limits)));
   return ProcessCost{wall.count(), children_seconds() - before, static_cast<double>(ended->memory),
                      std::move(ended->output)};
 }

@@ -45,7 +45,7 @@ class Collatz : public studies::StudyOf<CollatzRow> {
   void add_options(session::OptionList& command) override {
     command.option("FILE", file_, "Numbers, a line each").required();
     command.option("--addends", addends_, "Numbers: what is added to three times an odd number")
-        .check(session::is_read_by(addends_of));
+        .check(session::check_by_parsing(addends_of));
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override { return {file_}; }

@@ -129,7 +129,7 @@ class Session(unittest.TestCase):
 
     def test_reports_too_little_memory_and_continues(self):
         _, answering = self.both("thesis_fig_2_3.csg")
-        self.assertEqual(answering.post("draw", {"knobs": {"size": "16384x16384"}}), (422, {"error": "there is not enough memory"}))
+        self.assertEqual(answering.post("draw", {"knobs": {"size": "16384x16384"}}), (422, {"error": "there is not enough memory; use a smaller picture or model"}))
         self.assertEqual(answering.post("draw", {"knobs": {"size": "64x64"}})[0], 200)
 
 

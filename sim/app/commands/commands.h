@@ -17,7 +17,7 @@ using namespace shell;
 struct CommandRow {
   std::string_view name;
   void (*add)(CommandLine& line) = nullptr;  ///< adds the command to the command line
-  bool needs_all_commands = false;           ///< it runs or describes other commands
+  bool needs_all_commands = false;           ///< the command runs or describes other commands
 };
 
 /// The commands, in the order of help.

@@ -34,8 +34,8 @@ void add_compile(CommandLine& line) {
                "carburettor.png");
   options->model.add_to(command);
   command.option("-o,--output", options->output, "The Program file, .csgt").required().check(not_empty);
-  command.prints_summary();
-  command.runs([options] {
+  command.add_quiet_option();
+  command.set_action([options] {
     refuse_clashes(options->model.inputs(), std::to_array<std::filesystem::path>({options->output}));
     refuse_terminal("--output", options->output);
     OutputFile file(options->output);
@@ -46,7 +46,7 @@ void add_compile(CommandLine& line) {
     file.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     file.commit();
     fmt::print("{}: {} for {} x {} pixels\n", printable(options->output),
-               counted(isa::total_instructions(program), "instruction"), program.shape.width, program.shape.height);
+               count_text(isa::total_instructions(program), "instruction"), program.shape.width, program.shape.height);
   });
 }
 

@@ -64,14 +64,14 @@ std::vector<std::string> endings() {
   return all;
 }
 
-/// The same without the dots.
+/// The endings without their dots.
 std::vector<std::string> format_names() {
   std::vector<std::string> names = endings();
   for (std::string& name : names) name.erase(0, 1);
   return names;
 }
 
-/// A file name that ends like the requested format.
+/// A file name with the ending of the requested format.
 std::string format_file(const Options& options) {
   return options.format.empty() ? options.output : "." + options.format;
 }
@@ -104,7 +104,8 @@ model::Tree converted_model(const Options& options, bool is_flat) {
   model::Tree tree = read_model(options.model);
   if (tree.root == model::no_index || tree.is_flat == is_flat) return tree;
   const std::string name = printable(shown_name(options.model.model));
-  if (is_flat) throw InputError(fmt::format("{}: the model is solid; project it, or write a solid's format", name));
+  if (is_flat)
+    throw InputError(fmt::format("{}: the model is solid; project it, or name a format of solids such as .stl", name));
   std::vector<std::string_view> flat;
   for (const convert::Format* const one : convert::formats())
     if (one->is_flat) flat.push_back(one->ending);
@@ -113,9 +114,9 @@ model::Tree converted_model(const Options& options, bool is_flat) {
 
 void print_model(const model::Tree& tree) {
   const model::Counts counts = model::count(tree);
-  fmt::print("{:<18}{}, {}, {}, {}\n", "model", counted(counts.primitives, "primitive"),
-             counted(counts.unions, "union"), counted(counts.differences, "difference"),
-             counted(counts.intersections, "intersection"));
+  fmt::print("{:<18}{}, {}, {}, {}\n", "model", count_text(counts.primitives, "primitive"),
+             count_text(counts.unions, "union"), count_text(counts.differences, "difference"),
+             count_text(counts.intersections, "intersection"));
 }
 
 nlohmann::ordered_json model_json(const Options& options, const model::Tree& tree) {
@@ -177,9 +178,9 @@ Description describe_mesh(const convert::Surface& surface, const convert::Measur
            {"area", measures.area}},
           fmt::format("{:<18}{}, {}\n{:<18}{}, Euler number {}, genus {}\n"
                       "{:<18}{:.10g} cubic units, surface {:.10g} square units\n",
-                      "mesh", counted(surface.triangles.size(), "triangle"), counted(surface.points.size(), "point"),
-                      "shape", counted(measures.shells, "shell"), measures.euler, measures.genus(), "volume",
-                      measures.volume, measures.area)};
+                      "mesh", count_text(surface.triangles.size(), "triangle"),
+                      count_text(surface.points.size(), "point"), "shape", count_text(measures.shells, "shell"),
+                      measures.euler, measures.genus(), "volume", measures.volume, measures.area)};
 }
 
 Description describe_flat(const convert::Surface& surface) {
@@ -188,8 +189,8 @@ Description describe_flat(const convert::Surface& surface) {
   for (const auto& round : rounds) points += round.size();
   const double area = convert::area_of(rounds);
   return {{{"outlines", rounds.size()}, {"points", points}, {"area", area}},
-          fmt::format("{:<18}{}, {}\n{:<18}{:.10g} square units\n", "shape", counted(rounds.size(), "outline"),
-                      counted(points, "point"), "area", area)};
+          fmt::format("{:<18}{}, {}\n{:<18}{:.10g} square units\n", "shape", count_text(rounds.size(), "outline"),
+                      count_text(points, "point"), "area", area)};
 }
 
 void convert_to_surface(const Options& options) {
@@ -240,7 +241,7 @@ void convert_to_blocks(const Options& options) {
   outputs.write(convert::text_of(bintree), stats);
   print_model(tree);
   fmt::print("{:<18}{}, {} of them full; {} of side {:g} inside the model\n", "blocks", grouped(counts.blocks),
-             grouped(counts.full), counted(counts.cells, "cell"), bintree.cell());
+             grouped(counts.full), count_text(counts.cells, "cell"), bintree.cell());
   fmt::print("{:<18}{:.10g} cubic units\n", "volume", volume);
 }
 
@@ -285,8 +286,8 @@ void add_convert(CommandLine& line) {
   command.option("--threads", options->threads, "Threads that build a mesh; the mesh does not depend on their number")
       .between(1U, max_threads);
   command.option("--stats", options->stats, "Counts and measures of the result, .json").check(not_empty);
-  command.prints_summary();
-  command.runs([options] { run(*options); });
+  command.add_quiet_option();
+  command.set_action([options] { run(*options); });
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ void run_debugger(const Options& options, const isa::Program& program, const mac
     read_script(lines, options.commands, program, session);
   } else if (::isatty(STDIN_FILENO) != 0) {
     fmt::print("{}: {} on {}; help lists the commands\n", printable(shown_name(options.model.model)),
-               counted(engine::Numbers(program).count(), "instruction"), machine.name);
+               count_text(engine::Numbers(program).count(), "instruction"), machine.name);
     read_terminal(program, session);
   } else {
     record_input(standard_input_file);
@@ -103,7 +103,7 @@ void add_debug(CommandLine& line) {
   command.option("-x,--commands", options->commands, "File with one command per line").check(not_empty);
   command.option("--threads", options->threads, "Worker threads; the states do not depend on their number")
       .between(1U, max_threads);
-  command.runs([options, &command] {
+  command.set_action([options, &command] {
     if (options->model.model == standard_stream && options->commands.empty())
       throw UsageError(
           "MODEL", "standard input cannot hold both the Program and the commands; name a file of commands, -x FILE");

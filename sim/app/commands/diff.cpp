@@ -39,7 +39,7 @@ namespace csgsim::app {
 
 namespace {
 
-/// Options of one side.
+/// Options of A or of B, the two sides of the comparison.
 struct SideOptions {
   std::string subject;
   std::string machine;
@@ -57,7 +57,7 @@ struct Options {
   ReportOption report;
 };
 
-/// A side that is ready to run.
+/// A Program and its machine, ready to run as A or B.
 struct Subject {
   std::string name;
   std::string level;
@@ -91,7 +91,8 @@ void refuse_misuse(const Options& options, const OptionList& command) {
     for (const auto& [name, is_given] :
          {std::pair("strategy", !side->strategy.empty()), {"pruning", !side->pruning.empty()}}) {
       if (is_given)
-        throw UsageError(fmt::format("--{}-{}", name, letter), "is for models; a Program has been compiled already");
+        throw UsageError(fmt::format("--{}-{}", name, letter),
+                         "is for models; a Program has been compiled already; leave it out");
     }
     refuse_scene_sets(side->sets, fmt::format("--set-{}", letter));
   }
@@ -107,7 +108,7 @@ void refuse_misuse(const Options& options, const OptionList& command) {
 
 void print_side(char letter, const Subject& subject, const engine::RunResult& result) {
   fmt::print("{}  {}: {}, {} level, {}, {}\n", letter, subject.name, subject.machine.name, subject.level,
-             counted(engine::Numbers(subject.program).count(), "instruction"), counted(result.clocks, "clock"));
+             count_text(engine::Numbers(subject.program).count(), "instruction"), count_text(result.clocks, "clock"));
 }
 
 std::string instruction_text(const isa::Program& program, std::uint64_t number) {
@@ -133,14 +134,14 @@ void print_divergence(const lockstep::Divergence& found, const isa::Program& pro
   const std::uint64_t number = engine::Numbers(program).of(found.place);
   fmt::print("after i{}, {}\n", number, instruction_text(program, number));
   if (!found.pixel) return print_values(found.otherwise.value(), false);
-  fmt::print("{} differ, first {},{}:\n", counted(found.pixel->pixels, "pixel"), found.pixel->x, found.pixel->y);
+  fmt::print("{} differ, first {},{}:\n", count_text(found.pixel->pixels, "pixel"), found.pixel->x, found.pixel->y);
   for (const lockstep::TwoValues& values : found.pixel->fields) print_values(values, true);
 }
 
 void print_picture(const lockstep::Comparison& comparison, const Subject& a, const Subject& b) {
   if (!comparison.picture) return fmt::print("the pictures are equal\n");
   const lockstep::PictureDifference& found = *comparison.picture;
-  fmt::print("the pictures differ at {}, first {},{}:\n", counted(found.pixels, "pixel"), found.x, found.y);
+  fmt::print("the pictures differ at {}, first {},{}:\n", count_text(found.pixels, "pixel"), found.x, found.y);
   const std::size_t at = std::size_t{found.y} * a.program.shape.width + found.x;
   const auto print_both = [&](const char* what, const std::vector<std::uint32_t> observe::Frame::*values, auto text) {
     fmt::print("  {:<16} A {}, B {}\n", what, text(a.program, (comparison.a.frame.*values)[at]),
@@ -152,7 +153,7 @@ void print_picture(const lockstep::Comparison& comparison, const Subject& a, con
 }
 
 void print_story(char letter, const Subject& subject, std::uint32_t x, std::uint32_t y) {
-  const story::Story history = story::Teller(subject.program, subject.machine).story_of(x, y);
+  const story::Story history = story::StoryBuilder(subject.program, subject.machine).story_of(x, y);
   fmt::print("\n{}  {}", letter, story::text_of({subject.program}, history));
 }
 
@@ -171,7 +172,7 @@ void print_stories(const lockstep::Comparison& comparison, const Subject& a, con
   print_story('B', b, pixel->first, pixel->second);
 }
 
-/// The same comparison with A and B exchanged.
+/// The comparison with A and B exchanged.
 lockstep::Comparison swapped(lockstep::Comparison comparison) {
   std::swap(comparison.a, comparison.b);
   if (!comparison.divergence) return comparison;
@@ -192,10 +193,10 @@ std::vector<std::string> difference_sentences(const lockstep::Comparison& compar
   } else {
     sentences.emplace_back("All instructions are the same.");
   }
-  sentences.push_back(fmt::format("Pixel memory is equal after {}.", counted(comparison.compared, "instruction")));
+  sentences.push_back(fmt::format("Pixel memory is equal after {}.", count_text(comparison.compared, "instruction")));
   if (const auto& found = comparison.picture) {
     sentences.push_back(fmt::format("Colour, primitive or depth differ at {}, first at {},{}.",
-                                    counted(found->pixels, "pixel"), found->x, found->y));
+                                    count_text(found->pixels, "pixel"), found->x, found->y));
   } else {
     sentences.emplace_back("Pictures and depths are equal.");
   }
@@ -222,7 +223,7 @@ report::ShownRun shown(const Subject& side, const lockstep::SideResult& run, std
 
 void write_page(ReportFile& page, const lockstep::Comparison& comparison, const Subject& a, const Subject& b,
                 const Options& options, const OptionList& command) {
-  if (!page.asked()) return;
+  if (!page.is_requested()) return;
   const machines::Machine machines[] = {a.machine, b.machine};
   const std::span shown_machines = std::span(machines).first(a.machine.name == b.machine.name ? 1 : 2);
   report::FirstDifference first{difference_sentences(comparison, a, b), std::nullopt};
@@ -252,7 +253,7 @@ void print_comparison(const lockstep::Comparison& comparison, const Subject& a, 
     fmt::print("i{} is the first instruction that differs:\n  A  {}\n  B  {}\n", number,
                instruction_text(a.program, number), instruction_text(b.program, number));
   }
-  fmt::print("the states are equal after {}\n", counted(comparison.compared, "instruction"));
+  fmt::print("the states are equal after {}\n", count_text(comparison.compared, "instruction"));
   if (comparison.divergence) print_divergence(*comparison.divergence, a.program);
   print_picture(comparison, a, b);
 }
@@ -285,12 +286,12 @@ void diff(const Options& options, const OptionList& command) {
 void add_side(Command& command, SideOptions& side, const std::string& letter) {
   const std::string name = letter == "a" ? "A" : "B";
   command.option("--machine-" + letter, side.machine, "Machine of " + name + ", if different")
-      .check(is_read_by(check_machine));
+      .check(check_by_parsing(check_machine));
   command.option("--level-" + letter, side.level, "Level of " + name).one_of(level_names(), "level");
   command.option("--strategy-" + letter, side.strategy, "Strategy of " + name + ", if different")
       .one_of(strategy_names(), "strategy");
   command.option("--pruning-" + letter, side.pruning, "Prunings applied to " + name + ", if different")
-      .words(pruning_words(), is_read_by(parse_pruning));
+      .words(pruning_words(), check_by_parsing(parse_pruning));
   command.option("--set-" + letter, side.sets,
                  "A parameter of the machine of " + name + ", or a key of its scene; repeat for several");
 }
@@ -310,8 +311,8 @@ void add_diff(CommandLine& line) {
   add_side(command, options->b, "b");
   command.flag("--no-stories", options->no_stories, "Omit the histories of the first pixel that differs");
   options->report.add_to(command);
-  command.prints_summary();
-  command.runs([options, &command] {
+  command.add_quiet_option();
+  command.set_action([options, &command] {
     if (options->b.subject.empty()) options->b.subject = options->a.subject;
     diff(*options, command);
   });

@@ -41,7 +41,7 @@ void add_disasm(CommandLine& line) {
   command.option("-o,--output", options->output, "The text file; default: standard output").check(not_empty);
   command.flag("--row-commands", options->row_commands,
                "Print the row commands of a bit-serial-memory machine instead, one per line, for other simulators");
-  command.runs([options] {
+  command.set_action([options] {
     refuse_model(options->program);
     refuse_clashes(std::to_array<std::filesystem::path>({options->program}),
                    std::to_array<std::filesystem::path>({options->output}));

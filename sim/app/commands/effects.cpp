@@ -202,7 +202,7 @@ void run(const Options& options) {
   const Bill bill = make_bill(options.model, machine, std::move(all));
   fmt::print("{} on {}: cost of its effects\n", printable(shown_name(options.model.model)), machine.name);
   print_bill(bill);
-  if (report.asked()) report.write(page_of(options, bill));
+  if (report.is_requested()) report.write(page_of(options, bill));
   write_all(bill, folder);
   fmt::print("{}: all.png, none.png, a picture without each effect, effects.json\n", printable(to.native()));
 }
@@ -220,8 +220,8 @@ void add_effects(CommandLine& line) {
               "Folder for the pictures and the costs, effects.json; default: MODEL-effects")
       .folder();
   options->report.add_to(command);
-  command.prints_summary();
-  command.runs([options] { run(*options); });
+  command.add_quiet_option();
+  command.set_action([options] { run(*options); });
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ void add_explain(CommandLine& line) {
   options->add_to(command);
   command.option("--json", options->json, "Write the full history as .json instead of text; - prints it")
       .check(not_empty);
-  command.runs([options, &command] { run(*options, command); });
+  command.set_action([options, &command] { run(*options, command); });
 }
 
 }  // namespace

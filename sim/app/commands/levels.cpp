@@ -66,8 +66,8 @@ void add_levels(CommandLine& line) {
   command.option("--levels", options->levels, "Comma-separated levels to run; the others are compared with the first")
       .list_of(level_names(), "level");
   add_progress(command, options->progress);
-  command.prints_summary();
-  command.runs([options] { compare_levels(*options); });
+  command.add_quiet_option();
+  command.set_action([options] { compare_levels(*options); });
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ void print_machines(const Options& options) {
   const bool are_listed = options.machines.empty() && options.sets.empty();
   const bool are_all = options.machines.empty() || options.machines == "all";
   for (const std::string& name :
-       with_parameters(parse_words(are_all ? every_machine() : options.machines), options.sets)) {
+       with_parameters(parse_words(are_all ? built_in_machines_text() : options.machines), options.sets)) {
     const machines::Machine machine = kinds::load(name);
     if (are_listed) {
       fmt::print("{:<16} {}\n", machine.name, machine.description);
@@ -173,7 +173,7 @@ void add_manual(CommandLine& line) {
   command.option("NAME", options->machines,
                  "Comma-separated machines, processors or processes, by name or .toml file; all: every built-in one");
   add_parameter_sets(command, options->sets, "the machine, or of those that have it");
-  command.runs([options] { run(*options); });
+  command.set_action([options] { run(*options); });
 }
 
 }  // namespace

@@ -42,8 +42,8 @@ void add_render(CommandLine& line) {
   options->add_to(command);
   options->frames.add_to(command);
   add_verbose(command, options->run);
-  command.prints_summary();
-  command.runs([options, &command] { run(*options, command); });
+  command.add_quiet_option();
+  command.set_action([options, &command] { run(*options, command); });
 }
 
 }  // namespace

@@ -101,8 +101,8 @@ void add_rerun(CommandLine& line) {
       .check(not_empty);
   command.flag("--anyway", options->anyway, "Continue even if csgsim or an input file has changed");
   add_progress(command, options->run.progress);
-  command.prints_summary();
-  command.runs([&line, options] { rerun(line, *options); });
+  command.add_quiet_option();
+  command.set_action([&line, options] { rerun(line, *options); });
 }
 
 }  // namespace

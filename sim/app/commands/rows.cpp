@@ -95,8 +95,8 @@ void add_rows(CommandLine& line) {
   command.option("--command-set", options->command_set,
                  "A .toml file with your own commands for the gates at the sense amplifiers (docs/row-traces.md)");
   command.option("-o,--output", options->output, "The trace, or - for standard output").required().check(not_empty);
-  command.prints_summary();
-  command.runs([options, &command] { write_rows(*options, command); });
+  command.add_quiet_option();
+  command.set_action([options, &command] { write_rows(*options, command); });
 }
 
 }  // namespace

@@ -44,11 +44,11 @@ struct Subject {
   std::optional<isa::Program> program;
 };
 
-/// Rejects options for models where no model is given.
+/// Rejects options of models when the command line names a machine only.
 void refuse_model_only_options(const ModelRequest& options, const OptionList& command) {
   const std::string fix = "name one after the machine";
   refuse_model_options(command, {"size", "memory-bits", "set", "output"}, fix);
-  const std::vector<std::string> of_scene = sorted(options.sets).scene;
+  const std::vector<std::string> of_scene = divide_sets(options.sets).scene;
   if (!of_scene.empty())
     throw UsageError("--set", fmt::format("'{}' is for models; {}", printable(of_scene.front()), fix));
 }
@@ -90,7 +90,7 @@ void write_design(const Options& options, const OptionList& command) {
   refuse_clashes(options.model.inputs(), paths);
   write_files(folder, files);
   warn_of_size(subject.machine);
-  fmt::print("{}: {} of {}, {} x {} pixels{}; {}\n", printable(options.output), counted(files.size(), "file"),
+  fmt::print("{}: {} of {}, {} x {} pixels{}; {}\n", printable(options.output), count_text(files.size(), "file"),
              subject.machine.name, subject.machine.array.width, subject.machine.array.height,
              subject.program ? " with a Program" : "",
              subject.program ? "make -C " + shell_word(options.output) + " icarus draws the picture"
@@ -110,7 +110,7 @@ void add_rtl(CommandLine& line) {
       .check([](const std::string& name) {
         return has_model_name(name)
                    ? "'" + name + "' is a model; name the machine first, as in csgsim rtl MACHINE MODEL"
-                   : is_read_by(check_machine)(name);
+                   : check_by_parsing(check_machine)(name);
       });
   options->model.add_to(command);
   command.remove("MODEL");
@@ -123,8 +123,8 @@ void add_rtl(CommandLine& line) {
               "Folder for the design: new, empty, or that of an earlier design, which is replaced")
       .required()
       .folder();
-  command.prints_summary();
-  command.runs([options, &command] { write_design(*options, command); });
+  command.add_quiet_option();
+  command.set_action([options, &command] { write_design(*options, command); });
 }
 
 }  // namespace

@@ -19,8 +19,8 @@ void add_run(CommandLine& line) {
                "  csgsim run traces/carburettor.csgt -o carburettor.png --resume run.csgs");
   options->add_to(command);
   add_verbose(command, options->run);
-  command.prints_summary();
-  command.runs([options, &command] {
+  command.add_quiet_option();
+  command.set_action([options, &command] {
     refuse_model(options->program);
     refuse_misuse(*options);
     RunOutputs outputs(options->run, options->files_read());

@@ -118,7 +118,7 @@ void add_view(CommandLine& line) {
               "Time limit in seconds for evaluating the source before a picture, in OpenSCAD and in csgsim; "
               "--openscad-time can only shorten OpenSCAD's part")
       .between(1U, 86'400U);
-  command.runs([options, &command] { run(*options, command); });
+  command.set_action([options, &command] { run(*options, command); });
 }
 
 }  // namespace

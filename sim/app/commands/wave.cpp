@@ -124,7 +124,8 @@ Windows windows_of(const Options& options, const std::optional<waves::WindowRequ
                       pixels.front().x, pixels.front().y, last.at_pixel.begin, last.at_pixel.end)};
 }
 
-/// Prints wall times: the functional run, the run with the window located and stepped, and writing the file.
+/// Prints the wall times, given in seconds, of the functional run, of the recording with its writing, and of the
+/// writing alone.
 void print_timing(double functional, double recording, double writing) {
   const double all = functional + recording - writing;
   fmt::print("functional run {:.1f} ms; with the window {:.1f} ms, {:.2f} times as long; writing {:.1f} ms more\n",
@@ -145,7 +146,7 @@ void refuse_pixel_options(const OptionList& command) {
 }
 
 /// Rejects options that contradict each other. Returns the requested window, or nothing where --at replaces it.
-std::optional<waves::WindowRequest> checked(const Options& options, const OptionList& command) {
+std::optional<waves::WindowRequest> checked_window(const Options& options, const OptionList& command) {
   if (options.lanes && !is_unnamed_stream(options.output) && !ends_in(options.output, ".json"))
     throw UsageError("--lanes",
                      fmt::format("a file of lanes needs a name that ends in .json, not '{}'", options.output));
@@ -190,12 +191,13 @@ void print_summary(const Options& options, const Windows& windows, const wave::R
     return;
   }
   fmt::print("{}: {}; {} clocks of {} in {}, {}{}\n", printable(options.output), windows.shown, grouped(clocks),
-             grouped(frame_clocks), counted(request.windows.size(), "window"), counted(request.pixels.size(), "pixel"),
+             grouped(frame_clocks), count_text(request.windows.size(), "window"),
+             count_text(request.pixels.size(), "pixel"),
              has_views(options) ? "; view it with gtkwave " + shell_word(view_paths(options).front().native()) : "");
 }
 
 void record(const Options& options, const OptionList& command) {
-  const std::optional<waves::WindowRequest> requested = checked(options, command);
+  const std::optional<waves::WindowRequest> requested = checked_window(options, command);
   std::vector<std::filesystem::path> outputs{options.output};
   for (std::filesystem::path& path : view_paths(options)) outputs.push_back(std::move(path));
   refuse_clashes(options.model.inputs(), outputs);
@@ -207,7 +209,7 @@ void record(const Options& options, const OptionList& command) {
   wave::Request request = request_of(options, program);
   const auto begin = std::chrono::steady_clock::now();
   const waves::Foreknowledge known =
-      with_memory_for_run({&program, 1}, machine.array, [&] { return waves::foresee(program, machine); });
+      with_memory_for_run({&program, 1}, machine.array, [&] { return waves::gather_foreknowledge(program, machine); });
   const double functional_seconds = seconds_since(begin);
   refuse_overflow(known.result);
   const bool is_whole = has_lanes(options) && !command.is_given("window") && options.at.empty();
@@ -277,8 +279,8 @@ void add_wave(CommandLine& line) {
               "The waveform: .vcd, .fst (by vcd2fst), or - for VCD without a viewer file; .json: the unit activities "
               "over the frame, and with --pixel also the signals, as trace events for Perfetto")
       .required();
-  command.prints_summary();
-  command.runs([options, &command] { record(*options, command); });
+  command.add_quiet_option();
+  command.set_action([options, &command] { record(*options, command); });
 }
 
 }  // namespace

@@ -45,8 +45,8 @@ class Program:
     @property
     def instructions(self):
         """A dictionary per instruction: `instruction`, its number in the whole Program; `segment`; `name`; `text`;
-        `clocks` of the machine at the pixels; its `purpose`; the labels of its `primitive` and of the primitive `against` which it
-        compares that; and its `effect`. Missing values are None."""
+        `clocks` of the machine at the pixels; its `purpose`; the label of its `primitive`, and that of the primitive
+        `against` which that one is compared; and its `effect`. Missing values are None."""
         return self._native.instructions()
 
     @property
@@ -119,8 +119,8 @@ class Drawing:
 
 
 class Story(dict):
-    """The explanation of a pixel, with the keys of `csgsim explain --json`; `text` has it as text. Depths are in depth
-    steps, places in pixels from the upper left.
+    """The explanation of a pixel, with the keys of `csgsim explain --json`; its attribute `text` is the explanation as
+    text. Depths are in depth steps, places in pixels from the upper left.
 
     >>> print(csgsim.explain("part.csg", pixel=(256, 256)).text)
     """

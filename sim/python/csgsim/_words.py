@@ -49,7 +49,8 @@ def python_name_of(name):
 
 
 def words_of(command, options):
-    """Pairs of an option's name and text on the command line, None for a flag. None and False are left out."""
+    """Returns pairs of an option's name and its text on the command line, which is None for a flag. Options with the
+    value None or False are left out."""
     words = []
     for python_name, value in options.items():
         name = python_name.removesuffix("_").replace("_", "-")

@@ -60,7 +60,7 @@ view::Camera parse_camera(std::string_view text) {
   return camera;
 }
 
-std::vector<view::Camera> read_cameras(const std::filesystem::path& path, std::size_t most) {
+std::vector<view::Camera> read_cameras(const std::filesystem::path& path, std::size_t max_cameras) {
   const std::string text = read_file(path, camera_input);
   const std::string name = printable(path.native());
   std::vector<view::Camera> cameras;
@@ -74,8 +74,8 @@ std::vector<view::Camera> read_cameras(const std::filesystem::path& path, std::s
     if (indent == rest.npos) continue;
     rest = rest.substr(indent, rest.find_last_not_of(blanks) + 1 - indent);
     try {
-      if (cameras.size() == most)
-        throw CameraError(0, fmt::format("more than {} cameras; split the file into several", most));
+      if (cameras.size() == max_cameras)
+        throw CameraError(0, fmt::format("more than {} cameras; split the file into several", max_cameras));
       cameras.push_back(parse_camera(rest));
     } catch (const CameraError& error) {
       throw InputError(fmt::format("{}:{}:{}: {}", name, line, indent + error.at() + 1, error.what()));

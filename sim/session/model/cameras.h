@@ -28,7 +28,7 @@ class CameraError : public std::runtime_error {
 view::Camera parse_camera(std::string_view text);
 
 /// Reads a file with one camera per line. `#` begins a comment; lines without a camera are ignored. Throws InputError
-/// with line and column, and for a file without cameras or with more than `most`.
-std::vector<view::Camera> read_cameras(const std::filesystem::path& path, std::size_t most);
+/// with line and column, and for a file without cameras or with more than `max_cameras`.
+std::vector<view::Camera> read_cameras(const std::filesystem::path& path, std::size_t max_cameras);
 
 }  // namespace csgsim::session

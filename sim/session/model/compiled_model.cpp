@@ -70,11 +70,11 @@ void refuse_scad_options(const ModelRequest& request) {
   if (!request.parameter_set.empty()) throw UsageError("--parameter-set", why);
 }
 
-/// The text of a model; a source has been evaluated by OpenSCAD. `instead` replaces the file's content.
-std::string text_of(const ModelRequest& request, Subject subject, const std::optional<std::string>& instead) {
+/// The text of a model; a source has been evaluated by OpenSCAD. `replacement` is read in place of the file.
+std::string text_of(const ModelRequest& request, Subject subject, const std::optional<std::string>& replacement) {
   if (subject != Subject::scad) refuse_scad_options(request);
-  if (subject == Subject::scad) return evaluate_scad(request.model, instead, request.scad_options());
-  if (instead) return *instead;
+  if (subject == Subject::scad) return evaluate_scad(request.model, replacement, request.scad_options());
+  if (replacement) return *replacement;
   return read_file(request.model, subject == Subject::mesh ? read::mesh_file : read::model_file);
 }
 
@@ -91,9 +91,9 @@ model::Tree read_tree(Subject subject, const std::string& text, const std::strin
 
 /// Reads the model; the hash covers its text, the scene and imported files. A text instead of a mesh is in OpenSCAD's
 /// language.
-ModelFile read_model_text(const ModelRequest& request, const std::optional<std::string>& instead) {
+ModelFile read_model_text(const ModelRequest& request, const std::optional<std::string>& replacement) {
   const Subject subject = model_subject(request);
-  const std::string text = text_of(request, subject, instead);
+  const std::string text = text_of(request, subject, replacement);
   const std::string name = shown_name(request.model);
   Hash hash;
   hash.add(text);
@@ -101,7 +101,7 @@ ModelFile read_model_text(const ModelRequest& request, const std::optional<std::
   if (request.snap) hash.add("--snap");
   const read::Options how{request.snap, request.imports_from, [&](std::string_view bytes) { hash.add(bytes); },
                           work_of(request)};
-  const Subject kind = instead && subject == Subject::mesh ? Subject::csg : subject;
+  const Subject kind = replacement && subject == Subject::mesh ? Subject::csg : subject;
   model::Tree tree = read_tree(kind, text, name, how);
   tree.file = name;
   return {effects::reshaped(std::move(tree), request.scene()), hash.text()};
@@ -109,9 +109,9 @@ ModelFile read_model_text(const ModelRequest& request, const std::optional<std::
 
 }  // namespace
 
-ModelFile read_model_file(const ModelRequest& request, const std::optional<std::string>& instead) {
+ModelFile read_model_file(const ModelRequest& request, const std::optional<std::string>& replacement) {
   return with_memory_for("the model " + request.model,
-                         [&] { return read_as_model(request, [&] { return read_model_text(request, instead); }); });
+                         [&] { return read_as_model(request, [&] { return read_model_text(request, replacement); }); });
 }
 
 model::Tree read_model(const ModelRequest& request) { return read_model_file(request).tree; }
@@ -183,7 +183,7 @@ isa::Program compile_for_camera(const view::Camera& camera, const CompiledModel&
   warn_of_coarse_depth(view);
   std::size_t halfspaces = 0;
   for (const facet::Convex& solid : model.scene.solids) halfspaces += solid.halfspaces.size();
-  return with_memory([&] { return short_of_memory(model.tree.file, halfspaces); },
+  return with_memory([&] { return out_of_memory_message(model.tree.file, halfspaces); },
                      [&] { return compile_with_room(model, std::move(view), machine, kept); });
 }
 

@@ -24,8 +24,9 @@ struct ModelFile {
   std::string hash;  ///< hash of the bytes of the file and of the scene
 };
 
-/// Reads the model, or a text that replaces the file's content. Throws InputError.
-ModelFile read_model_file(const ModelRequest& request, const std::optional<std::string>& instead = {});
+/// Reads the model, or `replacement`, a text in place of the file's content. Throws InputError.
+ModelFile read_model_file(const ModelRequest& request, const std::optional<std::string>& replacement = {});
+/// The model's tree alone; otherwise like read_model_file().
 model::Tree read_model(const ModelRequest& request);
 
 /// A model that has been read, faceted, viewed and compiled.
@@ -43,12 +44,13 @@ CompiledModel facet_model(const ModelRequest& request, const machines::Machine& 
 
 /// Reads and compiles the model. Throws InputError, or UsageError for invalid options.
 CompiledModel compile_model(const ModelRequest& request, const machines::Machine& machine);
+/// Compiles a model that has been read.
 CompiledModel compile_model(ModelFile file, setup::Choices choices, const machines::Machine& machine);
 
 /// The model as its camera sees it.
 view::View view_of(const CompiledModel& model);
 
-/// Finds the half-space of the model that an instruction of its Program belongs to. The model has to outlive the
+/// A finder of the half-space to which an instruction of the model's Program belongs. The model must outlive the
 /// finder.
 story::HalfspaceFinder halfspaces_of(const CompiledModel& model);
 

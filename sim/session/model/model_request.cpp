@@ -123,7 +123,8 @@ const ModelRequest::LoadedScene& ModelRequest::loaded_scene() const {
   LoadedScene loaded{scene_file.empty() ? "" : read_file(scene_file, scene_input), {}, {}};
   try {
     const std::vector<scene::Section> sections = effects::sections();
-    loaded.scene = scene::read_scene(loaded.text, printable(scene_file), sorted(sets).scene, sections, &loaded.values);
+    loaded.scene =
+        scene::read_scene(loaded.text, printable(scene_file), divide_sets(sets).scene, sections, &loaded.values);
   } catch (const scene::SetError& error) {
     throw UsageError(error.what());
   }
@@ -145,7 +146,7 @@ ModelRequest model_request_in(std::span<const std::string> words) {
   OptionList options("view");
   request.add_to(options);
   options.give_words(words);
-  options.take();
+  options.check_and_apply();
   return request;
 }
 
@@ -172,7 +173,7 @@ void ModelRequest::add_to(OptionList& options, const std::string& what) {
   options
       .option("--machine", machine,
               "A machine's name (see csgsim manual machines) or .toml file; NAME+KEY=VALUE changes a parameter")
-      .check(is_read_by(check_machine));
+      .check(check_by_parsing(check_machine));
   options.option("--memory-bits", memory_bits, "Memory bits per pixel; default: as in the machine's description")
       .between(1U, isa::max_memory_bits);
   add_view_to(options);
@@ -199,7 +200,7 @@ void ModelRequest::add_to(OptionList& options, const std::string& what) {
               "Prunings to apply: auto (all, where their tests take the host less time than they save), all, none, the "
               "named "
               "ones (space+hidden) or all but the named ones (no-space+no-hidden)")
-      .words(pruning_words(), is_read_by(parse_pruning));
+      .words(pruning_words(), check_by_parsing(parse_pruning));
 }
 
 void ModelRequest::add_view_to(OptionList& options) {
@@ -297,9 +298,11 @@ view::Sampling sampling_of(const ModelRequest& request, const machines::Machine&
     throw UsageError("--near", "an orthographic view has no near plane; leave it out");
   }
   if (request.near && !(*request.near > 0 && std::isfinite(*request.near)))
-    throw UsageError("--near", fmt::format("{:g} is not a finite distance above 0", *request.near));
+    throw UsageError("--near",
+                     fmt::format("{:g} is not a finite distance above 0; give one such as 0.1", *request.near));
   if (!(request.edge_on > 0 && request.edge_on <= 1))
-    throw UsageError("--edge-on", fmt::format("{:g} is not a fraction of a pixel above 0, at most 1", request.edge_on));
+    throw UsageError("--edge-on",
+                     fmt::format("{:g} is not a fraction of a pixel; give one above 0, at most 1", request.edge_on));
   const machines::Size picture = machine.picture;
   const std::optional<double> near = request.near ? request.near : near_of(request);
   return {picture.width, picture.height, request.z_bits, request.fraction_bits, request.edge_on, near};

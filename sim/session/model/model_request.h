@@ -37,8 +37,8 @@ inline constexpr std::uint32_t ample_memory_bits = 256;
 /// Options of every command that compiles a model.
 struct ModelRequest {
   std::string model;
-  std::string imports_from;
-  bool snap = false;  ///< restore rotations from the printed digits
+  std::string imports_from;  ///< folder to search for imports; empty if none
+  bool snap = false;         ///< restore rotations from the printed digits
   std::uint32_t limit = default_work_limit;
   std::optional<std::uint32_t> openscad_seconds;
   std::vector<std::string> defines;  ///< NAME=VALUE of the variables of a source
@@ -65,6 +65,7 @@ struct ModelRequest {
   unsigned colour_bits = isa::max_colour_bits;
   std::string pruning = "auto";  ///< see parse_pruning
 
+  /// Adds all options. `what` describes the operand MODEL in help.
   void add_to(
       OptionList& options,
       const std::string& what =
@@ -79,14 +80,14 @@ struct ModelRequest {
   /// A copy with those effects switched off, even if the scene or the model enables them.
   [[nodiscard]] ModelRequest without_effects(const std::vector<std::string>& names) const;
 
-  /// What is passed to OpenSCAD with a source. Throws UsageError if a file of parameter sets is given without a set, or
-  /// a set without a file, and InputError if the file lacks the set.
+  /// The options to pass to OpenSCAD with a source. Throws UsageError if a file of parameter sets is given without a
+  /// set, or a set without a file, and InputError if the file lacks the set.
   [[nodiscard]] ScadOptions scad_options() const;
 
   /// The files that are read: the model, the scene, the parameter sets, and the machine's file if it has one.
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const;
 
-  /// Adds only the options of view and accuracy, none of those that a sweep varies.
+  /// Adds only the options of view and accuracy, without those that a sweep varies.
   void add_view_to(OptionList& options);
 
  private:
@@ -111,11 +112,13 @@ std::vector<std::string> strategy_names();
 /// The requested machine with the requested picture size and memory.
 machines::Machine machine_of(const ModelRequest& request);
 
-/// Everything else that the request asks of the compiler, as values. Throws InputError, or UsageError for invalid
-/// options.
+/// The parts of the request that concern the compiler, apart from the machine, as values. Throws InputError, or
+/// UsageError for invalid options.
 setup::Choices choices_of(const ModelRequest& request, const machines::Machine& machine);
 
+/// Size, depth bits, accuracy and near plane of the picture. Throws UsageError for invalid options.
 view::Sampling sampling_of(const ModelRequest& request, const machines::Machine& machine);
+/// Strategy, colouring, colour bits, scene, prunings and work limit. Throws UsageError for invalid options.
 emit::Options emit_options_of(const ModelRequest& request);
 
 /// Work limit of reading and of compiling the model.

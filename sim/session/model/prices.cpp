@@ -13,7 +13,7 @@ namespace csgsim::session {
 
 namespace {
 
-/// A comparison of a plane with a depth of usual width.
+/// A typical instruction: the comparison of a plane with a depth of 20 bits.
 constexpr isa::Instruction usual_instruction{.opcode = isa::Opcode::linear_gt,
                                              .fields = {isa::Field{0, 20}, {}, {}},
                                              .linear = {.a = 1, .b = 1, .c = 1, .width = 33, .shift = 12}};

@@ -7,10 +7,11 @@
 
 namespace csgsim::session {
 
-/// The prices of a machine's host and of its array, which are reported but decide nothing.
+/// The times of a machine's host for the tests of prunings, and of its host and array for an instruction. They are
+/// reported only: no pruning is left out because of them.
 csg::Prices prices_on(const machines::Machine& machine);
 
-/// prices_on() for `--pruning auto`: tests that are not worth their time are left out.
+/// prices_on() for `--pruning auto`: tests that take longer than they save are left out.
 csg::Prices weighed_prices_on(const machines::Machine& machine);
 
 }  // namespace csgsim::session

@@ -66,9 +66,10 @@ std::uint32_t primitive_named(const isa::Program& program, const std::string& te
   const std::vector<std::string>& names = program.facts->primitives;
   if (const std::optional<std::uint32_t> index = index_in(text)) {
     if (*index < names.size()) return *index;
-    throw UsageError(option,
-                     fmt::format("there is no primitive {}: the Program has {}; for a line of the model, write @{}",
-                                 printable(text), names.size(), text.substr(text.starts_with('p') ? 1 : 0)));
+    throw UsageError(
+        option,
+        fmt::format("there is no primitive {}: the Program has {}, counted from 0; for a line of the model, write @{}",
+                    printable(text), names.size(), text.substr(text.starts_with('p') ? 1 : 0)));
   }
   std::vector<std::uint32_t> meant = matching(names, [&](const std::string& name) { return name == text; });
   if (meant.empty()) meant = matching(names, [&](const std::string& name) { return is_on_line(name, text); });

@@ -82,7 +82,7 @@ std::optional<machines::Machine> machine_named(const isa::Program& program, cons
   }
 }
 
-/// Checks a machine other than the one that the Program names.
+/// Checks whether a machine other than the one that the Program names can run it, and warns about differences.
 void check_fits(const isa::Program& program, const std::string& file, const machines::Machine& machine) {
   const std::optional<machines::Machine> known = machine_named(program, file);
   if (!known) return refuse_less_memory(program, file, machine);

@@ -26,7 +26,7 @@ machines::Machine machine_for(const isa::Program& program, const std::string& fi
 /// Used by commands that accept a model or a Program. Compile options do not apply to a Program. Throws UsageError for
 /// a given option that is not one of the command's `own` options (long names without dashes); `why` ends the message.
 void refuse_model_options(const OptionList& options, const std::set<std::string>& own,
-                          const std::string& why = "a Program has been compiled already");
+                          const std::string& why = "a Program has been compiled already; leave it out");
 
 /// A Program and the machine that runs it.
 struct ProgramOnMachine {

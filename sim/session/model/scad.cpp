@@ -34,7 +34,7 @@ std::string_view fix_for(system::Exceeded exceeded) {
 }
 
 std::string reason_of(const system::ChildEnd& end, const system::ChildLimits& limits) {
-  const std::string why = printable(system::why_failed(end, limits));
+  const std::string why = printable(system::failure_text(end, limits));
   return end.exceeded == system::Exceeded::nothing
              ? why
              : "OpenSCAD was stopped: " + why + "; " + std::string(fix_for(end.exceeded));
@@ -76,7 +76,7 @@ std::string evaluated(std::span<const std::string> words, const system::MemoryFi
   return csg;
 }
 
-/// The words of an OpenSCAD command line that evaluates `input`, after `first`.
+/// The words of a command line that runs OpenSCAD on `input`; `first` are words that precede `openscad`.
 std::vector<std::string> openscad_words(std::vector<std::string> first, const std::string& input,
                                         const ScadOptions& options) {
   first.insert(first.end(), {"openscad", "-o", "-", "--export-format", "csg"});
@@ -100,15 +100,15 @@ void record_existing(const std::string& file) {
 
 }  // namespace
 
-std::string evaluate_scad(const std::string& file, const std::optional<std::string>& instead,
+std::string evaluate_scad(const std::string& file, const std::optional<std::string>& replacement,
                           const ScadOptions& options) {
-  if (!instead) record_existing(file);
+  if (!replacement) record_existing(file);
   const std::string folder = std::filesystem::path(file).parent_path().native();
   const std::vector<std::string> words =
-      instead ? openscad_words({"env", "--chdir=" + (folder.empty() ? "." : folder)}, "-", options)
-              : openscad_words({}, file.starts_with('-') ? "./" + file : file, options);
+      replacement ? openscad_words({"env", "--chdir=" + (folder.empty() ? "." : folder)}, "-", options)
+                  : openscad_words({}, file.starts_with('-') ? "./" + file : file, options);
   system::MemoryFile input(file);
-  if (instead) input.write(*instead);
+  if (replacement) input.write(*replacement);
   return evaluated(words, input, file, options);
 }
 

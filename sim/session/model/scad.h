@@ -19,11 +19,11 @@ struct ScadOptions {
   std::chrono::seconds time_limit = default_openscad_time;
 };
 
-/// Evaluates a source file with the OpenSCAD on the PATH and returns the text of a `.csg` file. `instead` replaces the
-/// file's content; it is evaluated in the file's folder, and messages name the file. OpenSCAD's messages go to standard
-/// error. Throws InputError if OpenSCAD is missing, reports an error such as a failed assert(), or exceeds its limits
-/// of time, memory or output.
-std::string evaluate_scad(const std::string& file, const std::optional<std::string>& instead,
+/// Evaluates a source file with the OpenSCAD on the PATH and returns the text of a `.csg` file. `replacement` is
+/// evaluated in place of the file's content, in the file's folder; messages name the file. OpenSCAD's messages go to
+/// standard error. Throws InputError if OpenSCAD is missing, reports an error such as a failed assert(), or exceeds its
+/// limits of time, memory or output.
+std::string evaluate_scad(const std::string& file, const std::optional<std::string>& replacement,
                           const ScadOptions& options);
 
 }  // namespace csgsim::session

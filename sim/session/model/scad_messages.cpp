@@ -76,12 +76,12 @@ bool continues(const ScadMessage& last, std::string_view line) {
   return last.kind->label == "ECHO" || (is_error(last) && !has_place(last.text) && has_place(line));
 }
 
-std::vector<ScadMessage> messages_in(std::string_view said) {
+std::vector<ScadMessage> messages_in(std::string_view output) {
   std::vector<ScadMessage> messages;
   bool is_open = false;  // whether the last line belongs to the last message
-  for (std::size_t at = 0; at < said.size();) {
-    const std::size_t end = std::min(said.find('\n', at), said.size());
-    const std::string_view line = said.substr(at, end - at);
+  for (std::size_t at = 0; at < output.size();) {
+    const std::size_t end = std::min(output.find('\n', at), output.size());
+    const std::string_view line = output.substr(at, end - at);
     at = end + 1;
     if (const MessageKind* const kind = kind_of(line)) {
       messages.push_back({kind, line});
@@ -120,8 +120,8 @@ std::string path_of(std::string_view named, const std::string& file) {
 
 }  // namespace
 
-void print_scad_messages(std::string_view said, const std::string& file) {
-  const std::vector<ScadMessage> messages = messages_in(said);
+void print_scad_messages(std::string_view output, const std::string& file) {
+  const std::vector<ScadMessage> messages = messages_in(output);
   const std::optional<std::size_t> thrown = first_error(messages);
   std::array<std::size_t, message_kinds.size()> counts{};
   for (std::size_t i = 0; i < messages.size(); ++i) {
@@ -136,8 +136,8 @@ void print_scad_messages(std::string_view said, const std::string& file) {
   }
 }
 
-std::string scad_error(std::string_view said, const std::string& file) {
-  const std::vector<ScadMessage> messages = messages_in(said);
+std::string scad_error(std::string_view output, const std::string& file) {
+  const std::vector<ScadMessage> messages = messages_in(output);
   const std::optional<std::size_t> thrown = first_error(messages);
   if (!thrown) return "";
   std::string_view text = messages[*thrown].text.substr(error_kind.label.size() + 1);

@@ -36,9 +36,9 @@ inline constexpr auto named_subjects = std::to_array<NamedSubject>({{".csg", Sub
                                                                     {".amf", Subject::mesh},
                                                                     {".csgt", Subject::program}});
 
-/// Kind of an input; no other code decides it. A file that begins like a Program is one, regardless of its name.
-/// Otherwise the extension decides, and an unknown extension stands for a model's text, as does standard input. The
-/// content of a pipe is not inspected, since it can be read only once.
+/// Kind of an input; every command uses this function. A file that begins like a Program is one, regardless of its
+/// name. Otherwise the extension decides, and an unknown extension stands for a model's text, as does standard input.
+/// The content of a pipe is not inspected, since it can be read only once.
 Subject subject_in(const std::filesystem::path& path);
 
 bool is_model(const std::filesystem::path& path);

@@ -19,7 +19,7 @@ void add_once(std::vector<Value>& values, Value value) {
 }
 
 /// Advice for a range with another sign between its numbers, as in `12-20`.
-std::string as_range(std::string_view word) {
+std::string range_advice(std::string_view word) {
   constexpr std::string_view digits = "0123456789";
   const std::size_t end = std::min(word.find_first_not_of(digits), word.size());
   const std::size_t next = word.find_first_of(digits, end);
@@ -31,7 +31,7 @@ unsigned parse_number(std::string_view text, std::string_view word) {
   unsigned number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc{} || end != text.data() + text.size() || text.empty())
-    throw InputError(fmt::format("'{}' is neither a number nor a range such as 3..8{}", word, as_range(word)));
+    throw InputError(fmt::format("'{}' is neither a number nor a range such as 3..8{}", word, range_advice(word)));
   return number;
 }
 
@@ -57,7 +57,7 @@ std::vector<std::string> parse_words(std::string_view text) {
   return words;
 }
 
-std::vector<unsigned> parse_numbers(std::string_view text, unsigned least, unsigned most) {
+std::vector<unsigned> parse_numbers(std::string_view text, unsigned min_number, unsigned max_number) {
   std::vector<unsigned> numbers;
   for (const std::string& word : parse_words(text)) {
     const std::string_view view = word;
@@ -65,7 +65,8 @@ std::vector<unsigned> parse_numbers(std::string_view text, unsigned least, unsig
     const unsigned first = parse_number(view.substr(0, dots), word);
     const unsigned last = dots == std::string_view::npos ? first : parse_number(view.substr(dots + 2), word);
     if (last < first) throw InputError(fmt::format("range '{}' is reversed; use {}..{}", word, last, first));
-    if (first < least || last > most) throw InputError(fmt::format("'{}' is not within {} to {}", word, least, most));
+    if (first < min_number || last > max_number)
+      throw InputError(fmt::format("'{}' is not within {} to {}", word, min_number, max_number));
     for (unsigned number = first; number <= last; ++number) add_once(numbers, number);
   }
   return numbers;
@@ -74,7 +75,8 @@ std::vector<unsigned> parse_numbers(std::string_view text, unsigned least, unsig
 std::vector<std::string> parse_names(std::string_view text, std::string_view kind, std::span<const std::string> known) {
   std::vector<std::string> words = parse_words(text);
   for (const std::string& word : words)
-    if (std::find(known.begin(), known.end(), word) == known.end()) throw InputError(no_such(kind, word, known));
+    if (std::find(known.begin(), known.end(), word) == known.end())
+      throw InputError(unknown_word_message(kind, word, known));
   return words;
 }
 

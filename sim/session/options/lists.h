@@ -10,8 +10,8 @@
 namespace csgsim::session {
 
 /// Comma-separated numbers and ranges, as in `3..8`, `3,5,7` or `3..5,8`, in the given order without duplicates. Throws
-/// InputError for any other text and for numbers below `least` or above `most`.
-std::vector<unsigned> parse_numbers(std::string_view text, unsigned least, unsigned most);
+/// InputError for any other text and for numbers below `min_number` or above `max_number`.
+std::vector<unsigned> parse_numbers(std::string_view text, unsigned min_number, unsigned max_number);
 
 /// The parts of a text between separators; parts may be empty.
 std::vector<std::string_view> split(std::string_view text, std::string_view separator);

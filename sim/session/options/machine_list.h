@@ -10,10 +10,10 @@
 
 namespace csgsim::session {
 
-/// The machines that studies of several machines compare by default, as the text of an option.
-inline std::string all_machines() { return fmt::format("{}", fmt::join(kinds::studied_names(), ",")); }
+/// Names of the machines that studies of several machines compare by default, separated by commas.
+inline std::string studied_machines_text() { return fmt::format("{}", fmt::join(kinds::studied_names(), ",")); }
 
-/// All built-in machines, as the text of an option.
-inline std::string every_machine() { return fmt::format("{}", fmt::join(kinds::built_in_names(), ",")); }
+/// Names of all built-in machines, separated by commas.
+inline std::string built_in_machines_text() { return fmt::format("{}", fmt::join(kinds::built_in_names(), ",")); }
 
 }  // namespace csgsim::session

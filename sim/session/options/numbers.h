@@ -16,7 +16,8 @@
 
 namespace csgsim::session {
 
-/// Reads `count` numbers from an option's text. Throws UsageError, which shows the expected form.
+/// Reads exactly `count` numbers, with `separator` between them, from an option's text. Throws UsageError, which shows
+/// `form`, the expected form.
 template <typename Number>
 std::vector<Number> numbers(const std::string& text, char separator, std::size_t count, const std::string& option,
                             const std::string& form) {
@@ -36,8 +37,8 @@ std::vector<Number> numbers(const std::string& text, char separator, std::size_t
   return values;
 }
 
-/// `1 bit`, `1,234 bits`.
-inline std::string counted(std::uint64_t count, std::string_view what) {
+/// The count with the noun `what`, in the plural unless the count is 1: `1 bit`, `1,234 bits`.
+inline std::string count_text(std::uint64_t count, std::string_view what) {
   return fmt::format("{} {}{}", grouped(count), what, count == 1 ? "" : "s");
 }
 

@@ -48,7 +48,7 @@ std::optional<Number> number_in(std::string_view text) {
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
 /// Advice for a number followed by a unit, as in `20bits`; empty for other texts and for SI prefixes.
-std::string without_unit(std::string_view text) {
+std::string unit_advice(std::string_view text) {
   const std::size_t end = std::min(text.find_first_not_of("0123456789."), text.size());
   std::string_view unit = text.substr(end);
   if (unit.starts_with(' ')) unit.remove_prefix(1);
@@ -59,9 +59,9 @@ std::string without_unit(std::string_view text) {
 template <class Number>
 std::string number_problem(const std::string& text) {
   if (number_in<Number>(text)) return "";
-  if constexpr (std::is_floating_point_v<Number>) return "'" + text + "' is not a number" + without_unit(text);
+  if constexpr (std::is_floating_point_v<Number>) return "'" + text + "' is not a number" + unit_advice(text);
   const bool is_digits = !text.empty() && std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
-  if (!is_digits) return "'" + text + "' is not a whole number, 0 or more" + without_unit(text);
+  if (!is_digits) return "'" + text + "' is not a whole number, 0 or more" + unit_advice(text);
   return fmt::format("'{}' is more than {}", text, std::numeric_limits<Number>::max());
 }
 
@@ -108,12 +108,12 @@ Option& Option::check(const Check& check) {
 Option& Option::one_of(const std::vector<std::string>& all, const std::string& kind) {
   const std::string called = kind.empty() ? kind_of(*this) : kind;
   return words(all, [all, called](const std::string& word) {
-    return std::ranges::find(all, word) != all.end() ? std::string() : no_such(called, word, all);
+    return std::ranges::find(all, word) != all.end() ? std::string() : unknown_word_message(called, word, all);
   });
 }
 
 Option& Option::list_of(const std::vector<std::string>& all, const std::string& kind) {
-  return words(all, is_read_by([all, kind](const std::string& text) { parse_names(text, kind, all); }));
+  return words(all, check_by_parsing([all, kind](const std::string& text) { parse_names(text, kind, all); }));
 }
 
 Option& Option::words(const std::vector<std::string>& words, const Check& check) {
@@ -132,7 +132,7 @@ Option& Option::between(std::uint64_t low, std::uint64_t high) {
     const std::optional<std::uint64_t> number = number_in<std::uint64_t>(text);
     const bool is_within = number && *number >= low && *number <= high;
     return is_within ? ""
-                     : fmt::format("'{}' is not a whole number from {} to {}{}", text, low, high, without_unit(text));
+                     : fmt::format("'{}' is not a whole number from {} to {}{}", text, low, high, unit_advice(text));
   });
   return *this;
 }
@@ -264,7 +264,7 @@ Option& OptionList::find_required(std::string_view key) {
   std::vector<std::string> known;
   for (const Option& one : options_)
     if (!one.is_operand) known.push_back(one.shown_name());
-  throw UsageError(no_such_option(fmt::format("--{}", key), known, name_));
+  throw UsageError(unknown_option_message(fmt::format("--{}", key), known, name_));
 }
 
 void OptionList::give(std::string_view key, const std::string& text) {
@@ -323,7 +323,7 @@ const Option* OptionList::excluded_by(const Option& option) const {
   return found == options_.end() ? nullptr : &*found;
 }
 
-void OptionList::take_given() {
+void OptionList::apply_given() {
   for (const Option& option : options_) {
     if (!option.is_given()) continue;
     try {
@@ -337,8 +337,8 @@ void OptionList::take_given() {
   }
 }
 
-void OptionList::take() {
-  take_given();
+void OptionList::check_and_apply() {
+  apply_given();
   for (const Option& option : options_) {
     if (option.is_required && !option.is_given())
       throw UsageError(option.shown_name() + " is required; " + how_to_give(option, name_));
@@ -383,13 +383,13 @@ std::vector<SettableOption> OptionList::settable() const {
   return options;
 }
 
-std::vector<std::string> OptionList::words(std::span<const std::string_view> but) const {
+std::vector<std::string> OptionList::words(std::span<const std::string_view> excluded_keys) const {
   std::vector<std::string> operands;
   std::vector<std::string> options;
   for (const Option& option : options_) {
     if (option.is_operand) {
       operands.insert(operands.end(), option.given.begin(), option.given.end());
-    } else if (option.is_given() && std::ranges::find(but, option.key()) == but.end()) {
+    } else if (option.is_given() && std::ranges::find(excluded_keys, option.key()) == excluded_keys.end()) {
       if (option.takes == Takes::flag) {
         if (option.given.back() != is_false) options.push_back(option.shown_name());
         continue;

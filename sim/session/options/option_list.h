@@ -91,10 +91,11 @@ class Option {
   [[nodiscard]] std::string problem(std::span<const std::string> texts) const;
 
   [[nodiscard]] bool is_given() const { return !given.empty(); }
-  [[nodiscard]] std::string key() const;                      ///< see SettableOption
-  [[nodiscard]] bool is_called(std::string_view name) const;  ///< whether that is its key or another long name
-  [[nodiscard]] std::string shown_name() const;               ///< `--z-bits`, or `MODEL`
-  [[nodiscard]] std::string value_text() const;               ///< the given texts, separated by commas
+  [[nodiscard]] std::string key() const;  ///< see SettableOption
+  /// Whether `name` is the key or another of the long names.
+  [[nodiscard]] bool is_called(std::string_view name) const;
+  [[nodiscard]] std::string shown_name() const;  ///< `--z-bits`, or `MODEL`
+  [[nodiscard]] std::string value_text() const;  ///< the given texts, separated by commas
   [[nodiscard]] OptionValue value() const;
 
   std::vector<std::string> names;  ///< names with dashes, short ones first; one name for an operand
@@ -117,7 +118,7 @@ class Option {
   std::function<void(const std::vector<std::string>&)> take_;
 };
 
-/// Callbacks of a run's caller.
+/// Callbacks by which the caller observes a run.
 struct RunWatch {
   std::function<void(const nlohmann::ordered_json& configuration)> before;  ///< called before the run; may throw
   std::function<void(const nlohmann::ordered_json& stats)> after;           ///< called after all files are written
@@ -139,9 +140,10 @@ class OptionList {
   /// Adds an option whose text is passed to `take`, which may throw UsageError.
   Option& read_option(const std::string& names, const std::function<void(const std::string&)>& take,
                       const std::string& meaning);
+  /// Adds an option without a value; `is_given` becomes true if the option is given.
   Option& flag(const std::string& names, bool& is_given, const std::string& meaning);
 
-  /// Removes an option of a group that does not apply to this request.
+  /// Removes an option that a group of options added but that does not apply to this request.
   void remove(const std::string& shown_name);
 
   /// Clears the given values.
@@ -152,6 +154,7 @@ class OptionList {
   void give(std::string_view key, const std::string& text);
   /// Sets the flag with that key. Throws UsageError for an unknown key, and for an option that needs a value.
   void give_flag(std::string_view key);
+  /// Gives the text to the first operand that still accepts one. Throws UsageError if there is none.
   void give_operand(const std::string& text);
 
   /// Gives the options and operands in the result of words(). Throws UsageError.
@@ -159,11 +162,11 @@ class OptionList {
 
   /// Writes the given values to their variables. Throws UsageError for an invalid value, or InputError with the place
   /// for a value of a settings file.
-  void take_given();
+  void apply_given();
 
-  /// Checks that required options are given and that no given option excludes another, then does take_given(). Throws
-  /// UsageError, or InputError like take_given().
-  void take();
+  /// Checks that required options are given and that no given option excludes another, then calls apply_given(). Throws
+  /// UsageError, or InputError like apply_given().
+  void check_and_apply();
 
   /// A given option that must not be given together with this one; null if there is none.
   [[nodiscard]] const Option* excluded_by(const Option& option) const;
@@ -185,11 +188,12 @@ class OptionList {
 
   /// Every option and operand, in the order of help.
   [[nodiscard]] std::vector<OptionValue> values() const;
+  /// Key and type of every option and operand.
   [[nodiscard]] std::vector<SettableOption> settable() const;
 
   /// The given options and operands as words of a command line: the request's name, operands, and each option by its
-  /// long name, except those in `but`. Parsing the words gives the same values.
-  [[nodiscard]] std::vector<std::string> words(std::span<const std::string_view> but = {}) const;
+  /// long name, except those with `excluded_keys`. Parsing the words gives the same values.
+  [[nodiscard]] std::vector<std::string> words(std::span<const std::string_view> excluded_keys = {}) const;
 
   /// The command line of this request, whose first word is the program: as typed, if it was typed.
   [[nodiscard]] std::vector<std::string> arguments() const;
@@ -215,6 +219,6 @@ std::string shell_command(std::span<const std::string> words);
 std::string did_you_mean(std::string_view word, std::span<const std::string> known);
 
 /// The message about an option, with its dashes, that the request does not have.
-std::string no_such_option(std::string_view word, std::span<const std::string> known, std::string_view request);
+std::string unknown_option_message(std::string_view word, std::span<const std::string> known, std::string_view request);
 
 }  // namespace csgsim::session

@@ -41,7 +41,7 @@ void refuse_clashes(std::span<const std::filesystem::path> inputs, std::span<con
       clash->output.native(),
       is_standard_output(clash->output) ? "two outputs cannot both go to standard output; name a file for one"
       : clash->is_input ? fmt::format("it is the same file as the input {}; name another output", clash->other.native())
-                        : "two outputs cannot be the same file");
+                        : "two outputs cannot be the same file; name another one");
 }
 
 bool is_unnamed_stream(const std::filesystem::path& path) {
@@ -50,7 +50,7 @@ bool is_unnamed_stream(const std::filesystem::path& path) {
 
 std::string shown_name(const std::string& path) { return path == standard_stream ? "standard input" : path; }
 
-void refuse_other_format(const std::string& option, const std::filesystem::path& picture) {
+void refuse_unknown_format(const std::string& option, const std::filesystem::path& picture) {
   if (picture.empty()) return;
   try {
     observe::check_format(picture);

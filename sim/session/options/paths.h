@@ -10,7 +10,7 @@
 
 namespace csgsim::session {
 
-/// Whether the path's extension is this one, regardless of case.
+/// Whether the path's extension is `ending`, as in `.png`, regardless of case.
 bool ends_in(const std::filesystem::path& path, std::string_view ending);
 
 /// The files read for models or Programs and machines. Built-in machines have no file.
@@ -27,7 +27,7 @@ bool is_unnamed_stream(const std::filesystem::path& path);
 std::string shown_name(const std::string& path);
 
 /// Throws UsageError if the picture's extension belongs to no format; an empty path is accepted.
-void refuse_other_format(const std::string& option, const std::filesystem::path& picture);
+void refuse_unknown_format(const std::string& option, const std::filesystem::path& picture);
 
 /// Rejects binary output to a terminal. Throws UsageError.
 void refuse_terminal(const std::string& option, const std::filesystem::path& path);

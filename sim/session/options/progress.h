@@ -16,8 +16,9 @@ inline bool shows_progress(const std::string& progress) {
   return progress == "auto" && !is_silent() && ::isatty(STDERR_FILENO) != 0;
 }
 
+/// Adds --progress.
 inline void add_progress(OptionList& command, std::string& progress) {
-  command.option("--progress", progress, "auto (when standard error is a terminal) or none")
+  command.option("--progress", progress, "Show progress: auto (if standard error is a terminal) or none")
       .one_of({"auto", "none"}, "progress setting");
 }
 

@@ -33,10 +33,10 @@ const NamedPruning& named_by(std::string_view word, bool is_left_out) {
   const std::string_view name = is_left_out ? word.substr(left_out.size()) : word;
   const auto found = std::ranges::find(std::span(named), name, &NamedPruning::name);
   if (found != std::span(named).end()) return *found;
-  throw UsageError(no_such("pruning", word, pruning_words()) + "; join several with +");
+  throw UsageError(unknown_word_message("pruning", word, pruning_words()) + "; join several with +");
 }
 
-csg::Pruning uniform(bool is_done) {
+csg::Pruning all_or_none(bool is_done) {
   csg::Pruning pruning = csg::Pruning();
   for (const NamedPruning& one : named) pruning.*one.is_done = is_done;
   return pruning;
@@ -45,10 +45,10 @@ csg::Pruning uniform(bool is_done) {
 }  // namespace
 
 csg::Pruning parse_pruning(const std::string& text) {
-  if (text == all_that_pay || text == "all" || text == "none") return uniform(text != "none");
+  if (text == all_that_pay || text == "all" || text == "none") return all_or_none(text != "none");
   const std::vector<std::string_view> words = split(text, "+");
   const bool are_left_out = words.front().starts_with(left_out);
-  csg::Pruning pruning = uniform(are_left_out);
+  csg::Pruning pruning = all_or_none(are_left_out);
   for (const std::string_view word : words) {
     const bool is_left_out = word.starts_with(left_out);
     pruning.*named_by(word, is_left_out).is_done = !is_left_out;

@@ -12,7 +12,7 @@ namespace csgsim::session {
 
 /// A check that calls the parser and returns its error message.
 template <class Parse>
-Check is_read_by(Parse parse) {
+Check check_by_parsing(Parse parse) {
   return [parse](const std::string& text) -> std::string {
     try {
       parse(text);

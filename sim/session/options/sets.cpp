@@ -54,7 +54,7 @@ void refuse_form(const std::string& set) {
 
 }  // namespace
 
-Sets sorted(const std::vector<std::string>& sets) {
+Sets divide_sets(const std::vector<std::string>& sets) {
   Sets all;
   for (const std::string& set : sets) {
     refuse_form(set);
@@ -82,7 +82,7 @@ namespace {
 
 template <class Source>
 machines::Machine load_from(const Source& source, const std::string& name, const std::vector<std::string>& sets) {
-  const std::vector<std::string> figures = sorted(sets).figures;
+  const std::vector<std::string> figures = divide_sets(sets).figures;
   machines::Machine plain = kinds::load(source);
   if (figures.empty()) return plain;
   for (const std::string& figure : figures) {
@@ -107,7 +107,7 @@ machines::Machine load_machine(const isa::MachineRecord& record, const std::vect
 }
 
 std::vector<std::string> with_parameters(const std::vector<std::string>& names, const std::vector<std::string>& sets) {
-  const std::vector<std::string> figures = sorted(sets).figures;
+  const std::vector<std::string> figures = divide_sets(sets).figures;
   if (figures.empty()) return names;
   std::vector<std::string> edited;
   std::set<std::string> taken;
@@ -137,7 +137,7 @@ void add_parameter_sets(OptionList& command, std::vector<std::string>& sets, con
 }
 
 void refuse_scene_sets(const std::vector<std::string>& sets, const std::string& option) {
-  const std::vector<std::string> of_scene = sorted(sets).scene;
+  const std::vector<std::string> of_scene = divide_sets(sets).scene;
   if (!of_scene.empty())
     throw UsageError(option, "'" + printable(of_scene.front()) +
                                  "' is a key of a scene, which has no effect here; only machine parameters can be set");

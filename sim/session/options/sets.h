@@ -16,8 +16,9 @@ struct Sets {
   std::vector<std::string> scene;    ///< keys of the scene
 };
 
-/// Throws UsageError for a key that belongs to neither, with the nearest key of both.
-Sets sorted(const std::vector<std::string>& sets);
+/// Divides the settings by the owner of their keys. Throws UsageError for a key that belongs to neither, with the
+/// nearest key of both.
+Sets divide_sets(const std::vector<std::string>& sets);
 
 /// Throws InputError for an unknown machine name or an invalid parameter change in the name; files are not read.
 void check_machine(const std::string& name);

@@ -76,7 +76,7 @@ bool has_part(std::string_view key, std::string_view part) {
   return std::ranges::any_of(parts, [&](std::string_view one) { return are_alike(one, part); });
 }
 
-/// The keys that contain the part; the switch of an effect of that name.
+/// The keys with a dotted part equal to `part`; only the switch `.on` if an effect has that name.
 std::vector<std::string> keys_with(std::string_view part, std::span<const std::string> keys) {
   std::vector<std::string> found;
   for (const std::string& key : keys) {
@@ -97,7 +97,7 @@ std::vector<std::string_view> parts_of(std::span<const std::string> keys) {
 }
 
 /// Known options that begin with the word, if it has at least three letters.
-std::vector<std::string> continued(std::string_view word, std::span<const std::string> known) {
+std::vector<std::string> options_that_begin_with(std::string_view word, std::span<const std::string> known) {
   constexpr std::size_t shortest = 5;
   std::vector<std::string> found;
   if (word.size() < shortest) return found;
@@ -166,7 +166,8 @@ std::vector<std::string> suggested_keys(std::string_view key) {
 std::string suggested_option(std::string_view word, std::span<const std::string> known) {
   if (const std::string_view replaced = replacement_for(word, known); !replaced.empty()) return std::string(replaced);
   if (std::string other = with_other_dashes(word, known); !other.empty()) return other;
-  if (const std::vector<std::string> longer = continued(word, known); !longer.empty()) return alternatives(longer);
+  if (const std::vector<std::string> longer = options_that_begin_with(word, known); !longer.empty())
+    return alternatives(longer);
   if (is_known(known, "--set")) {
     if (std::string set = set_for(without_dashes(word)); !set.empty()) return set;
   }
@@ -174,7 +175,8 @@ std::string suggested_option(std::string_view word, std::span<const std::string>
   return std::string(nearest_similar(word, candidates));
 }
 
-std::string no_such_option(std::string_view word, std::span<const std::string> known, std::string_view request) {
+std::string unknown_option_message(std::string_view word, std::span<const std::string> known,
+                                   std::string_view request) {
   const std::string meant = suggested_option(word, known);
   std::string advice;
   if (!meant.empty()) {

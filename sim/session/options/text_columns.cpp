@@ -12,7 +12,7 @@ std::size_t width_of(const std::string& text) {
   return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xc0) != 0x80; }));
 }
 
-bool runs_on(const std::vector<std::string>& row, std::size_t column, std::size_t columns) {
+bool extends_beyond(const std::vector<std::string>& row, std::size_t column, std::size_t columns) {
   return row.size() < columns && column + 1 == row.size();
 }
 
@@ -20,7 +20,7 @@ std::vector<std::size_t> widths_of(std::span<const std::vector<std::string>> row
   std::vector<std::size_t> widths(columns);
   for (const std::vector<std::string>& row : rows) {
     for (std::size_t i = 0; i < row.size(); ++i) {
-      if (!runs_on(row, i, columns)) widths[i] = std::max(widths[i], width_of(row[i]));
+      if (!extends_beyond(row, i, columns)) widths[i] = std::max(widths[i], width_of(row[i]));
     }
   }
   return widths;
@@ -34,7 +34,7 @@ std::string in_columns(std::span<const std::vector<std::string>> rows, std::stri
   for (const std::vector<std::string>& row : rows) {
     std::string line;
     for (std::size_t i = 0; i < row.size(); ++i) {
-      const bool is_free = runs_on(row, i, sides.size());
+      const bool is_free = extends_beyond(row, i, sides.size());
       const std::string blanks(is_free ? 0 : widths[i] - width_of(row[i]), ' ');
       line += (i == 0 ? "" : "  ") + (sides[i] == '>' ? blanks + row[i] : row[i] + blanks);
     }

@@ -54,7 +54,7 @@ constexpr auto tried_settings = std::to_array<TriedSetting>({
      "coarser colours"},
 });
 
-/// The selections of prunings worth a try: all, none, and each one left out.
+/// The selections of prunings to try: all, none, and all but one, for each pruning.
 std::vector<std::string> tried_prunings() {
   const std::vector<std::string> words = pruning_words();
   std::vector<std::string> tried;

@@ -18,7 +18,7 @@ namespace csgsim::session {
 struct Advice {
   std::string machine;    ///< value of --machine; empty for no advice
   bool is_asked = false;  ///< --advice; otherwise nothing is tried, since it takes as long as many runs
-  std::string ask;        ///< hint how to ask for advice
+  std::string ask;        ///< hint that names the option for advice
   /// Recompiles with other settings to measure their worth; empty if there is no model.
   std::function<std::vector<observe::Knob>(const engine::RunResult&)> settings{};
   std::vector<std::string> commands{};  ///< hints about commands that measure what is not tried

@@ -28,6 +28,7 @@ struct RunSubject {
   bool is_in_place = false;  ///< the subject's file is only a name; the hash is that of its replacement
 };
 
+/// The configuration of a run of the subject with these options.
 nlohmann::ordered_json configuration_of(const OptionList& options, const RunSubject& subject);
 
 /// The machine as used: `name`, `hash`, and `figures` with value, unit and provenance.

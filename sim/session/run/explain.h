@@ -33,7 +33,7 @@ std::string explain_command(const OptionList& options, const std::string& subjec
 /// Throws UsageError if no pixel is given, or if an option does not apply to a Program.
 void refuse_misuse(const ExplainRequest& request, const OptionList& options, const InPlace& in_place = {});
 
-/// Throws InputError, UsageError.
+/// Explains the requested pixel. Throws InputError, UsageError.
 story::Answer explain(const ExplainRequest& request, const OptionList& options, const InPlace& in_place = {});
 
 }  // namespace csgsim::session

@@ -20,13 +20,13 @@ namespace {
 /// The configuration if it is wanted, else null: it hashes the input files, so they are read once more.
 nlohmann::ordered_json wanted_configuration(const OptionList& options, const RunSubject& subject,
                                             const RunRequest& request, bool is_wanted) {
-  if (!is_wanted && request.stats.empty() && !request.report.asked() && !options.watch.before) return nullptr;
+  if (!is_wanted && request.stats.empty() && !request.report.is_requested() && !options.watch.before) return nullptr;
   nlohmann::ordered_json configuration = configuration_of(options, subject);
   if (options.watch.before) options.watch.before(configuration);
   return configuration;
 }
 
-FinishedRun simulated(const RunSubject& subject, const RunRequest& request, const CheckpointOptions& checkpoints) {
+FinishedRun run_simulation(const RunSubject& subject, const RunRequest& request, const CheckpointOptions& checkpoints) {
   const isa::Program& program = subject.program;
   const machines::Machine& machine = subject.machine;
   RunObservers observers{observe::FrameObserver(program), observe::StatsObserver(program), {}};
@@ -69,14 +69,14 @@ FinishedRun finish(const OptionList& options, const RunSubject& subject, const R
                    const Advice& advice, const Judge& judge, const CheckpointOptions& checkpoints, bool is_configured) {
   const isa::Program& program = subject.program;
   nlohmann::ordered_json configuration = wanted_configuration(options, subject, request, is_configured);
-  FinishedRun run = simulated(subject, request, checkpoints);
+  FinishedRun run = run_simulation(subject, request, checkpoints);
   run.knobs = knobs_of(advice, program, subject.machine, run.result);
   run.stats_file = observe::to_json(run.report(subject));
   if (!configuration.is_null()) put_configuration(run.stats_file, std::move(configuration), run.picture);
   if (judge) run.verdict = judge(run.picture, run.stats_file["accuracy"]);
   outputs.write_pictures(run.picture, program);
   outputs.write_stats(run.stats_file.dump(2) + "\n");
-  if (request.report.asked()) outputs.write_report(page_of(options, run, subject, request.report));
+  if (request.report.is_requested()) outputs.write_report(page_of(options, run, subject, request.report));
   outputs.commit();
   return run;
 }

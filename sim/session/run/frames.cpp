@@ -36,7 +36,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-/// Refuses options for one frame, and reads the cameras of --cameras; empty without.
+/// Rejects options that apply to a single frame, and reads the cameras of --cameras; empty without that option.
 std::vector<view::Camera> checked_cameras(const RenderRequest& request, const FramesRequest& wanted) {
   const char* const remedy = wanted.cameras.empty() ? "--frames" : "--cameras";
   const auto for_one_frame = std::to_array<std::pair<const char*, bool>>({
@@ -49,12 +49,13 @@ std::vector<view::Camera> checked_cameras(const RenderRequest& request, const Fr
   });
   for (const auto& [option, is_given] : for_one_frame)
     if (is_given) throw UsageError(option, fmt::format("is for one frame; leave out {}", remedy));
-  if (wanted.orbit && !std::isfinite(*wanted.orbit)) throw UsageError("--orbit", "must be a finite angle");
+  if (wanted.orbit && !std::isfinite(*wanted.orbit))
+    throw UsageError("--orbit", "is not a finite number of degrees; give one such as 360");
   std::vector<view::Camera> cameras;
   if (!wanted.cameras.empty()) cameras = read_cameras(wanted.cameras, max_frames);
   if (!request.run.picture.empty() && is_stream(request.run.picture))
     throw UsageError("--output",
-                     fmt::format("several pictures have several names; name a file, or leave out {}", remedy));
+                     fmt::format("several pictures do not fit into one stream; name a file, or leave out {}", remedy));
   return cameras;
 }
 
@@ -98,7 +99,7 @@ FrameCounts counts_of(const isa::Program& program, const engine::RunResult& resu
           .reused = reused};
 }
 
-/// Observes the run of one frame; as one observer, for sequences.
+/// The observers of one frame, combined into one, since cycle::run_sequence() takes one observer per Program.
 struct FrameRun final : engine::Observer {
   explicit FrameRun(const isa::Program& program) : picture(program), stats(program) {}
 
@@ -155,12 +156,12 @@ class FrameDrawing {
     return finish();
   }
 
-  /// The configuration, if it is wanted; after the first frame.
+  /// The configuration, null if it is not requested; valid after the first frame.
   [[nodiscard]] Json configuration() const { return configuration_; }
 
  private:
   void begin(std::size_t frame) {
-    if (frame > 0) work_.at_point(frame, cameras_.size());
+    if (frame > 0) work_.record_points(frame, cameras_.size());
     progress_(frame, cameras_.size());
   }
 
@@ -191,7 +192,7 @@ class FrameDrawing {
     const std::size_t number = drawn_.frames.size();
     if (number == 0 && configure_) configuration_ = configure_(program);
     FrameCounts counts = counts_of(program, result, run.stats.stats(), reused);
-    // The same Program again contains the work for the model that the first frame has done.
+    // A Program drawn again still records the work for the model, which only the first frame did.
     if (number > 0 && repeats_) counts.host_model_clocks = 0;
     drawn_.sums += counts;
     drawn_.frames.push_back({cameras_[number], pictures_.file_of(number), std::move(counts)});
@@ -331,7 +332,7 @@ DrawnFrames draw_frames(const OptionList& options, const RenderRequest& request,
   std::vector<fs::path> outputs = paths;
   outputs.emplace_back(request.run.stats);
   refuse_clashes(inputs, outputs);
-  refuse_other_format("--output", request.run.picture);
+  refuse_unknown_format("--output", request.run.picture);
   FramePictures pictures(std::move(paths));
   std::optional<OutputFile> stats;
   if (!request.run.stats.empty()) stats.emplace(request.run.stats);

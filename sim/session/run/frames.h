@@ -35,12 +35,12 @@ struct FramesRequest {
 
 /// Counts of a frame, or their sums.
 struct FrameCounts {
-  std::uint64_t clocks = 0;
+  std::uint64_t clocks = 0;  ///< see machines::FrameTiming, as the three counts below
   std::uint64_t shown_clocks = 0;
   std::uint64_t interval_clocks = 0;
   std::uint64_t host_clocks = 0;
-  std::uint64_t host_model_clocks = 0;  ///< for work that no frame before has done
-  std::uint64_t paced_clocks = 0;       ///< until the next frame, with the host
+  std::uint64_t host_model_clocks = 0;  ///< of the host for work on the model that no earlier frame has done
+  std::uint64_t paced_clocks = 0;       ///< until the next frame, limited by the host too
   std::uint64_t skipped = 0;
   std::uint64_t rendered = 0;
   std::uint64_t classified = 0;

@@ -22,11 +22,11 @@ constexpr std::string_view fix = "use fewer half-spaces ($fn, --tolerance), or f
 
 }  // namespace
 
-std::string short_of_memory(const std::string& model, std::size_t halfspaces) {
+std::string out_of_memory_message(const std::string& model, std::size_t halfspaces) {
   return fmt::format("there is not enough memory to compile the {} half-spaces of {}; {}", halfspaces, model, fix);
 }
 
-std::string short_of_memory(std::span<const isa::Program> programs, const isa::ArrayShape& array) {
+std::string out_of_memory_message(std::span<const isa::Program> programs, const isa::ArrayShape& array) {
   std::uint64_t instructions = 0;
   std::uint64_t halfspaces = 0;
   for (const isa::Program& program : programs) {

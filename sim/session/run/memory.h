@@ -17,19 +17,19 @@
 namespace csgsim::session {
 
 /// The message if memory does not suffice to compile a model.
-std::string short_of_memory(const std::string& model, std::size_t halfspaces);
+std::string out_of_memory_message(const std::string& model, std::size_t halfspaces);
 
 /// The message if memory does not suffice for a run of Programs, one after another, on an array of that shape. It
 /// blames the Programs or the pixels, whichever take more.
-std::string short_of_memory(std::span<const isa::Program> programs, const isa::ArrayShape& array);
+std::string out_of_memory_message(std::span<const isa::Program> programs, const isa::ArrayShape& array);
 
-/// Calls the function. If memory does not suffice, throws an InputError with the text that `say` returns.
-template <class Say, class Call>
-auto with_memory(Say say, Call call) {
+/// Calls the function. If memory does not suffice, throws an InputError with the text that `make_message` returns.
+template <class MakeMessage, class Call>
+auto with_memory(MakeMessage make_message, Call call) {
   try {
     return call();
   } catch (const std::bad_alloc&) {
-    throw InputError(say());
+    throw InputError(make_message());
   }
 }
 
@@ -39,16 +39,18 @@ auto with_memory_for(const std::string& what, Call call) {
   return with_memory([&] { return fmt::format("there is not enough memory for {}; use a smaller model", what); }, call);
 }
 
+/// Calls the function, which creates a picture of the array. If memory does not suffice, throws an InputError with the
+/// message of out_of_memory_message().
 template <class Call>
 auto with_memory_for_picture(const isa::ArrayShape& array, Call call) {
-  return with_memory([&] { return short_of_memory({}, array); }, call);
+  return with_memory([&] { return out_of_memory_message({}, array); }, call);
 }
 
 /// Calls the function, which runs Programs. If memory does not suffice, throws an InputError with the message of
-/// short_of_memory().
+/// out_of_memory_message().
 template <class Call>
 auto with_memory_for_run(std::span<const isa::Program> programs, const isa::ArrayShape& array, Call call) {
-  return with_memory([&] { return short_of_memory(programs, array); }, call);
+  return with_memory([&] { return out_of_memory_message(programs, array); }, call);
 }
 
 /// Calls the function, which works on several threads. If memory does not suffice, throws an InputError that suggests
@@ -56,7 +58,7 @@ auto with_memory_for_run(std::span<const isa::Program> programs, const isa::Arra
 template <class Call>
 auto with_memory_for_threads(unsigned threads, const char* what, Call call) {
   const auto say = [&] {
-    if (threads == 1) return std::string("there is not enough memory; take a smaller picture or model");
+    if (threads == 1) return std::string("there is not enough memory; use a smaller picture or model");
     return fmt::format("there is not enough memory for {} {} at once; take fewer --threads", threads, what);
   };
   return with_memory(say, call);

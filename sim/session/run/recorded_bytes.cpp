@@ -30,7 +30,7 @@ Json bytes_json(const std::string& bytes) {
   return {{"hex", digits}};
 }
 
-std::string bytes_of(const Json& json) {
+std::string bytes_from_json(const Json& json) {
   if (json.is_string()) return json.get<std::string>();
   const bool has_digits = json.is_object() && json.contains("hex") && json["hex"].is_string();
   const std::string digits = has_digits ? json["hex"].get<std::string>() : "";

@@ -15,7 +15,7 @@ nlohmann::ordered_json hash_of_file(const std::filesystem::path& file);
 /// Bytes from outside as JSON: a string if they are printable text, otherwise {"hex": "..."}.
 nlohmann::ordered_json bytes_json(const std::string& bytes);
 
-/// The reverse. Throws InputError if the JSON is neither.
-std::string bytes_of(const nlohmann::ordered_json& json);
+/// The bytes that bytes_json() stored. Throws InputError if the JSON has neither form.
+std::string bytes_from_json(const nlohmann::ordered_json& json);
 
 }  // namespace csgsim::session

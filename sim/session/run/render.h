@@ -48,7 +48,7 @@ struct Compiled {
   }
 };
 
-/// Sets the bits in the request to meet --max-wrong-pixels: studies::choose_bits. Throws InputError.
+/// Sets the bits in the request so that they meet --max-wrong-pixels, as studies::choose_bits does. Throws InputError.
 using ChooseBits = std::function<void(RenderRequest&, const machines::Machine&, const model::Tree&)>;
 
 /// Compiles the model, with chosen bits if --max-wrong-pixels is given. Warns about nearly coplanar faces. Throws

@@ -23,7 +23,7 @@ namespace csgsim::session {
 namespace {
 
 /// The problem of a page's name, or an empty string.
-std::string html_name(const std::string& name) {
+std::string html_name_problem(const std::string& name) {
   return ends_in(name, ".html") ? "" : "'" + name + "' must end in .html";
 }
 
@@ -31,7 +31,7 @@ std::string html_name(const std::string& name) {
 
 void ReportOption::add_to(OptionList& options) {
   options.option("--report", file, "Write a self-contained .html page: pictures, counts, interactive plots")
-      .check(html_name);
+      .check(html_name_problem);
   asked_ = &options;
 }
 
@@ -47,7 +47,7 @@ report::Context ReportOption::context(std::span<const machines::Machine> machine
 }
 
 ReportFile::ReportFile(const ReportOption& option, std::span<const std::filesystem::path> inputs) {
-  if (!option.asked()) return;
+  if (!option.is_requested()) return;
   refuse_clashes(inputs, std::to_array<std::filesystem::path>({option.file}));
   file_.emplace(option.file);
 }

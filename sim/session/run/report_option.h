@@ -26,7 +26,7 @@ struct ReportOption {
   std::string file;
 
   void add_to(OptionList& options);
-  [[nodiscard]] bool asked() const { return !file.empty(); }
+  [[nodiscard]] bool is_requested() const { return !file.empty(); }
 
   /// The command and its options, for the page. Empty until the command line has been parsed.
   [[nodiscard]] report::Context context(std::span<const machines::Machine> machines = {}) const;
@@ -42,7 +42,7 @@ class ReportFile {
   /// requested.
   ReportFile(const ReportOption& option, std::span<const std::filesystem::path> inputs);
 
-  [[nodiscard]] bool asked() const { return file_.has_value(); }
+  [[nodiscard]] bool is_requested() const { return file_.has_value(); }
   void write(const report::Page& page);
 
  private:

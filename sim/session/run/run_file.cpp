@@ -18,7 +18,7 @@ void ProgramRequest::add_to(OptionList& options) {
       .option("--machine", machine,
               "A machine's name or .toml file, instead of the machine the Program was compiled for; its array is "
               "made as large as the Program's")
-      .check(is_read_by(check_machine));
+      .check(check_by_parsing(check_machine));
   add_parameter_sets(options, sets, "the machine");
   run.add_to(options);
   checkpoints.add_to(options);
@@ -38,7 +38,7 @@ std::vector<std::filesystem::path> ProgramRequest::files_read() const {
 namespace {
 
 /// Files that a checkpoint must not replace. The resumed checkpoint may be overwritten.
-std::vector<std::filesystem::path> others(const ProgramRequest& request) {
+std::vector<std::filesystem::path> protected_files(const ProgramRequest& request) {
   std::vector<std::filesystem::path> files = request.inputs();
   for (const std::string& file : {request.run.picture, request.run.depth, request.run.owner, request.run.stats})
     if (!file.empty()) files.emplace_back(file);
@@ -57,7 +57,7 @@ std::string hash_of(const isa::Program& program) {
 
 void refuse_misuse(const ProgramRequest& request) {
   refuse_scene_sets(request.sets);
-  request.checkpoints.check(request.run.level, others(request));
+  request.checkpoints.check(request.run.level, protected_files(request));
 }
 
 Loaded load(const ProgramRequest& request, const InPlace& in_place) {

@@ -50,6 +50,7 @@ void refuse_misuse(const ProgramRequest& request);
 /// Reads the Program, or takes its replacement. Throws InputError, UsageError.
 Loaded load(const ProgramRequest& request, const InPlace& in_place = {});
 
+/// Changes of machine parameters to try that may speed the run up.
 Advice advice_of(const ProgramRequest& request, const machines::Machine& machine);
 
 }  // namespace csgsim::session

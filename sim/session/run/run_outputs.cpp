@@ -31,9 +31,9 @@ RunOutputs::RunOutputs(const RunRequest& request, std::span<const std::filesyste
   refuse_terminal("--output", request.picture);
   refuse_terminal("--depth", request.depth);
   refuse_terminal("--owner", request.owner);
-  refuse_other_format("--output", request.picture);
+  refuse_unknown_format("--output", request.picture);
   if (!request.depth.empty()) observe::check_depth_format(request.depth);
-  refuse_other_format("--owner", request.owner);
+  refuse_unknown_format("--owner", request.owner);
   for (std::size_t i = 0; i < names.size(); ++i)
     if (!names[i].empty()) files_[i].emplace(names[i]);
 }
@@ -41,10 +41,10 @@ RunOutputs::RunOutputs(const RunRequest& request, std::span<const std::filesyste
 void RunOutputs::write_pictures(const observe::Frame& frame, const isa::Program& program) {
   if (files_[picture]) observe::write_picture(*files_[picture], frame, program);
   if (!files_[depth] && !files_[owner]) return;
-  const observe::Frame surfaces = of_opaque_ ? observe::of_opaque(frame) : frame;
+  const observe::Frame surfaces = of_opaque_ ? observe::with_opaque_surfaces(frame) : frame;
   if (files_[depth]) observe::write_depth(*files_[depth], surfaces, program);
   if (!files_[owner]) return;
-  const observe::Frame of_primitives = observe::of_primitives(surfaces, *program.facts);
+  const observe::Frame of_primitives = observe::with_primitive_owners(surfaces, *program.facts);
   observe::write_owner(*files_[owner], of_primitives);
   if (files_[legend]) observe::write_legend(*files_[legend], of_primitives, program);
 }

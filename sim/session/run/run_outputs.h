@@ -21,21 +21,16 @@ class RunOutputs {
   /// Throws UsageError for a file that is an input or another output, InputError for one that cannot be written.
   RunOutputs(const RunRequest& request, std::span<const std::filesystem::path> inputs);
 
+  /// Writes the requested pictures: colours, depths, owners and their legend.
   void write_pictures(const observe::Frame& frame, const isa::Program& program);
   void write_stats(std::string_view json);
   void write_report(const report::Page& page);
+  /// Commits all files as a group.
   void commit();
 
  private:
-  enum Output : std::uint8_t {
-    picture,
-    depth,
-    owner,
-    legend,
-    stats,
-    page
-  };  ///< the legend belongs to the owner
-      ///< picture
+  /// Kinds of output files; `legend` belongs to the owner picture.
+  enum Output : std::uint8_t { picture, depth, owner, legend, stats, page };
 
   bool of_opaque_;  ///< depth and owner show opaque surfaces
   std::array<std::optional<OutputFile>, page + 1> files_;

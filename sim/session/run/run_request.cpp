@@ -24,12 +24,12 @@ namespace csgsim::session {
 namespace {
 
 /// The problem of a picture name that must be an EXR file, or an empty string.
-std::string exr_name(const std::string& name) {
+std::string exr_name_problem(const std::string& name) {
   return ends_in(name, ".exr") || is_unnamed_stream(name) ? "" : "'" + name + "' must end in .exr";
 }
 
 /// The problem of the name of an owner picture, or an empty string.
-std::string owner_name(const std::string& name) {
+std::string owner_name_problem(const std::string& name) {
   return ends_in(name, ".exr") || ends_in(name, ".png") || is_unnamed_stream(name)
              ? ""
              : "'" + name + "' must end in .png or .exr";
@@ -57,12 +57,12 @@ void RunRequest::add_outputs_to(OptionList& options) {
               "The picture; the name's ending selects the format (.png, .tif, .ppm, ...), PNG for -")
       .check(not_empty);
   options.option("--depth", depth, "Depth picture, .exr: distance from the eye along the view axis, in model units")
-      .check(exr_name);
+      .check(exr_name_problem);
   options
       .option(
           "--owner", owner,
           "Picture of the visible primitives: .png with a colour each and a .json legend, or .exr with their indices")
-      .check(owner_name);
+      .check(owner_name_problem);
   options.option("--stats", stats, "All counts, .json").check(not_empty);
 }
 
@@ -93,7 +93,7 @@ void RunRequest::add_to(OptionList& options) {
 void refuse_overflow(const engine::RunResult& result) {
   if (result.overflows == 0) return;
   throw InputError("the Program overflows: at " + std::to_string(result.overflows) +
-                   " enabled pixels a linear expression does not fit its width; recompile it");
+                   " enabled pixels a linear expression does not fit its width; compile the model again");
 }
 
 Drawn draw(const isa::Program& program, const machines::Machine& machine, const std::string& level,

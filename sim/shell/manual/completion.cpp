@@ -26,7 +26,7 @@ std::string quoted(std::string_view text, std::string_view inside) {
 }
 
 /// Words separated by blanks; a blank inside a word is escaped by a backslash, which all shells understand.
-std::string listed(const std::vector<std::string>& words) {
+std::string word_list(const std::vector<std::string>& words) {
   std::string list;
   for (const std::string& word : words) {
     if (!list.empty()) list += ' ';
@@ -85,12 +85,12 @@ std::vector<std::string> names_of(const std::vector<OptionHelp>& options) {
 /// The completions of a value, as shell variables.
 std::string value_of(const std::vector<std::string>& words, bool files) {
   std::string text;
-  if (!words.empty()) text += fmt::format(" words=\"{}\"", listed(words));
+  if (!words.empty()) text += fmt::format(" words=\"{}\"", word_list(words));
   if (files) text += " files=yes";
   return text;
 }
 
-/// The completions of operands.
+/// Lines of the bash script that complete the operands of a command.
 std::string bash_operands_of(const CommandHelp& command) {
   std::vector<std::string> words;
   bool files = false;
@@ -170,12 +170,13 @@ std::string zsh_word(std::string_view text) { return quoted(text, "'\\''"); }
 std::string action_of(const OptionHelp& option, const std::string& program) {
   switch (kind_of(option)) {
     case ValueKind::words:
-      return fmt::format(fmt::runtime(option.takes_several ? "_sequence compadd - {}" : "({})"), listed(option.words));
+      return fmt::format(fmt::runtime(option.takes_several ? "_sequence compadd - {}" : "({})"),
+                         word_list(option.words));
     case ValueKind::file: return "_files";
     case ValueKind::machines: return "_" + program + "_machines";
     case ValueKind::processors:
       return fmt::format("{{_alternative \"processors:processor:({})\" \"files:file:_files\"}}",
-                         listed(offered_words(option)));
+                         word_list(offered_words(option)));
     case ValueKind::none:
     case ValueKind::text: break;
   }
@@ -243,7 +244,7 @@ std::string fish_word(std::string_view text) {
 
 std::string words_of(const OptionHelp& option) {
   const std::vector<std::string> words = offered_words(option);
-  return words.empty() ? "" : " -a " + fish_word(listed(words));
+  return words.empty() ? "" : " -a " + fish_word(word_list(words));
 }
 
 /// `-r`: a value has to follow; `-x`: a value that is no file; `-F`: a file.

@@ -41,7 +41,7 @@ std::string wrapped(std::string_view text, std::size_t column, std::size_t next_
 }
 
 /// Adds a blank after each comma of a long list, so that the list can be wrapped.
-std::string breakable(std::string list) {
+std::string with_breakable_commas(std::string list) {
   constexpr std::size_t longest = help_columns - text_column;
   if (list.size() < longest / 2) return list;
   for (std::size_t at = list.find(','); at != std::string::npos; at = list.find(',', at + 2)) list.insert(at + 1, " ");
@@ -54,7 +54,7 @@ std::string meaning_of(const OptionHelp& option) {
   std::string remarks;
   const auto remark = [&](const std::string& one) { remarks += (remarks.empty() ? "" : "; ") + one; };
   if (!option.range.empty()) remark(option.range);
-  if (!option.usual.empty()) remark("default: " + breakable(option.usual));
+  if (!option.usual.empty()) remark("default: " + with_breakable_commas(option.usual));
   if (option.is_needed) remark("required");
   return remarks.empty() ? text : text + " [" + remarks + "]";
 }
@@ -94,7 +94,7 @@ std::string option_lines(const CommandHelp& command) {
 constexpr char joint = '\x01';
 
 /// Keeps each option of an example on the same line as its value.
-std::string joined(std::string_view line) {
+std::string with_joined_values(std::string_view line) {
   std::string text(line);
   for (std::size_t at = text.find(" -"); at != std::string::npos; at = text.find(" -", at + 1)) {
     const std::size_t blank = text.find(' ', at + 1);
@@ -106,7 +106,7 @@ std::string joined(std::string_view line) {
 bool is_command(std::string_view line) { return line.starts_with("  "); }
 
 /// Whether the rest of a footer continues the preceding remark.
-bool goes_on(std::string_view footer) {
+bool continues_remark(std::string_view footer) {
   return !footer.empty() && !is_command(footer) && !footer.starts_with('\n') && !footer.starts_with("Example:");
 }
 
@@ -158,11 +158,11 @@ std::string footer_lines(std::string_view footer, std::size_t columns) {
   while (!footer.empty()) {
     const std::string_view line = taken_line(footer);
     if (is_command(line)) {
-      text += "  " + wrapped(joined(line.substr(indent)), indent, indent + 4, continued, columns) + '\n';
+      text += "  " + wrapped(with_joined_values(line.substr(indent)), indent, indent + 4, continued, columns) + '\n';
       continue;
     }
     std::string remark(line);
-    while (goes_on(footer)) remark += fmt::format(" {}", taken_line(footer));
+    while (continues_remark(footer)) remark += fmt::format(" {}", taken_line(footer));
     text += wrapped(remark, 0, 0, {}, columns) + '\n';
   }
   std::ranges::replace(text, joint, ' ');

@@ -103,7 +103,7 @@ std::string examples(const CommandHelp& command) {
   return ".SH EXAMPLES\n.nf\n" + roff(text) + ".fi\n";
 }
 
-std::string ends(const Description& of) {
+std::string closing_sections(const Description& of) {
   return ".SH EXIT STATUS\n.TP\n0\nSuccess.\n.TP\n1\nAn input is invalid, or an output cannot be written; "
          "the message says where and why.\n.TP\n2\nThe command line is invalid.\n.TP\n3\nA bug in " +
          of.program + " itself.\n";
@@ -120,7 +120,8 @@ DescriptionFile page_of(const Description& of, const CommandHelp& command) {
   const std::string name = of.program + "-" + command.name;
   const std::string text = heading(of, name, command.meaning) + synopsis_of(of, command) + ".SH DESCRIPTION\n" +
                            paragraphs(command.meaning + ".") + operands_of(command) + options_of(command) +
-                           examples(command) + ends(of) + fmt::format(".SH SEE ALSO\n.BR {} (1)\n", roff(of.program));
+                           examples(command) + closing_sections(of) +
+                           fmt::format(".SH SEE ALSO\n.BR {} (1)\n", roff(of.program));
   return {name + ".1", text};
 }
 
@@ -141,7 +142,7 @@ DescriptionFile page_of_all(const Description& of) {
     text += fmt::format(".TP\n.BR {} (1)\n{}", page, paragraphs(command.meaning + "."));
     pages += fmt::format("{}.BR {} (1)", pages.empty() ? "" : " ,\n", page);
   }
-  text += ".SH OPTIONS\n" + entries(of.options) + ends(of);
+  text += ".SH OPTIONS\n" + entries(of.options) + closing_sections(of);
   return {of.program + ".1", text + ".SH SEE ALSO\n" + pages + "\n"};
 }
 

@@ -55,7 +55,7 @@ std::string place_of_fault(const std::string& text) {
   return place_of(text, fault.byte);
 }
 
-const Json& member(const RecordedRun& run, const Json& json, const std::string& key) {
+const Json& member(const RecordedRun& run, const Json& json, std::string_view key) {
   if (!json.is_object() || !json.contains(key)) {
     throw InputError(fmt::format("{}: its configuration lacks '{}'; use an unmodified stats file", run.file, key));
   }
@@ -67,10 +67,10 @@ const Json& member(const RecordedRun& run, const Json& json, const std::string& 
                                run.file, printable(value.dump().substr(0, 40)), wanted));
 }
 
-/// Neither command lines nor file names can hold a zero byte.
+/// A recorded text. Rejects zero bytes, which neither command lines nor file names can hold.
 std::string text_in(const RecordedRun& run, const Json& json) {
   try {
-    std::string text = bytes_of(json);
+    std::string text = bytes_from_json(json);
     if (text.find('\0') == std::string::npos) return text;
   } catch (const InputError&) {
     // the error below covers this case
@@ -205,11 +205,11 @@ std::vector<std::string> changes_between(const RecordedRun& run, const Json& con
   std::vector<std::string> changes;
   const auto hash = [&](const Json& of, const char* what) { return member(run, member(run, of, what), "hash"); };
   if (hash(run.configuration, "machine") != hash(configuration, "machine"))
-    changes.push_back(
-        fmt::format("the machine {} has other parameters", configuration.at("machine").value("name", "")));
+    changes.push_back(fmt::format("the parameters of the machine {} differ from the recorded ones",
+                                  configuration.at("machine").value("name", "")));
   if (hash(run.configuration, "model") != hash(configuration, "model"))
     changes.push_back(fmt::format("{}, or a file that it includes, has changed",
-                                  printable(bytes_of(configuration.at("model").at("file")))));
+                                  printable(bytes_from_json(configuration.at("model").at("file")))));
   return changes;
 }
 

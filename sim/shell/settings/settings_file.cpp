@@ -173,7 +173,7 @@ class Reader {
     return fmt::format("{}", value->get());
   }
 
-  /// One element of a text.
+  /// The text of a single value, or of one element of a list. `wanted` describes the valid types in the message.
   [[nodiscard]] std::string word_of(const SettableOption& option, const toml::node& node,
                                     std::string_view wanted) const {
     if (node.is_number()) return number_of(option, node);
@@ -212,7 +212,7 @@ class Reader {
 
   void check_length(const SettableOption& option, const toml::array& list) const {
     if (list.size() > max_list_values)
-      fail(list.source().begin, fmt::format("{} has more than {} values", option.name, max_list_values));
+      fail(list.source().begin, fmt::format("{} has more than {} values; give fewer", option.name, max_list_values));
   }
 
   std::string shown_;

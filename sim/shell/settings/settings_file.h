@@ -17,10 +17,11 @@ using namespace session;
 
 inline constexpr std::size_t max_list_values = 10'000;  ///< values of an option in a file
 
-// Options of every command that has options; they concern settings files.
+// Names of the options for settings files, which every command with options has.
 inline constexpr std::string_view config_name = "--config";
 inline constexpr std::string_view dump_name = "--dump-config";
 
+/// A command and its options that a settings file may give.
 struct SettableCommand {
   std::string name;
   std::vector<SettableOption> options;

@@ -92,7 +92,7 @@ class Accuracy : public StudyOf<Measurement> {
         .option("--tolerances", options_.tolerances,
                 "Faceting tolerances in model units, separated by commas; default: fractions of the model's "
                 "diagonal")
-        .check(session::is_read_by(parse_tolerances));
+        .check(session::check_by_parsing(parse_tolerances));
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override { return options_.model.inputs(); }

@@ -54,13 +54,13 @@ void print_front(std::span<const Measurement> rows) {
 void print_equal(std::span<const Measurement> rows) {
   for (const EqualFacets& one : equally_accurate_facets(rows)) {
     fmt::print("\n{} curves: {} clocks, {} wrong against curved surfaces\n", one.curved.value,
-               grouped(one.curved.clocks), session::counted(one.curved.facet_wrong, "pixel"));
+               grouped(one.curved.clocks), session::count_text(one.curved.facet_wrong, "pixel"));
     fmt::print(
         "{}: {} {}, {} clocks (factor {:.3g}), {} wrong\n",
         one.is_as_accurate ? "Facets of equal accuracy" : "No measured facets are as accurate; closest",
         one.facets.knob, one.facets.value, grouped(one.facets.clocks),
         static_cast<double>(one.facets.clocks) / static_cast<double>(std::max<std::uint64_t>(one.curved.clocks, 1)),
-        session::counted(one.facets.facet_wrong, "pixel"));
+        session::count_text(one.facets.facet_wrong, "pixel"));
   }
 }
 

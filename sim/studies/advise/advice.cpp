@@ -16,10 +16,10 @@ namespace csgsim::studies {
 
 namespace {
 
-using session::counted;
+using session::count_text;
 
 std::string missed_text(double by, const char* unit, const char* behind) {
-  return counted(static_cast<std::uint64_t>(by), unit) + behind;
+  return count_text(static_cast<std::uint64_t>(by), unit) + behind;
 }
 
 /// Indexed by Requirement. A missed frame rate is rounded up in the last digit, so that it never appears as 0.
@@ -28,17 +28,17 @@ constexpr RequirementKind kinds[] = {
      [](const Requirements& requirements) { return static_cast<double>(requirements.max_bits); },
      [](const DesignRow& row) { return static_cast<double>(row.used_bits); },
      [](const Requirements& requirements) {
-       return fmt::format("at most {} per pixel", counted(requirements.max_bits, "bit"));
+       return fmt::format("at most {} per pixel", count_text(requirements.max_bits, "bit"));
      },
-     [](const DesignRow& row) { return fmt::format("{} per pixel", counted(row.used_bits, "bit")); },
+     [](const DesignRow& row) { return fmt::format("{} per pixel", count_text(row.used_bits, "bit")); },
      [](double by) { return missed_text(by, "bit", " too many"); }},
     {"most accurate", "max_wrong_pixels", "wrong pixels, maximum", false,
      [](const Requirements& requirements) { return static_cast<double>(requirements.max_wrong_pixels); },
      [](const DesignRow& row) { return static_cast<double>(row.wrong); },
      [](const Requirements& requirements) {
-       return "at most " + counted(requirements.max_wrong_pixels, "wrong pixel");
+       return "at most " + count_text(requirements.max_wrong_pixels, "wrong pixel");
      },
-     [](const DesignRow& row) { return counted(row.wrong, "wrong pixel"); },
+     [](const DesignRow& row) { return count_text(row.wrong, "wrong pixel"); },
      [](double by) { return missed_text(by, "wrong pixel", " too many"); }},
     {"fastest", "min_fps", "frames/s, minimum", true,
      [](const Requirements& requirements) { return requirements.min_fps; },
@@ -52,9 +52,9 @@ constexpr RequirementKind kinds[] = {
      [](const Requirements& requirements) { return static_cast<double>(requirements.min_colour_bits); },
      [](const DesignRow& row) { return static_cast<double>(row.point.colour_bits); },
      [](const Requirements& requirements) {
-       return fmt::format("at least {} of colour", counted(requirements.min_colour_bits, "bit"));
+       return fmt::format("at least {} of colour", count_text(requirements.min_colour_bits, "bit"));
      },
-     [](const DesignRow& row) { return fmt::format("{} of colour", counted(row.point.colour_bits, "bit")); },
+     [](const DesignRow& row) { return fmt::format("{} of colour", count_text(row.point.colour_bits, "bit")); },
      [](double by) { return missed_text(by, "bit", " of colour too few"); }},
 };
 

@@ -205,7 +205,7 @@ void AdviseOptions::add_to(session::OptionList& command) {
               "Requirement: minimum colour bits; default: the maximum of --colour-bits")
       .between(isa::minimum_colour_bits, isa::max_colour_bits);
   const auto add = [&](const char* key, std::string& list, const std::string& help) {
-    command.option(std::string("--") + key, list, help).check(session::is_read_by([key](const std::string& text) {
+    command.option(std::string("--") + key, list, help).check(session::check_by_parsing([key](const std::string& text) {
       return parse_values(key, text);
     }));
   };

@@ -43,7 +43,7 @@ std::vector<AdviceRow> with_colours(const std::vector<AdviceRow>& front, const R
 }
 
 std::string colours_text(const Requirements& requirements) {
-  return fmt::format(", with {} of colour or more", session::counted(requirements.min_colour_bits, "bit"));
+  return fmt::format(", with {} of colour or more", session::count_text(requirements.min_colour_bits, "bit"));
 }
 
 void print_row(const AdviceRow& row, bool has_alu, bool meets) {
@@ -180,7 +180,7 @@ std::string misses_text(const AdviceRow& row, const Requirements& requirements) 
 
 void print_question(const std::string& subject, std::span<const AdviceRow> rows, const Requirements& requirements) {
   const auto compiled = std::count_if(rows.begin(), rows.end(), [](const AdviceRow& row) { return row.is_compiled(); });
-  fmt::print("{}: {} searched", printable(subject), session::counted(rows.size(), "choice"));
+  fmt::print("{}: {} searched", printable(subject), session::count_text(rows.size(), "choice"));
   const auto refused = rows.size() - static_cast<std::size_t>(compiled);
   if (refused > 0) fmt::print("; {} cannot be drawn", grouped(refused));
   fmt::print("\nrequirements: ");

@@ -65,19 +65,19 @@ class Classify : public StudyOf<ClassifyRow> {
   void add_options(session::OptionList& command) override {
     add_model_without_machine(options_, command);
     command.option("--methods", methods_, "Methods, separated by commas; see csgsim manual methods")
-        .words(software::row_names(software::methods()), session::is_read_by(parse_methods));
+        .words(software::row_names(software::methods()), session::check_by_parsing(parse_methods));
     command
         .option("--coherences", coherences_,
                 "Coherences, separated by commas: the data that methods keep between points")
-        .words(software::row_names(software::coherences()), session::is_read_by(parse_coherences));
+        .words(software::row_names(software::coherences()), session::check_by_parsing(parse_coherences));
     command.option("--shapes", shapes_, "Shapes of the tree, separated by commas")
-        .words(software::row_names(software::shapes()), session::is_read_by(parse_shapes));
+        .words(software::row_names(software::shapes()), session::check_by_parsing(parse_shapes));
     command
         .option("--reduced", reduced_,
                 "Ways to prune trees in advance, separated by commas: none; cells (to the primitives in a cell of the "
                 "picture); "
                 "inside (while a ray is inside a primitive, to those that intersect it)")
-        .words(software::row_names(software::prunings()), session::is_read_by(reductions_in));
+        .words(software::row_names(software::prunings()), session::check_by_parsing(reductions_in));
     add_processors(command, processors_);
     json_.add_to(command, "Write the surfaces that each ray intersects, in order, and the visible one");
   }

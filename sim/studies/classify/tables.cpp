@@ -35,8 +35,8 @@ std::string a_ray(std::uint64_t count, std::uint64_t rays) {
 void print_rays(Rows rows) {
   const auto drawn = std::ranges::find_if(rows, &ClassifyRow::is_drawn);
   if (drawn == rows.end()) return;
-  fmt::print("{}, {}; {}\n", session::counted(drawn->primitives, "primitive"),
-             session::counted(drawn->halfspaces, "half-space"), session::counted(drawn->tree_levels, "level"));
+  fmt::print("{}, {}; {}\n", session::count_text(drawn->primitives, "primitive"),
+             session::count_text(drawn->halfspaces, "half-space"), session::count_text(drawn->tree_levels, "level"));
   Lines lines{{"", "count", "per hit ray"}};
   const auto add = [&](const std::string& what, std::uint64_t count) {
     lines.push_back({what, grouped(count), a_ray(count, drawn->hit_rays)});

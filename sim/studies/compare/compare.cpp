@@ -38,7 +38,7 @@ constexpr unsigned most_fragments = 4096;
 
 struct Options {
   session::ModelRequest model;
-  std::string machines = session::all_machines();
+  std::string machines = session::studied_machines_text();
   std::string sides = "128,256,512";
   std::string fragments = "8,16,32,64";
   std::string with = "none";
@@ -70,7 +70,7 @@ std::vector<Named> named_machines(const Options& options) {
   for (const std::string& name : session::with_parameters(session::parse_words(options.machines), options.model.sets)) {
     session::ModelRequest one = options.model;
     one.machine = name;  // with its figures as set
-    one.sets = session::sorted(one.sets).scene;
+    one.sets = session::divide_sets(one.sets).scene;
     machines.push_back({escaped(name), session::machine_of(one)});
   }
   return machines;
@@ -212,16 +212,16 @@ class Compare : public StudyOf<ComparisonRow> {
     command.remove("--tolerance");
     command.remove("--curves");  // all machines draw the same facets
     command.option("--machines", options_.machines, "Machines to compare, as names or .toml files separated by commas")
-        .check(session::is_read_by(session::check_machines));
+        .check(session::check_by_parsing(session::check_machines));
     command
         .option("--fragments", options_.fragments,
                 "Values of $fn for all curved solids, separated by commas, which vary the number of half-spaces at one "
                 "picture size; `none`: only the model's own")
-        .check(session::is_read_by(fragments_of));
+        .check(session::check_by_parsing(fragments_of));
     command
         .option("--sides", options_.sides,
                 "Sides of square pictures in pixels, separated by commas; `none`: only one size")
-        .check(session::is_read_by(sides_of));
+        .check(session::check_by_parsing(sides_of));
     command.flag(
         "--ideal", options_.ideal,
         "Measure the gain of idealizations: make each suitable parameter of a machine ideal, one after another and "
@@ -230,7 +230,7 @@ class Compare : public StudyOf<ComparisonRow> {
         .option("--with", options_.with,
                 "Software to compare with, as PROCESSOR:METHOD separated by commas, such as mc68000:status/one-list "
                 "(csgsim manual methods, processors; this-computer is measured); `none`: no software")
-        .check(session::is_read_by(software_of))
+        .check(session::check_by_parsing(software_of))
         .excludes("--ideal");
   }
 

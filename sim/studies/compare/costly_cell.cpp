@@ -25,7 +25,7 @@ std::string as_word(std::string name) {
 
 CostlyPrimitives costly_primitives(const observe::ClockShares& shares) {
   CostlyPrimitives primitives;
-  for (const observe::PrimitiveCost& one : shares.dearest)
+  for (const observe::PrimitiveCost& one : shares.most_expensive)
     primitives.push_back({as_word(escaped(one.name)), one.clocks});
   return primitives;
 }

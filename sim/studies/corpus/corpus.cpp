@@ -53,8 +53,8 @@ void add_model(std::span<const CorpusRow> rows, Lines& lines) {
     return;
   }
   lines.push_back(
-      {fmt::format("{}: {}, {}, {}", drawn->point.model, session::counted(drawn->primitives, "primitive"),
-                   session::counted(drawn->pieces, "piece"), session::counted(drawn->halfspaces, "half-space"))});
+      {fmt::format("{}: {}, {}, {}", drawn->point.model, session::count_text(drawn->primitives, "primitive"),
+                   session::count_text(drawn->pieces, "piece"), session::count_text(drawn->halfspaces, "half-space"))});
   for (const CorpusRow& row : rows) lines.push_back(row_line(row));
 }
 
@@ -126,7 +126,7 @@ class Corpus : public StudyOf<CorpusRow> {
   void add_options(session::OptionList& command) override {
     command.option("MODEL", models_, "Models (.csg, .scad or .jan), or folders that contain them").required();
     command.option("--machines", machines_, "Machines, as names or .toml files separated by commas")
-        .check(session::is_read_by(session::check_machines));
+        .check(session::check_by_parsing(session::check_machines));
     view_.add_view_to(command);
     command.option("--z-bits", view_.z_bits, "Depth bits").between(view::min_z_bits, view::max_z_bits);
   }
@@ -179,7 +179,7 @@ class Corpus : public StudyOf<CorpusRow> {
     subject.has_picture = false;
     subject.model.model = rows().front().point.model;
     const std::size_t models = by_model(Rows(rows())).size();
-    if (models > 1) subject.name = session::counted(models, "model");
+    if (models > 1) subject.name = session::count_text(models, "model");
     return subject;
   }
 
@@ -200,7 +200,7 @@ class Corpus : public StudyOf<CorpusRow> {
  private:
   session::ModelRequest view_;
   std::vector<std::string> models_;  ///< files and folders
-  std::string machines_ = session::all_machines();
+  std::string machines_ = session::studied_machines_text();
   std::vector<CorpusPoint> points_;
   std::vector<Job> jobs_;
 };

@@ -75,7 +75,7 @@ ModelRequest with_others(const ModelRequest& base, std::span<const Dimension> di
 
 /// Why the design cannot have that value; empty if it can.
 std::string why_not(ModelRequest one, const std::string& key, const std::string& value) {
-  return session::is_read_by([&](const std::string& text) {
+  return session::check_by_parsing([&](const std::string& text) {
     vary(one, key, text);
     static_cast<void>(session::machine_of(one));
   })(value);

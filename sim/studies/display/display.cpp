@@ -70,21 +70,21 @@ class Display : public StudyOf<DisplayStudyRow> {
   void add_options(session::OptionList& command) override {
     add_model_without_machine(options_, command);
     command.option("--methods", methods_, "Methods, separated by commas; see csgsim manual methods")
-        .words(software::row_names(software::display_methods()), session::is_read_by(parse_display_methods));
+        .words(software::row_names(software::display_methods()), session::check_by_parsing(parse_display_methods));
     command
         .option("--tolerances", tolerances_,
                 "Tolerances in model units for faceting curved solids, separated by commas")
-        .check(session::is_read_by(parse_tolerances))
+        .check(session::check_by_parsing(parse_tolerances))
         .excludes("--tolerance");
     command.option("--fragments", fragments_, "List of values of $fn for curved solids, in place of the model's own")
-        .check(session::is_read_by(parse_display_fragments))
+        .check(session::check_by_parsing(parse_display_fragments))
         .excludes("--tolerances");
     command.option("--bucket-sizes", bucket_sizes_, "List of maximum numbers of polygons per bucket, for list priority")
-        .check(session::is_read_by(bucket_sizes_in));
+        .check(session::check_by_parsing(bucket_sizes_in));
     command
         .option("--directories", directories_,
                 "Directories of list priority, separated by commas; see csgsim manual methods")
-        .words(software::halving_directories(), session::is_read_by(parse_display_directories));
+        .words(software::halving_directories(), session::check_by_parsing(parse_display_directories));
     add_processors(command, processors_);
   }
 

@@ -42,7 +42,7 @@ std::vector<Dimension> dimensions_of(const ExploreOptions& options) {
 /// The machine with the parameters that were set, which become part of its name.
 session::ModelRequest base_of(const ExploreOptions& options, const std::vector<Dimension>& dimensions) {
   session::ModelRequest base = options.model;
-  base.sets = session::sorted(options.model.sets).scene;
+  base.sets = session::divide_sets(options.model.sets).scene;
   base.machine = session::with_parameters({options.model.machine}, options.model.sets).front();
   for (const std::string& change : machines::changes_of(base.machine)) {
     if (std::ranges::find(dimensions, key_of(change), &Dimension::key) != dimensions.end())
@@ -97,7 +97,7 @@ void ExploreOptions::add_to(session::OptionList& command) {
               fmt::format("KEY=LIST: a parameter of the machine, as in alu.bits=1,2,4, or one of {}; once per key. "
                           "Every combination of values is a design",
                           fmt::join(axis_keys(), ", ")))
-      .check(session::is_read_by(parse_dimension))
+      .check(session::check_by_parsing(parse_dimension))
       .required();
   command
       .option("--points", points,
@@ -154,7 +154,7 @@ std::string render_command(const ExploreOptions& options, const session::OptionL
   point.memory_bits = memory_bits;
   const std::string clock = row.clock_path.empty() ? "" : fmt::format("+{}={}", clock_figure, row.clock_hz);
   return "csgsim render " + shell_word(named(options.models, point.model)) +
-         given_words(command, own_explore_options(), session::sorted(options.model.sets).scene) +
+         given_words(command, own_explore_options(), session::divide_sets(options.model.sets).scene) +
          shell_words("machine", point.machine + clock) + axis_words(point) + shell_words("output", picture);
 }
 

@@ -70,7 +70,7 @@ std::string group_text(const ExploreGroup& group) {
   const auto on_front = static_cast<std::uint64_t>(std::ranges::count(group.front, true));
   std::string text =
       fmt::format("{}: {} of {} on the front", group.model.empty() ? "All models" : group.model, grouped(on_front),
-                  session::counted(group.values.size() + group.refused + group.unpriced, "design"));
+                  session::count_text(group.values.size() + group.refused + group.unpriced, "design"));
   if (group.refused > 0) text += fmt::format("; {} cannot be drawn", grouped(group.refused));
   if (group.unpriced > 0)
     text += fmt::format("; {} omitted because an axis has no value for them", grouped(group.unpriced));
@@ -83,7 +83,7 @@ void print_refused(std::span<const ExploreRow> rows, const DesignNames& names, c
        grouped_by(rows, [&](const ExploreRow& row) { return row.point.model == model ? row.reason : std::string(); })) {
     if (reason.empty()) continue;
     const std::size_t more = refused.size() - 1;
-    const std::string others = more > 0 ? fmt::format(" and {}", session::counted(more, "other design")) : "";
+    const std::string others = more > 0 ? fmt::format(" and {}", session::count_text(more, "other design")) : "";
     fmt::print("  {}{} cannot be drawn: {}\n", names.text(refused.front()->point), others, reason);
   }
 }

@@ -51,21 +51,21 @@ class Mesh : public StudyOf<MeshRow> {
   void add_options(session::OptionList& command) override {
     command.option("MODEL", model_, "File of commands (.jan) with sweeps or patches").required();
     command.option("--tolerances", tolerances_, "Tolerances in model units, separated by commas")
-        .check(session::is_read_by(parse_tolerances));
+        .check(session::check_by_parsing(parse_tolerances));
     command
         .option("--flatness", flatness_,
                 "Flatness tests, separated by commas: plane (the thesis's; distances from a plane) or sides (also "
                 "distances "
                 "of the sides from straight lines)")
-        .words(flatnesses, session::is_read_by(parse_flatness));
+        .words(flatnesses, session::check_by_parsing(parse_flatness));
     command
         .option("--repairs", repairs_,
                 "Methods that close cracks between elements, separated by commas: filter (the thesis's) or quadtree")
-        .words(repairs, session::is_read_by(repairs_in));
+        .words(repairs, session::check_by_parsing(repairs_in));
     command
         .option("--processors", processors_,
                 "Processors for which seconds are computed: names or .toml files, separated by commas")
-        .check(session::is_read_by(meshing_processors));
+        .check(session::check_by_parsing(meshing_processors));
     json_.add_to(command, "Write the vertices and elements of each mesh");
   }
 

@@ -82,11 +82,11 @@ class Subdivide : public StudyOf<SubdivideRow> {
     options_.machine = "pixel-square";
     options_.add_to(command);
     command.option("--subdivisions", levels_, "List of levels of binary subdivision, each 0 to 20")
-        .check(session::is_read_by(levels_of));
+        .check(session::check_by_parsing(levels_of));
     command
         .option("--tolerances", tolerances_,
                 "Tolerances in model units for faceting curved solids, separated by commas")
-        .check(session::is_read_by(parse_tolerances))
+        .check(session::check_by_parsing(parse_tolerances))
         .excludes("--tolerance");
   }
 

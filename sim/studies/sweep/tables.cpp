@@ -105,7 +105,7 @@ std::string share(std::uint64_t more, std::uint64_t than) {
 }
 
 std::string classification(const SweepRow& row) {
-  return session::counted(row.classification_bits, "bit") + " for the classification";
+  return session::count_text(row.classification_bits, "bit") + " for the classification";
 }
 
 /// Summary of one group of strategies.
@@ -131,8 +131,8 @@ std::string conclusion(const Group& group) {
     if (row.clocks >= best) continue;
     best = row.clocks;
     steps +=
-        fmt::format("{}{} {} clocks ({})", steps.empty() ? "" : ", ", session::counted(row.classification_bits, "bit"),
-                    grouped(row.clocks), strategy_name(row.point));
+        fmt::format("{}{} {} clocks ({})", steps.empty() ? "" : ", ",
+                    session::count_text(row.classification_bits, "bit"), grouped(row.clocks), strategy_name(row.point));
   }
   return text + "  clocks by bits: " + steps + "\n";
 }
@@ -191,8 +191,8 @@ void print_sweep(std::span<const SweepRow> rows) {
     return;
   }
   const SweepRow& facts = compiled == rows.end() ? rows.front() : *compiled;
-  fmt::print("\n{}: {}, {}, {} x {} pixels\n", facts.point.model, session::counted(facts.primitives, "primitive"),
-             session::counted(facts.halfspaces, "half-space"), facts.point.width, facts.point.height);
+  fmt::print("\n{}: {}, {}, {} x {} pixels\n", facts.point.model, session::count_text(facts.primitives, "primitive"),
+             session::count_text(facts.halfspaces, "half-space"), facts.point.width, facts.point.height);
   print_points(rows);
   for (const auto& [table, conditions] : shared(rows, table_6_1)) {
     fmt::print("\nTable 6.1: rendering versus memory, {} primitive solids{}{}\n{}", grouped(facts.primitives),

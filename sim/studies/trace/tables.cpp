@@ -110,8 +110,8 @@ void print_seconds(Rows rows, const software::Priced& processor) {
 void print_tracing(Rows rows, std::span<const software::Priced> processors) {
   const auto drawn = std::ranges::find_if(rows, &TraceRow::is_drawn);
   if (drawn != rows.end()) {
-    fmt::print("{}, {}; {} of {} rays hit the solid\n", session::counted(drawn->primitives, "primitive"),
-               session::counted(drawn->halfspaces, "half-space"), grouped(drawn->hit_rays), grouped(drawn->rays));
+    fmt::print("{}, {}; {} of {} rays hit the solid\n", session::count_text(drawn->primitives, "primitive"),
+               session::count_text(drawn->halfspaces, "half-space"), grouped(drawn->hit_rays), grouped(drawn->rays));
   }
   print_directories(rows, processors);
   print_rays(rows);

@@ -77,34 +77,34 @@ class Trace : public StudyOf<TraceRow> {
     command
         .option("--directories", directories_,
                 "Directories by which rays find facets, separated by commas; see csgsim manual methods")
-        .words(software::row_names(software::directories()), session::is_read_by(parse_directories));
+        .words(software::row_names(software::directories()), session::check_by_parsing(parse_directories));
     command
         .option("--bucket-sizes", bucket_sizes_,
                 "List of maximum numbers of facets per cell, each 1 to 1000; a cell with more is divided")
-        .check(session::is_read_by(bucket_sizes_in));
+        .check(session::check_by_parsing(bucket_sizes_in));
     command.option("--cast", cast_, "Rays to cast, separated by commas; each kind includes the preceding ones")
-        .words(cast_names, session::is_read_by(parse_cast));
+        .words(cast_names, session::check_by_parsing(parse_cast));
     command
         .option("--facet-test", facet_test_,
                 "Tests of primary rays, separated by commas: against facets in space, or projected in the picture")
-        .words(facet_test_names, session::is_read_by(facet_tests_in));
+        .words(facet_test_names, session::check_by_parsing(facet_tests_in));
     command
         .option(
             "--item-buffer", item_buffer_,
             "How the facets that primary rays hit are found, separated by commas: by casting the rays (`without`), or "
             "by drawing the facets by list priority with a depth buffer (`list-priority`) or with lists of all depths "
             "(`depth-lists`)")
-        .words(item_names, session::is_read_by(items_in));
+        .words(item_names, session::check_by_parsing(items_in));
     command
         .option("--mailboxes", mailboxes_,
                 "Whether a ray is tested only once against a facet in several cells (with), or in each cell (without)")
-        .words(switch_names, session::is_read_by(parse_switches));
+        .words(switch_names, session::check_by_parsing(parse_switches));
     command.option("--reflections", reflections_, "Maximum number of successive reflections, 1 to 4")
         .between(1U, max_mirror_depth);
     command
         .option("--tolerances", tolerances_,
                 "Tolerances in model units for faceting curved solids, separated by commas")
-        .check(session::is_read_by(parse_tolerances))
+        .check(session::check_by_parsing(parse_tolerances))
         .excludes("--tolerance");
     add_processors(command, processors_);
     json_.add_to(command, "Write the facets and the cells of the first space-halving directory");

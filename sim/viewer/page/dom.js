@@ -17,4 +17,4 @@ export const button = (text, act, attributes = {}) => {
 };
 
 // Announces a text to screen readers.
-export const tell = text => { byId('told').textContent = text; };
+export const announce = text => { byId('told').textContent = text; };

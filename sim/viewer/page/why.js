@@ -1,5 +1,5 @@
 // Explains what a pixel shows.
-import {button, byId, make, tell} from './dom.js';
+import {button, byId, make, announce} from './dom.js';
 import {ask, now, shownRequest} from './asking.js';
 import {goTo} from './time.js';
 
@@ -25,7 +25,7 @@ const explain = async () => {
   byId('mark').style.left = (x + 0.5) / now.drawn.width * 100 + '%';
   byId('mark').style.top = (y + 0.5) / now.drawn.height * 100 + '%';
   byId('mark').hidden = false;
-  tell(story.textContent.split('\n')[0]);
+  announce(story.textContent.split('\n')[0]);
   showEvents(answer.answer.story.events);
 };
 

@@ -6,7 +6,7 @@ import {goToClock} from './time.js';
 
 let lanes = null;
 
-const tellWires = text => { byId('wires-told').textContent = text; };
+const announceInWires = text => { byId('wires-told').textContent = text; };
 
 const probing = () => {
   const probes = byId('probes').value.trim().split(/[\s,;]+/).filter(probe => probe);
@@ -18,12 +18,12 @@ const look = lastOf(async () => {
   if (!request) return;
   const {as} = now.drawn;
   const isNew = now.lanesOf !== as;
-  if (isNew) tellWires('recording, clock by clock …');
+  if (isNew) announceInWires('recording, clock by clock …');
   const begun = performance.now();
   const {isGood, answer} = await ask('lanes', {...shownRequest(), ...request});
   if (request !== now.wires || as !== now.drawn.as) return;
-  if (!isGood) return tellWires(answer.error);
-  if (isNew) tellWires('recorded in ' + ((performance.now() - begun) / 1000).toFixed(1) + ' s: ' + grouped(answer.last - answer.first) + ' clocks');
+  if (!isGood) return announceInWires(answer.error);
+  if (isNew) announceInWires('recorded in ' + ((performance.now() - begun) / 1000).toFixed(1) + ' s: ' + grouped(answer.last - answer.first) + ' clocks');
   now.lanesOf = as;
   byId('timeline').hidden = false;
   lanes.show(answer);
@@ -35,7 +35,7 @@ export const forgetLanes = () => {
   now.wires = null;
   now.lanesOf = null;
   byId('timeline').hidden = true;
-  tellWires('');
+  announceInWires('');
 };
 
 // Shows these clocks with some more on either side. The whole frame is recorded once.
@@ -49,15 +49,15 @@ export const lookAtClocks = clocks => {
 
 const saveWave = lastOf(async () => {
   const request = probing();
-  tellWires('recording …');
+  announceInWires('recording …');
   const {isGood, answer} = await ask('wave', {...shownRequest(), ...request});
-  if (!isGood) return tellWires(answer.error);
+  if (!isGood) return announceInWires(answer.error);
   const link = document.createElement('a');
   link.href = URL.createObjectURL(new Blob([answer.wave], {type: 'text/plain'}));
   link.download = 'wave_' + request.window.replace(/[^\w]/g, '_') + '.vcd';
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 10000);
-  tellWires(link.download + ' is saved; open it with gtkwave or Surfer. This command writes the same: ' + now.drawn.command.replace(/^csgsim render/, 'csgsim wave') + ' --pixel ' + request.pixel + request.probes.map(each => ' --probe ' + each).join('') + ' --window ' + request.window + ' -o wave.vcd');
+  announceInWires(link.download + ' is saved; open it with gtkwave or Surfer. This command writes the same: ' + now.drawn.command.replace(/^csgsim render/, 'csgsim wave') + ' --pixel ' + request.pixel + request.probes.map(each => ' --probe ' + each).join('') + ' --window ' + request.window + ' -o wave.vcd');
   window.savedWave = answer.wave;
   window.savedWaves = (window.savedWaves || 0) + 1;
 });

@@ -22,7 +22,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
+  /// Starts reading the first request.
   void begin();
+  /// Closes the socket and removes the connection from the server. Has no effect if it is closed already.
   void close();
 
  private:

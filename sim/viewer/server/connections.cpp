@@ -6,25 +6,25 @@
 
 namespace csgsim::viewer {
 
-void Connections::add(const std::shared_ptr<Connection>& one) {
+void Connections::add(const std::shared_ptr<Connection>& connection) {
   if (strangers_.size() == max_strangers) {
     const std::shared_ptr<Connection> oldest = strangers_.front();
     oldest->close();
   }
-  strangers_.push_back(one);
+  strangers_.push_back(connection);
 }
 
-bool Connections::admit(const std::shared_ptr<Connection>& one) {
-  const auto stranger = std::ranges::find(strangers_, one);
+bool Connections::admit(const std::shared_ptr<Connection>& connection) {
+  const auto stranger = std::ranges::find(strangers_, connection);
   if (stranger == strangers_.end()) return true;
   if (admitted_.size() == max_admitted) return false;
   admitted_.splice(admitted_.end(), strangers_, stranger);
   return true;
 }
 
-void Connections::remove(const std::shared_ptr<Connection>& one) {
-  strangers_.remove(one);
-  admitted_.remove(one);
+void Connections::remove(const std::shared_ptr<Connection>& connection) {
+  strangers_.remove(connection);
+  admitted_.remove(connection);
 }
 
 }  // namespace csgsim::viewer

@@ -19,12 +19,13 @@ class Connections {
   static constexpr std::size_t max_admitted = 64;
 
   /// Adds a connection as a stranger. If there are too many strangers, closes the oldest.
-  void add(const std::shared_ptr<Connection>& one);
+  void add(const std::shared_ptr<Connection>& connection);
 
   /// Counts a stranger as admitted. Returns false if max_admitted are admitted already.
-  [[nodiscard]] bool admit(const std::shared_ptr<Connection>& one);
+  [[nodiscard]] bool admit(const std::shared_ptr<Connection>& connection);
 
-  void remove(const std::shared_ptr<Connection>& one);
+  /// Removes a closed connection, stranger or admitted.
+  void remove(const std::shared_ptr<Connection>& connection);
 
  private:
   std::list<std::shared_ptr<Connection>> strangers_;  ///< ordered by arrival

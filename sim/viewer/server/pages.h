@@ -6,7 +6,7 @@
 
 namespace csgsim::viewer {
 
-/// Number of open pages, and the time when the last one was closed.
+/// Counts open pages, and records when the last one was closed.
 class Pages {
  public:
   void open() {
@@ -18,8 +18,8 @@ class Pages {
     closed_ = Clock::now();
   }
 
-  /// Whether there have been pages, and the last was closed longer ago than `patience`.
-  [[nodiscard]] bool is_left_for(std::chrono::milliseconds patience) const {
+  /// Whether at least one page has been opened, none is open, and the last was closed longer ago than `patience`.
+  [[nodiscard]] bool are_closed_for(std::chrono::milliseconds patience) const {
     return has_been_ && open_ == 0 && Clock::now() - closed_ > patience;
   }
 

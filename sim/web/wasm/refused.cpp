@@ -39,7 +39,7 @@ std::vector<Mesh> parse_3mf(std::string_view /*bytes*/, std::string_view name) {
 
 namespace session {
 
-std::string evaluate_scad(const std::string& file, const std::optional<std::string>& /*instead*/,
+std::string evaluate_scad(const std::string& file, const std::optional<std::string>& /*replacement*/,
                           const ScadOptions& /*options*/) {
   throw InputError(
       file +

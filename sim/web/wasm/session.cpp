@@ -19,11 +19,11 @@ std::string output;
 std::unique_ptr<viewer::Session> session;
 
 /// Splits the input at `length`.
-std::pair<std::string, std::string> parted(std::size_t length) {
+std::pair<std::string, std::string> split_input(std::size_t length) {
   return {input.substr(0, length), input.substr(length)};
 }
 
-int answered(const std::string& path, std::string body) {
+int store_answer(const std::string& path, std::string body) {
   if (!session) throw viewer::RequestError("no model has been opened");
   const bool is_got = path == "about" || path == "report";
   viewer::Reply reply = session->answer({.method = is_got ? "GET" : "POST", .body = std::move(body)}, path);
@@ -63,7 +63,7 @@ std::size_t csgsim_output_size() { return output.size(); }
 /// Stores a text as a model's file. Returns the status that a server would send, as do the functions below.
 int csgsim_keep(std::size_t name_length) {
   return csgsim::web::status_of([&] {
-    auto [name, text] = csgsim::web::parted(name_length);
+    auto [name, text] = csgsim::web::split_input(name_length);
     csgsim::web::keep_file(std::move(name), std::move(text));
     return 200;
   });
@@ -72,7 +72,7 @@ int csgsim_keep(std::size_t name_length) {
 /// Opens a stored model: its name, and knobs as JSON.
 int csgsim_begin(std::size_t name_length) {
   return csgsim::web::status_of([&] {
-    const auto [name, knobs] = csgsim::web::parted(name_length);
+    const auto [name, knobs] = csgsim::web::split_input(name_length);
     csgsim::web::session = std::make_unique<csgsim::viewer::Session>(
         csgsim::viewer::Beginning{.model = name, .words = {}, .knobs = csgsim::session::parse_json(knobs, {})});
     return 200;
@@ -82,8 +82,8 @@ int csgsim_begin(std::size_t name_length) {
 /// Answers a question as Session::answer does: its name, and a request as JSON.
 int csgsim_answer(std::size_t path_length) {
   return csgsim::web::status_of([&] {
-    auto [path, body] = csgsim::web::parted(path_length);
-    return csgsim::web::answered(path, std::move(body));
+    auto [path, body] = csgsim::web::split_input(path_length);
+    return csgsim::web::store_answer(path, std::move(body));
   });
 }
 }

@@ -89,7 +89,7 @@ TEST_CASE("the command until stops at an instruction or primitive or reports it 
   Debugger debug;
   CHECK(debug("until i4") == "i4\ni4 of 18: set_constant Z1, 40\n");
   CHECK(debug.error("until i4") == "i4 is not ahead; step back first with back N");
-  CHECK(debug.error("until i18") == "there is no instruction i18: the Program has 18");
+  CHECK(debug.error("until i18") == "there is no instruction i18: the Program has 18, counted from i0");
   CHECK(debug("until primitive far") == "primitive p1 far\ni7 of 18: enable_all\n");
   CHECK(debug("until primitive 1") == "primitive p1 far was not reached\n" + last);
   CHECK(debug("back 100") == "i0 of 18: enable_all\n");

@@ -109,7 +109,7 @@ void judge(const Plate& plate, const testing::Setup& setup, Tally& tally) {
   const auto compiled = testing::compile_text(testing::tinted({1, 1, 1}, alpha, plate.text()), setup);
   RC_PRE(compiled.tree.primitives.size() > 1);
   RC_ASSERT(compiled.program.facts->primitives.size() == 1);
-  const observe::Frame frame = observe::of_primitives(testing::draw(compiled.program), *compiled.program.facts);
+  const observe::Frame frame = observe::with_primitive_owners(testing::draw(compiled.program), *compiled.program.facts);
   const view::EyeSpace eye = view::eye_space(setup.camera, setup.sampling);
   for (std::size_t i = 0; i < frame.colour.size(); ++i) {
     const glm::dvec2 place(static_cast<double>(i % width), static_cast<double>(i / width));

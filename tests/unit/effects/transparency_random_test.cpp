@@ -235,7 +235,7 @@ Tally surfaces_of_random_models(std::uint64_t first_seed, view::Projection proje
     const auto nearest = shot.cast(order, {});
     const isa::Program program = shot.program();
     const observe::Frame frame = testing::draw(program);
-    const observe::Frame opaque = observe::of_opaque(frame);
+    const observe::Frame opaque = observe::with_opaque_surfaces(frame);
     for (std::size_t i = 0; i < nearest.size(); ++i) {
       ++tally.pixels;
       if (!nearest[i].is_certain) continue;

@@ -87,7 +87,8 @@ std::string union_of(const std::vector<std::string>& parts) {
 }
 
 bool same(const observe::Frame& a, const observe::Frame& b) {
-  return a.colour == b.colour && a.depth == b.depth && observe::of_opaque(a).depth == observe::of_opaque(b).depth;
+  return a.colour == b.colour && a.depth == b.depth &&
+         observe::with_opaque_surfaces(a).depth == observe::with_opaque_surfaces(b).depth;
 }
 
 testing::Setup view_of_parts(const std::vector<std::string>& sets) { return front_view(16, 16, scene_of("", sets)); }
@@ -152,7 +153,7 @@ TEST_CASE("transparent solids do not change depths and owners of opaque surfaces
   }
   const observe::Frame frame = drawn(union_of(parts()), view_of_parts({}));
   const observe::Frame without = drawn(union_of(parts()), view_of_parts(clear));
-  const observe::Frame opaque = observe::of_opaque(frame);
+  const observe::Frame opaque = observe::with_opaque_surfaces(frame);
   CHECK(opaque.depth == without.depth);
   CHECK(opaque.owner == without.owner);
   CHECK(frame.colour != without.colour);

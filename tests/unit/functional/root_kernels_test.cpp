@@ -21,7 +21,7 @@ TEST_CASE("roots of every width are taken at exactly the enabled pixels") {
     functional::TileBits enable;
     const Bits enabled = set_any(enable, shape);
     engine::Work work;
-    functional::take_root({enable, shape, functional::Decide::by_block, work}, field);
+    functional::execute_root({enable, shape, functional::Decide::by_block, work}, field);
     std::vector<Bits> after;
     for (const functional::TileBits* plane : field) after.push_back(bits_of(*plane, shape));
     const auto value = [&](const std::vector<Bits>& of, std::uint32_t x, std::uint32_t y) {
@@ -54,7 +54,7 @@ TEST_CASE("roots are exact for extreme values and near squares") {
     functional::TileBits enable;
     enable.fill(shape);
     engine::Work work;
-    functional::take_root({enable, shape, functional::Decide::by_block, work}, field);
+    functional::execute_root({enable, shape, functional::Decide::by_block, work}, field);
     for (std::size_t i = 0; i < values.size(); ++i) {
       CAPTURE(values[i]);
       std::uint64_t number = 0;

@@ -193,7 +193,7 @@ TEST_CASE("transparent surfaces are recorded at the first comparison and count a
   CHECK(at(frame.depth, 4, 1) == 3);
   CHECK(at(frame.owner, 6, 1) == 1);
   CHECK(at(frame.depth, 6, 1) == 4);
-  const observe::Frame opaque = observe::of_opaque(frame);
+  const observe::Frame opaque = observe::with_opaque_surfaces(frame);
   CHECK(at(opaque.owner, 4, 1) == 2);
   CHECK(at(opaque.depth, 4, 1) == 9);
   CHECK(at(opaque.owner, 6, 1) == observe::no_owner);

@@ -40,9 +40,9 @@ double estimate_ratio(const std::string& trace, const std::string& machine_name,
   std::vector<engine::Observer*> observers{&observer};
   engine->run(program, observers);
   const double took = work.elapsed();
-  REQUIRE(work.warned().has_value());
+  REQUIRE(work.announced_seconds().has_value());
   REQUIRE(took > 1.5);
-  return *work.warned() / took;
+  return *work.announced_seconds() / took;
 }
 
 }  // namespace
@@ -66,12 +66,12 @@ TEST_CASE("a warning of long work is printed once and only for long work") {
   observe::LongWork work(
       "this study", "take less", [&now] { return now; }, 60);
   now = 5;
-  work.at(0.1);
-  CHECK_FALSE(work.warned().has_value());
+  work.record_fraction(0.1);
+  CHECK_FALSE(work.announced_seconds().has_value());
   now = 40;
-  work.at(0.4);
-  CHECK(work.warned() == 100.0);
+  work.record_fraction(0.4);
+  CHECK(work.announced_seconds() == 100.0);
   now = 90;
-  work.at(0.5);
-  CHECK(work.warned() == 100.0);
+  work.record_fraction(0.5);
+  CHECK(work.announced_seconds() == 100.0);
 }

@@ -186,7 +186,8 @@ TEST_CASE("a picture name without a known format is rejected with a list of form
     CAPTURE(name);
     CHECK_THROWS_WITH_AS(
         observe::check_format(name),
-        (std::string(name) + ": unknown picture format; end the name in .png, .tif, .ppm, .exr or a similar extension")
+        (std::string(name) +
+         ": unknown picture format; end the name in .png, .tif, .ppm, .exr or another extension of pictures")
             .c_str(),
         InputError);
   }

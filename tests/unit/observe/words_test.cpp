@@ -94,7 +94,7 @@ TEST_CASE("primitives and effects and the rest add up to all clocks of a frame")
       const Drawn drawn = draw(machine, model);
       const observe::ClockShares shares = observe::clock_shares(drawn.program, drawn.result, drawn.stats);
       std::uint64_t sum = shares.other_clocks + shares.rest;
-      for (const observe::PrimitiveCost& one : shares.dearest) {
+      for (const observe::PrimitiveCost& one : shares.most_expensive) {
         CHECK(one.clocks == drawn.ledger.primitives.at(one.primitive));
         sum += one.clocks;
       }
@@ -102,7 +102,7 @@ TEST_CASE("primitives and effects and the rest add up to all clocks of a frame")
       CHECK(sum == shares.whole);
       CHECK(shares.whole == drawn.ledger.all + drawn.result.latency_clocks);
       CHECK(shares.rest == drawn.ledger.unattributed + drawn.result.latency_clocks);
-      CHECK(shares.dearest.size() + shares.other_primitives == drawn.ledger.primitives.size());
+      CHECK(shares.most_expensive.size() + shares.other_primitives == drawn.ledger.primitives.size());
       if (machine == "pixel-planes-4") {
         CHECK(shares.whole + activity(drawn.result, "clearing") + activity(drawn.result, "starved") +
                   activity(drawn.result, "jumping") ==
@@ -115,29 +115,29 @@ TEST_CASE("primitives and effects and the rest add up to all clocks of a frame")
 TEST_CASE("the ten most expensive primitives are listed with their places in the file") {
   const Drawn drawn = draw("pixel-planes-4", "carburettor");
   const observe::ClockShares shares = observe::clock_shares(drawn.program, drawn.result, drawn.stats);
-  REQUIRE(shares.dearest.size() == 10);
-  for (std::size_t i = 1; i < 10; ++i) CHECK(shares.dearest[i].clocks <= shares.dearest[i - 1].clocks);
+  REQUIRE(shares.most_expensive.size() == 10);
+  for (std::size_t i = 1; i < 10; ++i) CHECK(shares.most_expensive[i].clocks <= shares.most_expensive[i - 1].clocks);
   std::multiset<std::uint64_t> clocks;
   for (const auto& [primitive, count] : drawn.ledger.primitives) clocks.insert(count);
-  CHECK(*clocks.rbegin() == shares.dearest.front().clocks);
-  for (const observe::PrimitiveCost& one : shares.dearest) {
+  CHECK(*clocks.rbegin() == shares.most_expensive.front().clocks);
+  for (const observe::PrimitiveCost& one : shares.most_expensive) {
     CHECK(one.name.ends_with("@" + one.source));
     CHECK(one.source.find(':') != std::string::npos);
   }
-  CHECK(observe::source_of("mesh") == "");
+  CHECK(observe::source_position("mesh") == "");
 }
 
 TEST_CASE("the half-spaces left by pruning count once across all squares") {
   const Drawn whole = draw("pixel-planes-4", "thesis_fig_2_3");
   std::uint64_t halfspaces = 0;
   const observe::ClockShares shares = observe::clock_shares(whole.program, whole.result, whole.stats);
-  for (const observe::PrimitiveCost& one : shares.dearest) halfspaces += one.halfspaces;
+  for (const observe::PrimitiveCost& one : shares.most_expensive) halfspaces += one.halfspaces;
   CHECK(halfspaces == whole.program.segments.front().facts->kept_halfspaces);
   const Drawn squares = draw("pixel-square", "thesis_fig_2_3");
   for (const observe::PrimitiveCost& one :
-       observe::clock_shares(squares.program, squares.result, squares.stats).dearest) {
-    const auto same = std::ranges::find(shares.dearest, one.primitive, &observe::PrimitiveCost::primitive);
-    REQUIRE(same != shares.dearest.end());
+       observe::clock_shares(squares.program, squares.result, squares.stats).most_expensive) {
+    const auto same = std::ranges::find(shares.most_expensive, one.primitive, &observe::PrimitiveCost::primitive);
+    REQUIRE(same != shares.most_expensive.end());
     CHECK(one.halfspaces > 0);
     CHECK(one.halfspaces <= same->halfspaces);
   }

@@ -29,7 +29,7 @@ TEST_CASE("numbers in a page are encoded as varints with the lowest 7 bits first
   std::string_view rest = bytes;
   for (const std::uint64_t number :
        {std::uint64_t{0}, std::uint64_t{127}, std::uint64_t{128}, std::uint64_t{300}, ~std::uint64_t{0}})
-    CHECK(report::take_varint(rest) == number);
+    CHECK(report::read_varint(rest) == number);
   CHECK(rest.empty());
 }
 
@@ -47,11 +47,11 @@ TEST_CASE("encoded changes turn earlier states into later ones and back") {
     std::vector<std::uint32_t> after = before;
     for (std::uint32_t& state : after)
       if (random() % 4 == 0) state = random() % 0x2000000U;
-    const std::string changes = report::changes(before, after);
+    const std::string changes = report::encode_changes(before, after);
     std::vector<std::uint32_t> states = before;
-    report::change(changes, states);
+    report::apply_changes(changes, states);
     CHECK(states == after);
-    report::change(changes, states);
+    report::apply_changes(changes, states);
     CHECK(states == before);
     CHECK(changes.empty() == (before == after));
   }

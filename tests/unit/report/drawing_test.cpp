@@ -24,7 +24,7 @@ std::vector<std::vector<std::uint32_t>> replayed(const report::Drawing& drawing)
   std::vector<std::vector<std::uint32_t>> all;
   std::vector<std::uint32_t> states(std::size_t{drawing.width} * drawing.height, 0);
   for (const report::DrawingStep& step : drawing.steps) {
-    report::change(step.changes, states);
+    report::apply_changes(step.changes, states);
     all.push_back(states);
   }
   return all;

@@ -69,7 +69,7 @@ TEST_CASE("a study's page explains missing points and a missing picture") {
       {"points",
        {{{"strategy", "stack"}, {"clocks", 100}, {"reason", ""}}, {{"strategy", "bits"}, {"reason", "no <room>"}}}}};
   constexpr report::PointColumn columns[] = {{"strategy", "strategy"}, {"clocks", "clocks"}, {"bits", "bits"}};
-  report::Page page = report::begun_page("title", file, {{"csgsim sweep", {}}, "a.csg", {}, "too dark"});
+  report::Page page = report::begin_page("title", file, {{"csgsim sweep", {}}, "a.csg", {}, "too dark"});
   page.sections.push_back({"Points", {report::points_table(page.data, "/points", "All", columns)}});
   const std::string html = report::to_html(page);
   CHECK(html.find("<th scope=col>reason</th>") != std::string::npos);

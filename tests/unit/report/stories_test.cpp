@@ -64,11 +64,11 @@ TEST_CASE("a page contains the text of csgsim explain and the first step after e
     report::add_stories({program}, machine, pixels_in(program), drawing);
     REQUIRE(drawing.stories.size() == program.shape.height);
     CHECK(drawing.summary.ends_with("Pixels with a history on this page: 30."));
-    const story::Teller teller(program, machine);
+    const story::StoryBuilder builder(program, machine);
     const report::Json json = report::drawing_json(drawing)["stories"];
     std::size_t events = 0;
     for (std::size_t i = 0; i < json.size(); ++i) {
-      const story::Story story = teller.story_of(json[i]["x"], json[i]["y"]);
+      const story::Story story = builder.story_of(json[i]["x"], json[i]["y"]);
       CHECK(json[i]["y"] == i);
       CHECK(json[i]["primitive"].is_null() == (story.owner == observe::no_owner));
       CHECK(text_in(json[i]["parts"]) == story::text_of({program}, story));

@@ -124,7 +124,7 @@ TEST_CASE("only an option that is a flag may lack a value") {
   CHECK(usage_error_of([&] { list.give_flag("colour"); }) == "--colour: needs a value");
   list.give_flag("check");
   list.give_operand("a.csg");
-  list.take();
+  list.check_and_apply();
   CHECK(request.check);
 }
 
@@ -154,7 +154,8 @@ TEST_CASE("invalid values of a settings file are rejected with their place") {
   session::Option& bits = *list.find("bits");
   bits.given = {"99"};
   bits.place = "x.toml:3:1";
-  CHECK(testing::error_of([&] { list.take(); }) == "x.toml:3:1: --bits: '99' is not a whole number from 4 to 30");
+  CHECK(testing::error_of([&] { list.check_and_apply(); }) ==
+        "x.toml:3:1: --bits: '99' is not a whole number from 4 to 30");
   CHECK(list.place_of("--bits: too many") == "x.toml:3:1");
   CHECK(list.place_of("--bits-more: too many").empty());
   CHECK(list.place_of("--colour: no").empty());
@@ -177,7 +178,7 @@ TEST_CASE("a removed option is unknown as if it had never been added") {
   list.remove("MODEL");
   CHECK(list.find("colour") == nullptr);
   list.give("bits", "5");
-  list.take();
+  list.check_and_apply();
   CHECK(request.bits == 5);
   CHECK_THROWS_AS(list.remove("--colour"), std::logic_error);
 }

@@ -17,7 +17,7 @@ struct Parsed {
   explicit Parsed(const Texts& words) {
     options.add_to(list);
     list.give_words(words);
-    list.take();
+    list.check_and_apply();
   }
 };
 

@@ -157,13 +157,13 @@ TEST_CASE("the story's owner and depth equal the judges' at random pixels on eve
       const std::vector<testing::Seen> rules =
           testing::draw_by_rules(drawn.compiled.tree, drawn.compiled.scene, drawn.compiled.view);
       const judges::Explainer exact(drawn.compiled.tree, drawn.compiled.scene, drawn.camera, program);
-      const story::Teller teller(program, drawn.machine);
+      const story::StoryBuilder builder(program, drawn.machine);
       for (unsigned pixel = 0; pixel < pixels; ++pixel) {
         const std::uint32_t x = static_cast<std::uint32_t>(random()) % width;
         const std::uint32_t y = static_cast<std::uint32_t>(random()) % height;
         CAPTURE(x);
         CAPTURE(y);
-        const story::Story story = teller.story_of(x, y);
+        const story::Story story = builder.story_of(x, y);
         const testing::Seen& seen = rules[std::size_t{y} * width + x];
         CHECK(story.owner == seen.owner);
         CHECK(story.depth == seen.depth);

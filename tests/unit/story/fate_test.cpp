@@ -180,13 +180,13 @@ TEST_CASE("the story's fate and comparisons of each surface follow the rules of 
       setup.options.pruning.hidden = false;
       const testing::Compiled compiled =
           testing::compile_text(testing::random_model(seed, 3 + static_cast<unsigned>(seed % 8)), setup);
-      const story::Teller teller(compiled.program, testing::machine_of(compiled.program.shape));
+      const story::StoryBuilder builder(compiled.program, testing::machine_of(compiled.program.shape));
       for (unsigned pixel = 0; pixel < 12; ++pixel) {
         const std::uint32_t x = static_cast<std::uint32_t>(random()) % side;
         const std::uint32_t y = static_cast<std::uint32_t>(random()) % side;
         CAPTURE(x);
         CAPTURE(y);
-        const story::Story story = teller.story_of(x, y);
+        const story::Story story = builder.story_of(x, y);
         const Rules rules(compiled, x, y);
         check_fates(story, rules);
         alone += check_comparisons(compiled.program, story, rules);

@@ -29,7 +29,7 @@ testing::Compiled compile(const std::string& csg) {
 }
 
 story::Story explain_pixel(const isa::Program& program, std::uint32_t x, std::uint32_t y) {
-  return story::Teller(program, testing::machine_of(program.shape)).story_of(x, y);
+  return story::StoryBuilder(program, testing::machine_of(program.shape)).story_of(x, y);
 }
 
 /// Returns the visible surface, if any.

@@ -135,13 +135,13 @@ TEST_CASE("the story of random quadric models has the owners and depths of the p
       const judges::Explainer exact(drawn.tree, drawn.scene, drawn.camera, drawn.program);
       const story::HalfspaceFinder finder(drawn.tree, drawn.scene, drawn.view);
       const story::Subject subject{drawn.program, &finder};
-      const story::Teller teller(drawn.program, drawn.machine);
+      const story::StoryBuilder builder(drawn.program, drawn.machine);
       for (unsigned pixel = 0; pixel < 80; ++pixel) {
         const std::uint32_t x = static_cast<std::uint32_t>(random()) % width;
         const std::uint32_t y = static_cast<std::uint32_t>(random()) % height;
         CAPTURE(x);
         CAPTURE(y);
-        const story::Story story = teller.story_of(x, y);
+        const story::Story story = builder.story_of(x, y);
         CHECK(story.owner == frame.owner[std::size_t{y} * width + x]);
         CHECK(story.depth == frame.depth[std::size_t{y} * width + x]);
         CHECK(exact.may_show(x, y, story.owner, story.depth));
@@ -174,7 +174,7 @@ TEST_CASE("a story's text and JSON name the visible quadric and its side and roo
   const observe::Frame frame = frame_of(drawn);
   const auto at = static_cast<std::uint32_t>(std::ranges::find(frame.owner, 1U) - frame.owner.begin());
   REQUIRE(at < frame.owner.size());
-  const story::Story story = story::Teller(drawn.program, drawn.machine).story_of(at % width, at / width);
+  const story::Story story = story::StoryBuilder(drawn.program, drawn.machine).story_of(at % width, at / width);
   const std::string text = story::text_of(subject, story);
   CHECK(text.find("far depth of quadric 1 of 1 of p1 sphere@1:") != std::string::npos);
   CHECK(text.find(": ellipsoid about (0, 0, 3)\n") != std::string::npos);
@@ -205,7 +205,7 @@ TEST_CASE("a pixel outside a curved outline is removed by the discriminant with 
   const auto x = static_cast<std::uint32_t>(box.x0);
   const auto y = static_cast<std::uint32_t>(box.y0);
   REQUIRE(frame.owner[std::size_t{y} * width + x] == observe::no_owner);
-  const story::Story story = story::Teller(drawn.program, drawn.machine).story_of(x, y);
+  const story::Story story = story::StoryBuilder(drawn.program, drawn.machine).story_of(x, y);
   const auto cut =
       std::ranges::find_if(story.events, [](const story::Event& one) { return one.cut && one.cut->squares; });
   REQUIRE(cut != story.events.end());

@@ -97,7 +97,7 @@ TEST_CASE("a story of any Program can be written as text and as JSON") {
   CHECK(rc::check([] {
     const isa::Program program = *test::arbitrary_program(shape, 40, 2);
     const story::Subject subject{program, nullptr};
-    const story::Story story = story::Teller(program, quadratic_machine(program.shape)).story_of(4, 2);
+    const story::Story story = story::StoryBuilder(program, quadratic_machine(program.shape)).story_of(4, 2);
     RC_ASSERT(!text_of(subject, story).empty());
     RC_ASSERT(story::to_json(subject, story).dump().size() > 2U);
     for (std::uint32_t p = 0; p < program.facts->primitives.size(); ++p)

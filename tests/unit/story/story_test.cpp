@@ -51,7 +51,7 @@ struct PixelCase {
   std::uint32_t x = 0;
   std::uint32_t y = 0;
 
-  [[nodiscard]] story::Story story() const { return story::Teller(compiled.program, machine).story_of(x, y); }
+  [[nodiscard]] story::Story story() const { return story::StoryBuilder(compiled.program, machine).story_of(x, y); }
 };
 
 PixelCase draw_case(const std::string& csg, std::uint32_t x, std::uint32_t y,
@@ -90,7 +90,7 @@ story::Story by_hand(const std::string& more, std::uint32_t x) {
       "field_lt Z1, Z2; merge p0\ncopy Z2, Z1; merge p0\n" +
           more,
       "by hand");
-  return story::Teller(program, testing::machine_of(program.shape)).story_of(x, 0);
+  return story::StoryBuilder(program, testing::machine_of(program.shape)).story_of(x, 0);
 }
 
 std::string glass(const std::string& csg) { return testing::tinted({0.2, 0.5, 0.9}, 0.4, csg); }
@@ -299,14 +299,14 @@ TEST_CASE("the story of each pixel has one visible surface with glass or mirrors
     setup.memory_bits = 512;
     setup.camera = {{-4, -20, 3}, {4, 2, -3}, view::Projection::perspective};
     const testing::Compiled compiled = testing::compile_text(models, setup);
-    const story::Teller teller(compiled.program, testing::machine_of(compiled.program.shape));
+    const story::StoryBuilder builder(compiled.program, testing::machine_of(compiled.program.shape));
     const story::Subject subject{compiled.program, nullptr};
     unsigned seen = 0;
     for (std::uint32_t y = 0; y < 6; ++y) {
       for (std::uint32_t x = 0; x < 8; ++x) {
         CAPTURE(x);
         CAPTURE(y);
-        const nlohmann::json json = story::to_json(subject, teller.story_of(x, y));
+        const nlohmann::json json = story::to_json(subject, builder.story_of(x, y));
         if (json["owner"].is_null()) continue;
         CHECK(seen_surface(json)["primitive"] == json["owner"]);
         ++seen;

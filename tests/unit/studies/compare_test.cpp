@@ -29,7 +29,7 @@ Words requested_points(const Words& words) {
   session::OptionList list("compare");
   const auto command = studies::describe(list, studies::compare_row);
   list.give_words(std::span(words).subspan(1));
-  list.take();
+  list.check_and_apply();
   Words points;
   for (const studies::PointRequest& one : command->study->request_points()) points.push_back(one.cells);
   return points;

@@ -49,7 +49,7 @@ struct Explored {
 
   explicit Explored(const Texts& words) {
     list.give_words(words);
-    list.take();
+    list.check_and_apply();
   }
 
   [[nodiscard]] studies::Study& study() const { return *command->study; }

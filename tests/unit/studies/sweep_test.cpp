@@ -226,7 +226,7 @@ TEST_CASE("the page of a sweep counts its models or names the only one") {
     session::OptionList list("sweep");
     const auto command = studies::describe(list, studies::sweep_row);
     list.give_words(std::span(words).subspan(1));
-    list.take();
+    list.check_and_apply();
     return command->study->page_subject();
   };
   const std::string one = testing::model_path("thesis_fig_2_3");

@@ -50,7 +50,7 @@ TEST_CASE("a child program may write exactly up to its limits") {
     const system::ChildEnd ended = run_shell(exact + commands + "; sleep 300");
     CHECK(ended.exceeded == exceeded);
     CHECK(ended.output.size() + ended.errors.size() == mib);
-    CHECK(system::why_failed(ended, usual).find("more than 1 MiB") != std::string::npos);
+    CHECK(system::failure_text(ended, usual).find("more than 1 MiB") != std::string::npos);
   }
 }
 
@@ -59,7 +59,7 @@ TEST_CASE("a child program and its children are terminated at the time limit") {
   limits.time = std::chrono::seconds(1);
   const system::ChildEnd ended = run_shell("sleep 300 & echo $!; wait", limits);
   CHECK(ended.exceeded == system::Exceeded::time);
-  CHECK(system::why_failed(ended, limits) == "it did not finish within 1 s");
+  CHECK(system::failure_text(ended, limits) == "it did not finish within 1 s");
   CHECK(::kill(std::stoi(ended.output), 0) != 0);
 }
 
@@ -80,14 +80,14 @@ TEST_CASE("the peak memory of a child program's processes is reported") {
 
 TEST_CASE("a child program terminated by a signal is reported") {
   const system::ChildEnd ended = run_shell("kill -SEGV $$");
-  CHECK(system::why_failed(ended, usual) == "it was killed by a signal: Segmentation fault");
+  CHECK(system::failure_text(ended, usual) == "it was killed by a signal: Segmentation fault");
 }
 
 TEST_CASE("a nonexistent child program is distinguished from a failing one") {
   const system::MemoryFile none("none");
   CHECK_FALSE(system::run_child(std::vector<std::string>{"there/is/none"}, none, usual).has_value());
   CHECK_FALSE(system::run_child(std::vector<std::string>{"csgsim-is-none"}, none, usual).has_value());
-  CHECK(system::why_failed(run_shell("echo why >&2; exit 1"), usual) == "why");
+  CHECK(system::failure_text(run_shell("echo why >&2; exit 1"), usual) == "why");
 }
 
 TEST_CASE("a stop request to this thread terminates its child program and the children") {

@@ -399,18 +399,18 @@ TEST_CASE("a port in use is rejected and one of an ended server is free at once"
 
 TEST_CASE("pages count as left once all are closed and the patience has passed") {
   viewer::Pages pages;
-  CHECK_FALSE(pages.is_left_for(0ms));
+  CHECK_FALSE(pages.are_closed_for(0ms));
   pages.open();
   pages.open();
-  CHECK_FALSE(pages.is_left_for(0ms));
+  CHECK_FALSE(pages.are_closed_for(0ms));
   pages.close();
   std::this_thread::sleep_for(2ms);
-  CHECK_FALSE(pages.is_left_for(0ms));
+  CHECK_FALSE(pages.are_closed_for(0ms));
   pages.close();
   std::this_thread::sleep_for(2ms);
-  CHECK(pages.is_left_for(0ms));
-  CHECK(pages.is_left_for(1ms));
-  CHECK_FALSE(pages.is_left_for(1h));
+  CHECK(pages.are_closed_for(0ms));
+  CHECK(pages.are_closed_for(1ms));
+  CHECK_FALSE(pages.are_closed_for(1h));
   pages.open();
-  CHECK_FALSE(pages.is_left_for(0ms));
+  CHECK_FALSE(pages.are_closed_for(0ms));
 }
