@@ -159,7 +159,7 @@ class Reader {
     if (command == set_.commands.end()) {
       std::vector<std::string> names;
       for (const GateCommand& one : set_.commands) names.push_back(one.name);
-      fail(place, unknown_word_message("command", words[2], names));
+      fail(place, unknown_name_text("command", words[2], names));
     }
     if (words.size() != 3 + command->inputs)
       fail(place, fmt::format("{} has {} inputs, not {}", command->name, command->inputs, words.size() - 3));
@@ -173,7 +173,7 @@ class Reader {
     std::vector<std::string> names{"x", "y", "z", "target"};
     for (std::uint32_t i = 1; i <= set_.temporaries; ++i) names.push_back(fmt::format("T{}", i));
     const auto found = std::ranges::find(names, word);
-    if (found == names.end()) fail(where, unknown_word_message("latch", word, names));
+    if (found == names.end()) fail(where, unknown_name_text("latch", word, names));
     return static_cast<Place>(found - names.begin());
   }
 

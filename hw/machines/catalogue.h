@@ -41,7 +41,7 @@ struct Catalogue {
     if (!file_of(spec).empty()) return load_file(name, changes);
     if (const BuiltIn* const found = named(name)) return read_built_in(*found, changes);
     throw InputError(
-        fmt::format("{}; the name of a {} file must end in .toml", unknown_word_message(what, name, names()), what));
+        fmt::format("{}; the name of a {} file must end in .toml", unknown_name_text(what, name, names()), what));
   }
 
  private:

@@ -57,7 +57,7 @@ int run(csgsim::shell::CommandLine& line, std::span<char* const> arguments) {
     csgsim::report_line(error.what());
     return bad_input;
   } catch (const std::bad_alloc&) {
-    csgsim::write_to_standard_error("csgsim: there is not enough memory; use a smaller picture or model\n");
+    csgsim::write_message("csgsim: there is not enough memory; use a smaller picture or model\n");
     return bad_input;
   } catch (const std::exception& error) {
     if (!is_output_complete()) return report_incomplete_output();

@@ -76,7 +76,7 @@ std::vector<std::string> parse_names(std::string_view text, std::string_view kin
   std::vector<std::string> words = parse_words(text);
   for (const std::string& word : words)
     if (std::find(known.begin(), known.end(), word) == known.end())
-      throw InputError(unknown_word_message(kind, word, known));
+      throw InputError(unknown_name_text(kind, word, known));
   return words;
 }
 
