@@ -47,7 +47,7 @@ TEST_CASE("a cube takes the host the transformation of six planes and eight corn
   CHECK(*program.model_preparation == isa::Preparation{.nodes = 1 + 6 + 6 * 4 + 8 * 3});
 }
 
-TEST_CASE("cubes side by side share directions and the coordinates in common") {
+TEST_CASE("cubes side by side share the products and quotients of equal coordinates") {
   const isa::Preparation took = *compiled("group() {" + cube + moved + "{" + cube + "} }").preparation;
   CHECK(took.planes == 12);
   CHECK(took.points == 16);
@@ -79,7 +79,7 @@ TEST_CASE("a lone cube takes the host box and half-space tests against its recta
   CHECK(took.colours == 3);
 }
 
-TEST_CASE("each surface of a notched cube takes a test of the other cube by the host") {
+TEST_CASE("a notched cube takes support tests once per model and none per segment") {
   const isa::Program program = compiled("difference() {" + cube + moved + "{" + cube + "} }");
   const isa::Preparation took = of_segments(program);
   CHECK(took.nodes > 0);
@@ -94,7 +94,7 @@ TEST_CASE("each surface of a notched cube takes a test of the other cube by the 
   CHECK(*program.model_preparation == isa::Preparation{.supports = supports, .nodes = 3 + 12 + 12 * 4 + 16 * 3});
 }
 
-TEST_CASE("prunings not worth their time are left out; none is if the host takes no time") {
+TEST_CASE("prunings that cost more than they save are left out unless the host is ideal") {
   const std::string notched = "difference() {" + cube + moved + "{" + cube + "} }";
   testing::Setup setup = setup_of({});
   const auto facts_at = [&](const csg::Prices& prices, std::string_view name) {
