@@ -116,7 +116,7 @@ TEST_CASE("decode() rejects any truncation even with a correct checksum") {
   }
 }
 
-TEST_CASE("a hostile byte in a Program with a correct checksum is rejected or harmless") {
+TEST_CASE("a Program with one hostile byte and a correct checksum is valid or rejected") {
   const Bytes sound = encode(sample_program());
   for (std::size_t i = 5; i + checksum_size < sound.size(); ++i)
     for (const unsigned value : {0x00U, 0x01U, 0x7fU, 0x80U, 0x9bU, 0xbfU, 0xffU}) {
@@ -127,7 +127,7 @@ TEST_CASE("a hostile byte in a Program with a correct checksum is rejected or ha
     }
 }
 
-TEST_CASE("random corruption of a Program with a correct checksum is rejected or harmless") {
+TEST_CASE("a randomly corrupted Program with a correct checksum is valid or rejected") {
   const Bytes sound = encode(sample_program());
   CHECK(rc::check("decode() returns a valid Program or an error", [&sound] {
     Bytes hostile = sound;
@@ -142,7 +142,7 @@ TEST_CASE("random corruption of a Program with a correct checksum is rejected or
   }));
 }
 
-TEST_CASE("random bytes after a valid header of a Program are rejected or harmless") {
+TEST_CASE("random bytes after a Program's header are a valid Program or rejected") {
   CHECK(rc::check("decode() returns a valid Program or an error", [] {
     const auto noise = *rc::gen::container<std::vector<std::uint8_t>>(
         rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint8_t>()));
