@@ -47,7 +47,7 @@ struct Link {
 struct Machine {
   std::string name;
   std::string description;
-  const Kind* kind = nullptr;          ///< architecture: the region that its processors cover at a time
+  const Kind* kind = nullptr;          ///< its architecture, which determines its functions (hw/machines/kind.h)
   isa::ArrayShape array;               ///< pixel processors (of one chain or renderer) and memory bits of each
   Size picture;                        ///< size of the picture that the machine draws
   std::uint64_t clock_hz = 0;          ///< clock frequency: bit steps or packets per second

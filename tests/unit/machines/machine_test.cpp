@@ -125,7 +125,7 @@ TEST_CASE("quadratics and the root flag enlarge a pixel by about the published s
   CHECK(with / without < 1.45);
 }
 
-TEST_CASE("pixel-planes-4 is a built-in machine with the published figures") {
+TEST_CASE("the built-in pixel-planes-4 has the published array, clock and memory ports") {
   const Machine machine = kinds::load("pixel-planes-4");
   CHECK(machine.name == "pixel-planes-4");
   CHECK(machine.array == isa::ArrayShape{512, 512, 72});
@@ -277,7 +277,7 @@ TEST_CASE("a parameter that belongs to another kind of machine is rejected") {
                                 ": unknown key 'refresh'; the keys here are name, description, kind, array, clock, "));
 }
 
-TEST_CASE("the error for an unknown kind or order lists the valid names") {
+TEST_CASE("the error for an unknown kind or square order lists the valid names") {
   std::string names;
   for (const machines::Kind* const one : kinds::all()) names += (names.empty() ? "" : ", ") + std::string(one->name);
   CHECK(names.starts_with("frame-buffer, scan-line, pixel-square"));
