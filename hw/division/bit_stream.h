@@ -51,7 +51,8 @@ class BitReader {
  public:
   explicit BitReader(const Bits& bits) : bits_(bits) {
     if (bits.words.size() != link_words(bits.count, 64))
-      throw InputError("the display model: the number of words does not match the number of bits; compile the model again");
+      throw InputError(
+          "the display model: the number of words does not match the number of bits; compile the model again");
   }
 
   [[nodiscard]] std::uint64_t left() const { return bits_.count - next_; }

@@ -79,7 +79,8 @@ Header take_header(BitReader& in, DisplayModel& model) {
 /// Throws InputError unless the stream has room for `records` records of at least `bits` bits, so that an invalid count
 /// cannot exhaust memory.
 void require_room(const BitReader& in, std::uint64_t records, unsigned bits) {
-  if (records > in.left() / bits) throw InputError("the display model: the stream ends too soon; compile the model again");
+  if (records > in.left() / bits)
+    throw InputError("the display model: the stream ends too soon; compile the model again");
 }
 
 Primitive take_primitive(BitReader& in, const DisplayModel& model, const Widths& widths) {

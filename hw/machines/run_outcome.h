@@ -48,7 +48,7 @@ struct PixelClocks {
 /// Run-time outcomes that exact timing needs.
 struct RunOutcome {
   std::span<const Skip> skips;         ///< in program order
-  std::span<const PixelActivity> met;  ///< enabled pixels of each segment; empty without a run, or if the kind does not need them
+  std::span<const PixelActivity> met;  ///< enabled pixels of each segment; empty without a run or need
 
   constexpr RunOutcome() = default;
   constexpr RunOutcome(std::span<const Skip> all_skips, std::span<const PixelActivity> all_met)
