@@ -22,6 +22,6 @@ std::string kinds_with(std::string_view key);
 
 /// Error text for a change of a parameter that only other kinds of machines have: names these kinds, and the nearest
 /// parameter of `kind` if one is similar. Empty if `kind` has the parameter. `name`: name of the machine.
-std::string why_missing(std::string_view key, const machines::Kind& kind, std::string_view name);
+std::string missing_parameter_text(std::string_view key, const machines::Kind& kind, std::string_view name);
 
 }  // namespace csgsim::kinds
