@@ -301,7 +301,7 @@ isa::Program compile_as(const Input& input, const Options& options) {
 /// Compiles, and adds the display model if the machine divides the model itself.
 isa::Program compile_for_machine(const Input& input, const Options& chosen) {
   Options options = chosen;
-  options.work = chosen.work.afresh();
+  options.work = chosen.work.with_zero_count();
   isa::Program program = compile_as(input, options);
   if (!input.division) return program;
   add_division(program, *input.division, input.tree, input.geometry, input.drawing.view, input.machine, options);
@@ -366,7 +366,7 @@ isa::Program compile_within(const model::Tree& tree, const facet::Geometry& geom
                             csg::KeptResults* kept) {
   const std::optional<machines::Division> division = machines::division(machine);
   Options options = with_prices(division ? options_for(*division, wanted) : wanted, machine);
-  options.work = wanted.work.afresh();
+  options.work = wanted.work.with_zero_count();
   const std::vector<EffectRequest> called =
       called_effects(options, make_look(options.scene, tree, csg::make_positive(tree), view.camera));
   if (division) refuse_effects(called, machine);

@@ -80,7 +80,7 @@ class Reader {
   void check_keys(const toml::table& table, std::span<const std::string_view> known, std::string_view prefix) const {
     for (const auto& [key, node] : table) {
       if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
-      const std::string message = prefix == effects_prefix ? no_such("effect", printable(key.str()), known)
+      const std::string message = prefix == effects_prefix ? unknown_name_text("effect", printable(key.str()), known)
                                                            : unknown_key(key.str(), known, prefix);
       if (const toml::node* const value = set_value(node)) fail(*value, message);
       throw InputError(fmt::format("{}: {}", show(key.source().begin, file_), message));

@@ -20,7 +20,7 @@ CollectedLines::CollectedLines() noexcept : before_(std::exchange(keeper, this))
 
 CollectedLines::~CollectedLines() { keeper = before_; }
 
-void tell(std::string_view text) noexcept {
+void write_message(std::string_view text) noexcept {
   std::fflush(stdout);  // keeps the order if both streams go to one file
   std::fwrite(text.data(), 1, text.size(), stderr);
   std::fflush(stderr);
@@ -32,9 +32,9 @@ void report_line(std::string_view line) noexcept {
       keeper->lines_.emplace_back(line);
       return;
     }
-    tell(printable(line) + "\n");
+    write_message(printable(line) + "\n");
   } catch (...) {
-    tell("csgsim: there is not enough memory\n");
+    write_message("csgsim: there is not enough memory\n");
   }
 }
 

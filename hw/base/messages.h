@@ -9,7 +9,7 @@
 namespace csgsim {
 
 /// Writes the text unchanged to standard error; write errors are ignored.
-void tell(std::string_view text) noexcept;
+void write_message(std::string_view text) noexcept;
 
 /// Writes one line to standard error, after printable().
 void report_line(std::string_view line) noexcept;

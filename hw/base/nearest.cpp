@@ -60,14 +60,14 @@ std::string plural(std::string_view kind) {
 
 }  // namespace
 
-std::string no_such(std::string_view kind, std::string_view word, std::span<const std::string_view> known) {
+std::string unknown_name_text(std::string_view kind, std::string_view word, std::span<const std::string_view> known) {
   const std::string_view near = nearest_similar(word, known);
   const std::string question = near.empty() ? " the" : fmt::format(" did you mean {}? The", near);
   return fmt::format("there is no {} '{}';{} {} are {}", kind, word, question, plural(kind), fmt::join(known, ", "));
 }
 
-std::string no_such(std::string_view kind, std::string_view word, std::span<const std::string> known) {
-  return no_such(kind, word, std::vector<std::string_view>(known.begin(), known.end()));
+std::string unknown_name_text(std::string_view kind, std::string_view word, std::span<const std::string> known) {
+  return unknown_name_text(kind, word, std::vector<std::string_view>(known.begin(), known.end()));
 }
 
 }  // namespace csgsim

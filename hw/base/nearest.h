@@ -22,7 +22,7 @@ std::string_view nearest_similar(std::string_view word, std::span<const std::str
 
 /// Error text for an unknown word, with a suggestion: `there is no strategy 'stak'; did you mean stack? The strategies
 /// are stack, list`. `kind` is the singular noun for the known words.
-std::string no_such(std::string_view kind, std::string_view word, std::span<const std::string_view> known);
-std::string no_such(std::string_view kind, std::string_view word, std::span<const std::string> known);
+std::string unknown_name_text(std::string_view kind, std::string_view word, std::span<const std::string_view> known);
+std::string unknown_name_text(std::string_view kind, std::string_view word, std::span<const std::string> known);
 
 }  // namespace csgsim

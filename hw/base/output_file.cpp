@@ -112,7 +112,7 @@ OutputFile::OutputFile(fs::path path) : requested_(std::move(path)), final_(requ
   if (requested_.native().find('\0') != std::string::npos)
     throw InputError(requested_.native() + ": the name of an output contains a zero byte; remove it");
   is_stream_ = is_stream(requested_);
-  if (is_standard_output(requested_)) standard_output_ = take_standard_output();
+  if (is_standard_output(requested_)) standard_output_ = reserve_standard_output();
   std::error_code error;
   if (!is_stream_) {
     final_ = without_links(requested_);

@@ -15,10 +15,9 @@ namespace csgsim {
 
 /// A file that is written next to its final place and moved there by commit(), so that no reader sees part of it. It is
 /// deleted unless committed. Symbolic links are followed. Data for a device or a pipe goes to a temporary file, which
-/// commit() copies. Standard output, also named `-`, is reserved for the file by take_standard_output(). Binary data is
-/// not written to a terminal.
-/// Each function throws InputError with the requested path if it cannot do all of its work; the previous content of the
-/// final place is then still intact.
+/// commit() copies. Standard output, also named `-`, is reserved for the file by reserve_standard_output(). Binary data
+/// is not written to a terminal. Each function throws InputError with the requested path if it cannot do all of its
+/// work; the previous content of the final place is then still intact.
 class OutputFile {
  public:
   /// Also throws if the path is a folder, a file without write permission or an invalid name.

@@ -49,7 +49,7 @@ bool is_terminal(const std::filesystem::path& path) {
   return device.is_open() && ::isatty(device.number()) != 0;
 }
 
-Descriptor take_standard_output() {
+Descriptor reserve_standard_output() {
   if (prints_to_standard_output()) print_to(STDERR_FILENO);
   return Descriptor(::fcntl(state().output, F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
 }

@@ -21,12 +21,12 @@ bool is_terminal(const std::filesystem::path& path);
 
 /// Reserves standard output for the data of an output file; each call returns a new descriptor. From then on printed
 /// text goes to standard error, so that it does not mix with the data.
-Descriptor take_standard_output();
+Descriptor reserve_standard_output();
 
 /// Discards all printed text from now on; messages on standard error are not affected.
 void silence_prints();
 
-/// Whether neither take_standard_output() nor silence_prints() has been called.
+/// Whether neither reserve_standard_output() nor silence_prints() has been called.
 bool prints_to_standard_output();
 
 /// Whether silence_prints() has been called.

@@ -29,7 +29,7 @@ void Work::charge(std::uint64_t steps, std::string_view doing) const {
                   doing, static_cast<double>(count.limit) / static_cast<double>(million)));
 }
 
-Work Work::afresh() const { return count_ == nullptr ? Work() : Work(count_->limit); }
+Work Work::with_zero_count() const { return count_ == nullptr ? Work() : Work(count_->limit); }
 
 std::uint64_t Work::done() const { return count_ == nullptr ? 0 : count_->done; }
 

@@ -30,7 +30,7 @@ class Work {
   void charge(std::uint64_t steps, std::string_view doing) const;
 
   /// A new count of 0 with the same limit.
-  [[nodiscard]] Work afresh() const;
+  [[nodiscard]] Work with_zero_count() const;
 
   /// Steps charged until now; always 0 if there is no limit.
   [[nodiscard]] std::uint64_t done() const;

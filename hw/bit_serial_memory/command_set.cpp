@@ -160,7 +160,7 @@ class Reader {
     if (command == set_.commands.end()) {
       std::vector<std::string> names;
       for (const GateCommand& one : set_.commands) names.push_back(one.name);
-      fail(place, no_such("command", words[2], names));
+      fail(place, unknown_name_text("command", words[2], names));
     }
     if (words.size() != 3 + command->inputs)
       fail(place, fmt::format("{0} has {1} inputs, but the sequence gives it {2}; write {1}", command->name,
@@ -175,7 +175,7 @@ class Reader {
     std::vector<std::string> names{"x", "y", "z", "target"};
     for (std::uint32_t i = 1; i <= set_.temporaries; ++i) names.push_back(fmt::format("T{}", i));
     const auto found = std::ranges::find(names, word);
-    if (found == names.end()) fail(where, no_such("latch", word, names));
+    if (found == names.end()) fail(where, unknown_name_text("latch", word, names));
     return static_cast<Place>(found - names.begin());
   }
 

@@ -106,7 +106,7 @@ machines::Machine read_foreign(const isa::MachineRecord& record, const std::vect
   const auto of_kind = [&](const BuiltIn& one) { return read(one, {}).kind->name == record.kind; };
   const auto other = std::find_if(built_in().begin(), built_in().end(), of_kind);
   if (other == built_in().end())
-    throw InputError(no_such("machine", record.name, built_in_names()) + "; choose one with --machine");
+    throw InputError(unknown_name_text("machine", record.name, built_in_names()) + "; choose one with --machine");
   std::vector<std::string> all_changes = record.figures;
   for (const machines::Figure& figure : read(*other, {}).figures) {
     const bool is_recorded = std::any_of(record.figures.begin(), record.figures.end(),
@@ -137,7 +137,8 @@ machines::Machine load(const std::string& machine, const std::vector<std::string
   all_changes.insert(all_changes.end(), changes.begin(), changes.end());
   if (!file_of(machine).empty()) return load_file(name, all_changes);
   if (const BuiltIn* const found = built_in_named(name)) return read(*found, all_changes);
-  throw InputError(no_such("machine", name, built_in_names()) + "; the name of a machine file must end in .toml");
+  throw InputError(unknown_name_text("machine", name, built_in_names()) +
+                   "; the name of a machine file must end in .toml");
 }
 
 }  // namespace csgsim::kinds

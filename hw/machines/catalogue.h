@@ -40,7 +40,8 @@ struct Catalogue {
     const std::vector<std::string> changes = changes_of(spec);
     if (!file_of(spec).empty()) return load_file(name, changes);
     if (const BuiltIn* const found = named(name)) return read_built_in(*found, changes);
-    throw InputError(fmt::format("{}; the name of a {} file must end in .toml", no_such(what, name, names()), what));
+    throw InputError(
+        fmt::format("{}; the name of a {} file must end in .toml", unknown_name_text(what, name, names()), what));
   }
 
  private:

@@ -57,7 +57,7 @@ int run(csgsim::shell::CommandLine& line, std::span<char* const> arguments) {
     csgsim::report_line(error.what());
     return bad_input;
   } catch (const std::bad_alloc&) {
-    csgsim::tell("csgsim: there is not enough memory\n");
+    csgsim::write_message("csgsim: there is not enough memory\n");
     return bad_input;
   } catch (const std::exception& error) {
     if (!is_output_complete()) return report_incomplete_output();

@@ -35,7 +35,7 @@ void ProgressObserver::warn(LongWork& work, bool shows_progress) {
 }
 
 ProgressObserver::~ProgressObserver() {
-  if (shown_) tell("\r\x1b[K");
+  if (shown_) write_message("\r\x1b[K");
 }
 
 void ProgressObserver::after_instruction(const engine::Step& step, const engine::PixelState& /*state*/) {
@@ -56,8 +56,8 @@ void ProgressObserver::after_instruction(const engine::Step& step, const engine:
   const double rate = static_cast<double>(done_) / elapsed.count();
   const double left = static_cast<double>(total_ - done_) / rate;
   const double percent = 100.0 * static_cast<double>(done_) / static_cast<double>(total_);
-  tell(fmt::format("\r\x1b[K{:5.1f} %  {} of {} clocks  {:.0f} clocks/s  {:.0f} s left", percent, done_, total_, rate,
-                   left));
+  write_message(fmt::format("\r\x1b[K{:5.1f} %  {} of {} clocks  {:.0f} clocks/s  {:.0f} s left", percent, done_,
+                            total_, rate, left));
 }
 
 }  // namespace csgsim::observe

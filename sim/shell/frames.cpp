@@ -22,14 +22,14 @@ class FrameLine {
   FrameLine(const FrameLine&) = delete;
   FrameLine& operator=(const FrameLine&) = delete;
   ~FrameLine() {
-    if (is_shown_) tell("\r\x1b[K");
+    if (is_shown_) write_message("\r\x1b[K");
   }
 
   void at(std::size_t frame, std::size_t frames) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
     if (!shows_ || elapsed.count() < 1.0) return;
     is_shown_ = true;
-    tell(fmt::format("\r\x1b[Kframe {} of {}", frame + 1, frames));
+    write_message(fmt::format("\r\x1b[Kframe {} of {}", frame + 1, frames));
   }
 
  private:

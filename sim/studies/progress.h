@@ -23,7 +23,7 @@ class Progress {
     show();
   }
   ~Progress() {
-    if (is_shown_) tell("\r\x1b[K");
+    if (is_shown_) write_message("\r\x1b[K");
   }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -40,12 +40,12 @@ class Progress {
  private:
   void show() const {
     if (!is_shown_) return;
-    tell(fmt::format("\r\x1b[K{} of {} points", known_ + measured_, points_));
+    write_message(fmt::format("\r\x1b[K{} of {} points", known_ + measured_, points_));
     if (measured_ > 0) {
       const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
       const double each = elapsed.count() / static_cast<double>(measured_);
-      tell(fmt::format("  {:.3g} points/s  {:.0f} s left", 1.0 / each,
-                       each * static_cast<double>(points_ - known_ - measured_)));
+      write_message(fmt::format("  {:.3g} points/s  {:.0f} s left", 1.0 / each,
+                                each * static_cast<double>(points_ - known_ - measured_)));
     }
   }
 

@@ -69,7 +69,7 @@ constexpr auto named_kinds =
 std::size_t index_of(std::string_view what, std::string_view name, std::span<const std::string_view> names) {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  throw InputError("in the Program " + no_such(what, name, names));
+  throw InputError("in the Program " + unknown_name_text(what, name, names));
 }
 
 using Belongs = std::function<bool(const isa::Instruction&)>;

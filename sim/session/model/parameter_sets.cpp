@@ -42,7 +42,7 @@ void require_parameter_set(const std::string& file, const std::string& set) {
   for (const auto& [name, values] : json.at("parameterSets").items()) names.push_back(printable(name));
   if (names.empty()) refuse_sets(file, "it has no parameter set");
   if (std::ranges::find(names, printable(set)) == names.end())
-    throw InputError(fmt::format("{}: {}", printable(file), no_such("parameter set", printable(set), names)));
+    throw InputError(fmt::format("{}: {}", printable(file), unknown_name_text("parameter set", printable(set), names)));
 }
 
 }  // namespace csgsim::session

@@ -74,7 +74,8 @@ std::vector<unsigned> parse_numbers(std::string_view text, unsigned least, unsig
 std::vector<std::string> parse_names(std::string_view text, std::string_view kind, std::span<const std::string> known) {
   std::vector<std::string> words = parse_words(text);
   for (const std::string& word : words)
-    if (std::find(known.begin(), known.end(), word) == known.end()) throw InputError(no_such(kind, word, known));
+    if (std::find(known.begin(), known.end(), word) == known.end())
+      throw InputError(unknown_name_text(kind, word, known));
   return words;
 }
 

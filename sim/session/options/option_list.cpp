@@ -108,7 +108,7 @@ Option& Option::check(const Check& check) {
 Option& Option::one_of(const std::vector<std::string>& all, const std::string& kind) {
   const std::string called = kind.empty() ? kind_of(*this) : kind;
   return words(all, [all, called](const std::string& word) {
-    return std::ranges::find(all, word) != all.end() ? std::string() : no_such(called, word, all);
+    return std::ranges::find(all, word) != all.end() ? std::string() : unknown_name_text(called, word, all);
   });
 }
 

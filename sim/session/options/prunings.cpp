@@ -33,7 +33,7 @@ const NamedPruning& named_by(std::string_view word, bool is_left_out) {
   const std::string_view name = is_left_out ? word.substr(left_out.size()) : word;
   const auto found = std::ranges::find(std::span(named), name, &NamedPruning::name);
   if (found != std::span(named).end()) return *found;
-  throw UsageError(no_such("pruning", word, pruning_words()) + "; join several with +");
+  throw UsageError(unknown_name_text("pruning", word, pruning_words()) + "; join several with +");
 }
 
 csg::Pruning uniform(bool is_done) {

@@ -245,7 +245,7 @@ class Sharing {
 
  private:
   void take() {
-    const Work work = work_.afresh();  // counts of all threads are added up at the end
+    const Work work = work_.with_zero_count();  // counts of all threads are added up at the end
     try {
       Evaluation evaluation(bodies_, tree_, work);
       for (std::size_t i = next_++; i < numbers_.size(); i = next_++) {

@@ -35,7 +35,7 @@ template <class Rows>
 const auto& found(const Rows& rows, const char* kind, const std::string& name) {
   const std::vector<std::string> names = row_names(rows);
   const auto place = std::ranges::find(names, name);
-  if (place == names.end()) throw InputError(no_such(kind, name, names));
+  if (place == names.end()) throw InputError(unknown_name_text(kind, name, names));
   return rows[static_cast<std::size_t>(place - names.begin())];
 }
 

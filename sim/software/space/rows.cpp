@@ -20,7 +20,7 @@ std::vector<std::string> halving_directories() {
 const DirectoryRow& directory_of(const std::string& name) {
   const std::vector<std::string> names = row_names(directories());
   const auto place = std::ranges::find(names, name);
-  if (place == names.end()) throw InputError(no_such("directory", name, names));
+  if (place == names.end()) throw InputError(unknown_name_text("directory", name, names));
   return *directories()[static_cast<std::size_t>(place - names.begin())];
 }
 

@@ -103,5 +103,5 @@ TEST_CASE("a path traversed four times costs about as much as once and is empty"
   for (int i = 0; i < 4; ++i) often.insert(often.end(), once.begin(), once.end());
   const Work work(1'000'000);
   CHECK(flat::even_odd({often}, work).empty());
-  CHECK_THROWS_AS(flat::even_odd({once}, work.afresh()), WorkError);
+  CHECK_THROWS_AS(flat::even_odd({once}, work.with_zero_count()), WorkError);
 }
