@@ -85,7 +85,8 @@ std::string read_all(const Descriptor& file, const std::filesystem::path& path, 
     if (const std::error_code error = read_to_end(file, bytes, most)) fail(path, error.message());
   } catch (const std::bad_alloc&) {
     const std::size_t read = std::max(expected, bytes.size());
-    throw InputError(fmt::format("{}: there is not enough memory to read its {} bytes; use a smaller file", path.native(), read));
+    throw InputError(
+        fmt::format("{}: there is not enough memory to read its {} bytes; use a smaller file", path.native(), read));
   }
   check_length(path.native(), bytes.size(), kind);
   return bytes;
