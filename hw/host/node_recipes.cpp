@@ -6,27 +6,28 @@ namespace csgsim::host {
 
 namespace {
 
-using processors::made;
 using processors::Operation;
+using processors::operation_counts;
 using processors::Operations;
 
 /// A number read and multiplied by one that the host's recipes read, from a table of products.
-constexpr Operations number_multiplied = made({{Operation::load_long, 1}, {Operation::multiply_long, 1}});
+constexpr Operations number_multiplied = operation_counts({{Operation::load_long, 1}, {Operation::multiply_long, 1}});
 
 /// Another leader of a cell read, compared and branched on.
 constexpr Operations leader_compared =
-    made({{Operation::load_long, 1}, {Operation::compare_long, 1}, {Operation::branch, 1}});
+    operation_counts({{Operation::load_long, 1}, {Operation::compare_long, 1}, {Operation::branch, 1}});
 
 constexpr Operations number_listed =
-    made({{Operation::compare_long, 4}, {Operation::branch, 4}, {Operation::store, 3}});
-constexpr Operations field_found = made({{Operation::add, 1}, {Operation::compare, 1}, {Operation::branch_taken, 1}});
-constexpr Operations call_linked = made({{Operation::store, 3}, {Operation::add_long, 1}});
-constexpr Operations call_made = made({{Operation::call, 1}, {Operation::come_back, 1}});
-constexpr Operations pixel_repeated = made({{Operation::branch_taken, 1}});
+    operation_counts({{Operation::compare_long, 4}, {Operation::branch, 4}, {Operation::store, 3}});
+constexpr Operations field_found =
+    operation_counts({{Operation::add, 1}, {Operation::compare, 1}, {Operation::branch_taken, 1}});
+constexpr Operations call_linked = operation_counts({{Operation::store, 3}, {Operation::add_long, 1}});
+constexpr Operations call_made = operation_counts({{Operation::call, 1}, {Operation::come_back, 1}});
+constexpr Operations pixel_repeated = operation_counts({{Operation::branch_taken, 1}});
 constexpr Operations row_repeated =
-    made({{Operation::branch_taken, 1}, {Operation::add_long, 2}, {Operation::move, 1}});
-constexpr Operations instruction_repeated =
-    made({{Operation::load, 1}, {Operation::load_long, 1}, {Operation::branch_taken, 1}, {Operation::come_back, 1}});
+    operation_counts({{Operation::branch_taken, 1}, {Operation::add_long, 2}, {Operation::move, 1}});
+constexpr Operations instruction_repeated = operation_counts(
+    {{Operation::load, 1}, {Operation::load_long, 1}, {Operation::branch_taken, 1}, {Operation::come_back, 1}});
 
 }  // namespace
 

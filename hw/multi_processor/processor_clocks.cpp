@@ -13,8 +13,8 @@ namespace csgsim::multi_processor {
 
 namespace {
 
-using processors::made;
 using processors::Operation;
+using processors::operation_counts;
 using processors::Operations;
 
 /// A member and its task.
@@ -23,7 +23,7 @@ struct Task {
   Operations each;
 };
 
-Operations single(Operation kind) { return made({{kind, 1}}); }
+Operations single(Operation kind) { return operation_counts({{kind, 1}}); }
 
 void price(const Task& task, const processors::Processor& processor, std::uint32_t compiler_factor) {
   if (task.clocks != machines::not_priced) return;

@@ -10,8 +10,8 @@
 #include "tests/support/two_cubes.h"
 
 using namespace csgsim;
-using processors::made;
 using processors::Operation;
+using processors::operation_counts;
 using processors::Operations;
 
 namespace {
@@ -48,16 +48,16 @@ Operations sum_of(std::initializer_list<Operations> parts) {
 }
 
 Operations merged(std::uint64_t longs, std::uint64_t chunks) {
-  return sum_of({longs * made({{Operation::load_long, 1},
-                               {Operation::store_long, 1},
-                               {Operation::add_long, 2},
-                               {Operation::compare_long, 1},
-                               {Operation::branch_taken, 1}}),
-                 chunks * made({{Operation::load_long, 2},
-                                {Operation::add_long, 1},
-                                {Operation::compare, 1},
-                                {Operation::branch, 1},
-                                {Operation::store_long, 1}})});
+  return sum_of({longs * operation_counts({{Operation::load_long, 1},
+                                           {Operation::store_long, 1},
+                                           {Operation::add_long, 2},
+                                           {Operation::compare_long, 1},
+                                           {Operation::branch_taken, 1}}),
+                 chunks * operation_counts({{Operation::load_long, 2},
+                                            {Operation::add_long, 1},
+                                            {Operation::compare, 1},
+                                            {Operation::branch, 1},
+                                            {Operation::store_long, 1}})});
 }
 
 Operations share(const isa::Program& program, const machines::Machine& machine) {
