@@ -106,7 +106,7 @@ isa::MachineRecord record_of(const Machine& machine);
 
 /// The parameters that differ between two machines of one kind, except the picture's, as texts such as `alu.bits 4
 /// instead of 1`; the first machine's value comes first.
-std::vector<std::string> other_figures(const Machine& one, const Machine& other);
+std::vector<std::string> figure_differences(const Machine& one, const Machine& other);
 
 /// Whether two machines are the same hardware: of one kind, with equal parameters except the picture size. Names and
 /// sources are ignored.

@@ -93,7 +93,7 @@ void check_fits(const isa::Program& program, const std::string& file, const mach
         "model for this one",
         file, own.name, own.kind->name, machine.name, machine.kind->name));
   }
-  const std::vector<std::string> others = machines::other_figures(machine, own);
+  const std::vector<std::string> others = machines::figure_differences(machine, own);
   if (others.empty()) return;
   refuse_less_memory(program, file, machine);
   report_line(fmt::format("{}: warning: the Program was compiled for {}; {} has {}", file, own.name, machine.name,

@@ -401,7 +401,7 @@ TEST_CASE("a Program's recorded parameters take precedence over csgsim's current
   const Machine machine = kinds::load(record);
   CHECK(machine.alu_bits == 2);
   CHECK(machine.name == "pixel-planes-4+alu.bits=2");
-  CHECK(machines::other_figures(machine, kinds::load("pixel-planes-4")) ==
+  CHECK(machines::figure_differences(machine, kinds::load("pixel-planes-4")) ==
         std::vector<std::string>{"alu.bits 2 instead of 1"});
   CHECK(kinds::load(record, {"alu.bits=4"}).alu_bits == 4);
 }
