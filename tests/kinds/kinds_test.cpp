@@ -97,7 +97,7 @@ TEST_CASE("a kind defined in one folder draws and times a frame equally at both 
   CHECK(counted.stats["account"]["parts"]["processor"]["working"] == counted.result.clocks);
 }
 
-TEST_CASE("a parameter may be ideal only if its row allows it") {
+TEST_CASE("a parameter may be ideal only if its kind's schema allows it") {
   std::string text = description;
   text.replace(text.find("value = 2\n"), 9, "value = \"ideal\"");
   const machines::Machine machine = described(text);

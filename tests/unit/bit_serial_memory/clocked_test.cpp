@@ -246,7 +246,7 @@ TEST_CASE("a skip without enabled pixels jumps to any later instruction or frame
       isa::Program program = short_program(memory.machine, instructions);
       program.colour = {2, 5};
       check_run(memory, program);
-      // The same jump to the next segment.
+      // The same skip, but to the start of a second segment.
       program.segments.push_back(program.segments.front());
       program.segments.front().instructions.resize(5 + count);
       check_run(memory, program);

@@ -43,12 +43,12 @@ CommandSet example() {
   return read({std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()});
 }
 
-/// A word of each latch.
+/// One word per latch.
 using Words = std::array<std::uint64_t, latch_count>;
 
 std::uint64_t& at(Words& words, Latch latch) { return words.at(static_cast<std::size_t>(latch)); }
 
-/// The gate by its definition.
+/// Executes a gate by its definition.
 void execute_gate(const RowCommand& gate, Words& words) {
   const std::uint64_t x = at(words, gate.x);
   const std::uint64_t y = at(words, gate.y);
@@ -58,7 +58,7 @@ void execute_gate(const RowCommand& gate, Words& words) {
   at(words, gate.target) = results.at(static_cast<std::size_t>(gate.gate));
 }
 
-/// A command of a set by its table, bit by bit.
+/// Executes a command of a set by its truth table, bit by bit.
 void execute_own(const RowCommand& one, Words& words) {
   const std::array inputs{at(words, one.x), at(words, one.y), at(words, one.z)};
   std::uint64_t result = 0;

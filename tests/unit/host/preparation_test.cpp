@@ -38,7 +38,7 @@ TEST_CASE("a cube takes the host the transformation of six planes and eight corn
   CHECK(program.preparation->planes == 6);
   CHECK(program.preparation->points == 8);
   CHECK(program.preparation->nodes == 0);
-  // Two coordinates an axis by three numbers of the matrix; the components 0 and 1 of normals an axis by four.
+  // Per axis, two coordinates times three numbers of the matrix, and normals' components 0 and 1 times four.
   CHECK(program.preparation->products == 2 * 3 * 3 + 2 * 3 * 4);
   // One for each direction in a parallel projection.
   CHECK(program.preparation->quotients == 3);
