@@ -25,7 +25,8 @@ namespace {
   throw InputError(fmt::format("{}: cannot be read: {}", path.native(), why));
 }
 
-/// Whether a name is probably a slip of the other: without its extension, or with one or two other letters.
+/// Whether `path` is probably a misspelling of `other`: the name without its extension, or with one or two different
+/// letters.
 bool is_slip_of(const std::filesystem::path& other, const std::filesystem::path& path) {
   constexpr std::size_t shortest = 4;
   constexpr std::size_t long_name = 8;
@@ -45,7 +46,7 @@ std::filesystem::path similar_file(const std::filesystem::path& path) {
   auto entry = std::filesystem::directory_iterator(folder, error);
   for (int i = 0; i < max_entries && !error && entry != std::filesystem::directory_iterator(); ++i) {
     const std::filesystem::path& other = entry->path();
-    // the order of a folder is arbitrary
+    // A folder lists its entries in arbitrary order, so the alphabetically first name is chosen.
     if (is_slip_of(other, path) && (found.empty() || other < found)) found = other;
     entry.increment(error);
   }
