@@ -110,10 +110,10 @@ class FigureReader {
       fail(table.get("unit")->source().begin, fmt::format("{} has no unit; remove the key 'unit'", form.key));
     if (figure.unit != form.unit)
       fail(table.get("unit")->source().begin,
-           fmt::format("unit '{}' of {}; its unit is '{}'", figure.unit, form.key, form.unit));
+           fmt::format("{} has the unit '{}'; write '{}'", form.key, figure.unit, form.unit));
     if (!is_one_of(figure.provenance, provenances))
       fail(table.get("provenance")->source().begin,
-           fmt::format("provenance '{}' of {}; write 'published' or 'assumed'", figure.provenance, form.key));
+           fmt::format("{} has the provenance '{}'; write 'published' or 'assumed'", form.key, figure.provenance));
     return {0, value, std::move(figure)};
   }
 

@@ -255,10 +255,10 @@ TEST_CASE("out-of-range values and wrong units in a machine file are rejected wi
   CHECK(message_of_change("[memory.writes]\nvalue = 1", "[memory.writes]\nvalue = 2")
             .ends_with("memory.writes is 2; the simulator supports only 1"));
   const std::string unit = changed("unit = \"Hz\"", "unit = \"MHz\"");
-  CHECK(message(unit) == testing::place_in(unit, "\"MHz\"") + ": unit 'MHz' of clock.frequency; its unit is 'Hz'");
+  CHECK(message(unit) == testing::place_in(unit, "\"MHz\"") + ": clock.frequency has the unit 'MHz'; write 'Hz'");
   const std::string provenance = changed("provenance = \"assumed\"", "provenance = \"guessed\"");
   CHECK(message(provenance) == testing::place_in(provenance, "\"guessed\"") +
-                                   ": provenance 'guessed' of memory.reads; write 'published' or 'assumed'");
+                                   ": memory.reads has the provenance 'guessed'; write 'published' or 'assumed'");
 }
 
 TEST_CASE("the error for a missing key in a machine file names the key") {
