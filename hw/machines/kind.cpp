@@ -25,7 +25,7 @@ void set_picture_size(Machine& machine, Size size) {
   machine.picture = size;
 }
 
-void adopt(Machine& machine, const isa::Program& program) {
+void adopt_shape(Machine& machine, const isa::Program& program) {
   set_picture_size(machine, {program.shape.width, program.shape.height});
   machine.array.memory_bits = program.shape.memory_bits;
 }

@@ -86,7 +86,7 @@ void set_picture_size(Machine& machine, Size size);
 void complete(Machine& machine);
 
 /// Sets the machine's picture size and memory to the Program's. Throws like set_picture_size().
-void adopt(Machine& machine, const isa::Program& program);
+void adopt_shape(Machine& machine, const isa::Program& program);
 
 /// The value of a parameter as used, as text: an integer also where the description leaves it to a processor, or where
 /// options have changed the picture's size or the memory.

@@ -107,13 +107,13 @@ machines::Machine machine_for(const isa::Program& program, const std::string& fi
   const std::string shown = printable(shown_name(file));
   if (program.machine.name.empty()) {
     machines::Machine machine = assumed_machine(program, shown, chosen_machine, sets);
-    machines::adopt(machine, program);
+    machines::adopt_shape(machine, program);
     return machine;
   }
   machines::Machine machine =
       chosen_machine.empty() ? named_machine(program, shown, sets) : load_machine(chosen_machine, sets);
   if (!chosen_machine.empty()) check_fits(program, shown, machine);
-  machines::adopt(machine, program);
+  machines::adopt_shape(machine, program);
   return machine;
 }
 

@@ -352,7 +352,7 @@ TEST_CASE("a degree-1 machine rejects squares and suggests a machine that suppor
                                         {.opcode = isa::Opcode::squares, .linear = wide},
                                         {.opcode = isa::Opcode::edge_negative, .linear = wide}}}};
   Machine machine = kinds::load("pixel-planes-4");
-  machines::adopt(machine, program);
+  machines::adopt_shape(machine, program);
   CHECK_THROWS_WITH_AS(
       machines::check_runs_on(program, machine),
       "segment 0, instruction 1: squares needs quadratic expressions, which the machine pixel-planes-4 "
@@ -361,12 +361,12 @@ TEST_CASE("a degree-1 machine rejects squares and suggests a machine that suppor
       InputError);
   for (const std::string name : {"pixel-powers", "pixel-planes-4+evaluator.degree=2"}) {
     machine = kinds::load(name);
-    machines::adopt(machine, program);
+    machines::adopt_shape(machine, program);
     CHECK_NOTHROW(machines::check_runs_on(program, machine));
   }
   program.segments.front().instructions.erase(program.segments.front().instructions.begin() + 1);
   machine = kinds::load("pixel-planes-4");
-  machines::adopt(machine, program);
+  machines::adopt_shape(machine, program);
   CHECK_NOTHROW(machines::check_runs_on(program, machine));
 }
 
