@@ -32,44 +32,44 @@ constexpr Operations instruction_repeated = operation_counts(
 }  // namespace
 
 /// Without tables each component of the normal is multiplied by four numbers of the matrix, one of them for the offset.
-Operations transformed_plane() {
+Operations plane_transform_operations() {
   Operations all = 12 * number_multiplied;
   all += recipe("quotients");
   all += recipe("planes");
   return all;
 }
 
-Operations tested_box() { return recipe("boxes"); }
-Operations tested_halfspace() { return recipe("tests"); }
+Operations box_test_operations() { return recipe("boxes"); }
+Operations halfspace_test_operations() { return recipe("tests"); }
 
 /// Values at four corners, each compared with its corner's leader; one test in four compares the other twelve leaders.
-Operations tested_cell() {
+Operations cell_test_operations() {
   Operations all = 4 * recipe("values");
   all += 3 * leader_compared;
   return all;
 }
 
-Operations visited_node() {
+Operations node_visit_operations() {
   Operations all = recipe("nodes");
   all += recipe("boxes");
   return all;
 }
 
 /// Stores the words of an instruction as three longs.
-Operations listed_instruction() {
-  Operations all = fitted_expression();
-  all += 3 * stored_long();
+Operations instruction_listing_operations() {
+  Operations all = expression_fitting_operations();
+  all += 3 * long_store_operations();
   return all;
 }
 
 /// The width is that of the four values at the corners, which are known; three words are stored.
-Operations listed_number() { return number_listed; }
+Operations number_listing_operations() { return number_listed; }
 
-Operations found_field() { return field_found; }
-Operations linked_call() { return call_linked; }
-Operations called() { return call_made; }
-Operations repeated_pixel() { return pixel_repeated; }
-Operations repeated_row() { return row_repeated; }
-Operations repeated_instruction() { return instruction_repeated; }
+Operations field_search_operations() { return field_found; }
+Operations call_linking_operations() { return call_linked; }
+Operations call_operations() { return call_made; }
+Operations pixel_loop_operations() { return pixel_repeated; }
+Operations row_loop_operations() { return row_repeated; }
+Operations instruction_loop_operations() { return instruction_repeated; }
 
 }  // namespace csgsim::host

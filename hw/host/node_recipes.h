@@ -9,18 +9,19 @@
 namespace csgsim::host {
 
 /// A plane of the model transformed: the host's `quotients` and `planes`, with 12 products that are not kept in tables.
-processors::Operations transformed_plane();
-processors::Operations tested_box();            ///< a primitive's box against a part of the picture: the host's `boxes`
-processors::Operations tested_halfspace();      ///< a half-space at the corners of a part: the host's `tests`
-processors::Operations tested_cell();           ///< a half-space against the leaders of a cell
-processors::Operations visited_node();          ///< a node of the tree with its box: the host's `nodes` and `boxes`
-processors::Operations listed_instruction();    ///< an instruction with its expression appended to a list
-processors::Operations listed_number();         ///< an instruction with the number of a half-space appended to a list
-processors::Operations found_field();           ///< the place of the next number in packed bits
-processors::Operations linked_call();           ///< a call appended to a native program
-processors::Operations called();                ///< a call of a native program, and its return
-processors::Operations repeated_pixel();        ///< an iteration of the loop over the pixels of a row
-processors::Operations repeated_row();          ///< an iteration of the loop over rows
-processors::Operations repeated_instruction();  ///< an iteration of the loop over instructions, with its opcode
+processors::Operations plane_transform_operations();
+processors::Operations box_test_operations();  ///< a primitive's box against a part of the picture: the host's `boxes`
+processors::Operations halfspace_test_operations();  ///< a half-space at the corners of a part: the host's `tests`
+processors::Operations cell_test_operations();       ///< a half-space against the leaders of a cell
+processors::Operations node_visit_operations();  ///< a node of the tree with its box: the host's `nodes` and `boxes`
+processors::Operations instruction_listing_operations();  ///< an instruction with its expression appended to a list
+processors::Operations
+number_listing_operations();  ///< an instruction with the number of a half-space appended to a list
+processors::Operations field_search_operations();      ///< the place of the next number in packed bits
+processors::Operations call_linking_operations();      ///< a call appended to a native program
+processors::Operations call_operations();              ///< a call of a native program, and its return
+processors::Operations pixel_loop_operations();        ///< an iteration of the loop over the pixels of a row
+processors::Operations row_loop_operations();          ///< an iteration of the loop over rows
+processors::Operations instruction_loop_operations();  ///< an iteration of the loop over instructions, with its opcode
 
 }  // namespace csgsim::host

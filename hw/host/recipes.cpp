@@ -264,13 +264,13 @@ Operations count_operations(const Written& written) {
   return all;
 }
 
-Operations fitted_expression() {
+Operations expression_fitting_operations() {
   Operations all = moved;
   all += fitted;
   return all;
 }
 
-Operations stored_long() { return long_stored; }
+Operations long_store_operations() { return long_stored; }
 
 std::uint64_t model_longs(const isa::Program& program) {
   constexpr std::uint64_t bytes_of_long = 4;

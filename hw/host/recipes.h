@@ -73,10 +73,10 @@ class Writer {
 processors::Operations count_operations(const Written& written);
 
 /// Operations to move a linear expression to a region's corner and to find its common trailing zeros and its width.
-processors::Operations fitted_expression();
+processors::Operations expression_fitting_operations();
 
 /// Operations to store a long of an assembled command.
-processors::Operations stored_long();
+processors::Operations long_store_operations();
 
 /// Longs of the display model.
 std::uint64_t model_longs(const isa::Program& program);

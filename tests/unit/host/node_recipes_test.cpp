@@ -48,8 +48,8 @@ TEST_CASE("a node in assembly takes the clocks of the MC68000 manual") {
   CHECK(figures.node_tests.cell == 4 * (16 + 16 + 6 + 8 + 10) + 3 * (16 + 6 + 8));
   CHECK(figures.display_tests.cell == figures.node_tests.cell);
   CHECK(figures.number_clocks == 4 * (6 + 8) + 3 * 12);
-  CHECK(figures.node_tests.instruction ==
-        processors::hand_written_clocks(host::listed_instruction(), processors::built_in_processor("mc68000")));
+  CHECK(figures.node_tests.instruction == processors::hand_written_clocks(host::instruction_listing_operations(),
+                                                                          processors::built_in_processor("mc68000")));
   // Twelve products, of a number read and one read by the quotient and the plane.
   constexpr std::uint64_t products = 12 * (16 + 344);
   // Nine numbers read, six sums, a division, two products, three shifts by 12, two comparisons and branches, three
