@@ -5,11 +5,13 @@
 #include "hw/processors/operations.h"
 
 // Operations of the nodes and the display processor of a multi-processor, assumed like those of the host. Tasks that
-// the host does too have its recipes.
+// the host also performs have the host's recipes (hw/host/recipes.h).
 namespace csgsim::host {
 
-/// A plane of the model transformed: the host's `quotients` and `planes`, with 12 products that are not kept in tables.
+/// Transformation of a plane of the model: the host's `quotients` and `planes`, with 12 products that are not kept in
+/// tables.
 processors::Operations plane_transform_operations();
+
 /// Test of a primitive's box against a part of the picture: the host's `boxes`.
 processors::Operations box_test_operations();
 
@@ -22,16 +24,16 @@ processors::Operations cell_test_operations();
 /// Visit of a node of the tree, with a test of its box: the host's `nodes` and `boxes`.
 processors::Operations node_visit_operations();
 
-/// Appends an instruction with its expression to a list.
+/// Entry of an instruction with its expression in a list.
 processors::Operations instruction_listing_operations();
 
-/// Appends an instruction with the number of a half-space to a list.
+/// Entry of an instruction with the number of a half-space in a list.
 processors::Operations number_listing_operations();
 
-/// Finds the place of the next number in packed bits.
+/// Search for the place of the next number in packed bits.
 processors::Operations field_search_operations();
 
-/// Appends a call to a native program.
+/// A call appended to a native program.
 processors::Operations call_linking_operations();
 
 /// A call in a native program, and its return.
