@@ -27,7 +27,7 @@ namespace {
 
 /// Whether `path` is probably a misspelling of `other`: the name without its extension, or with one or two different
 /// letters.
-bool is_slip_of(const std::filesystem::path& other, const std::filesystem::path& path) {
+bool is_misspelling_of(const std::filesystem::path& other, const std::filesystem::path& path) {
   constexpr std::size_t shortest = 4;
   constexpr std::size_t long_name = 8;
   const std::string name = path.filename().native();
@@ -47,7 +47,7 @@ std::filesystem::path similar_file(const std::filesystem::path& path) {
   for (int i = 0; i < max_entries && !error && entry != std::filesystem::directory_iterator(); ++i) {
     const std::filesystem::path& other = entry->path();
     // A folder lists its entries in arbitrary order, so the alphabetically first name is chosen.
-    if (is_slip_of(other, path) && (found.empty() || other < found)) found = other;
+    if (is_misspelling_of(other, path) && (found.empty() || other < found)) found = other;
     entry.increment(error);
   }
   return found.empty() || path.has_parent_path() ? found : found.filename();
