@@ -22,7 +22,7 @@ isa::Program compiled(const std::string& csg, const csg::Pruning& pruning = {}) 
 }
 
 /// Sum over all segments.
-isa::Preparation of_segments(const isa::Program& program) {
+isa::Preparation sum_of_segments(const isa::Program& program) {
   isa::Preparation sum;
   for (const isa::Segment& segment : program.segments) sum += *segment.preparation;
   return sum;
@@ -65,7 +65,7 @@ TEST_CASE("each plane and each point takes a quotient in perspective") {
 }
 
 TEST_CASE("a lone cube takes the host box and half-space tests against its rectangle") {
-  const isa::Preparation took = of_segments(compiled(cube));
+  const isa::Preparation took = sum_of_segments(compiled(cube));
   // Whether it is in the picture, its block, and the rectangles of the deciding front and back half-spaces.
   CHECK(took.boxes == 2 + 6);
   // Each half-space is tested once over the rectangle, to narrow the block.
@@ -81,7 +81,7 @@ TEST_CASE("a lone cube takes the host box and half-space tests against its recta
 
 TEST_CASE("a notched cube takes support tests once per model and none per segment") {
   const isa::Program program = compiled("difference() {" + cube + moved + "{" + cube + "} }");
-  const isa::Preparation took = of_segments(program);
+  const isa::Preparation took = sum_of_segments(program);
   CHECK(took.nodes > 0);
   CHECK(took.halfspaces > 12);
   // There is no plane between them whose place in the view could be examined.
@@ -129,11 +129,11 @@ TEST_CASE("the host's preparation does not count disabled prunings") {
   pruning.separation = false;
   CHECK(compiled(notched, pruning).model_preparation->supports == 0);
   pruning.halfspaces = false;
-  CHECK(of_segments(compiled(notched, pruning)).values == 0);
-  const isa::Preparation none = of_segments(compiled(notched, csg::Pruning::none()));
+  CHECK(sum_of_segments(compiled(notched, pruning)).values == 0);
+  const isa::Preparation none = sum_of_segments(compiled(notched, csg::Pruning::none()));
   CHECK(compiled(notched, csg::Pruning::none()).model_preparation->supports == 0);
   CHECK(none.values == 0);
-  CHECK(none.boxes < of_segments(compiled(notched)).boxes);
+  CHECK(none.boxes < sum_of_segments(compiled(notched)).boxes);
 }
 
 TEST_CASE("twice as many cubes side by side take twice the host's work") {
@@ -143,7 +143,7 @@ TEST_CASE("twice as many cubes side by side take twice the host's work") {
       row += "multmatrix([[1, 0, 0, " + std::to_string(i - 8) +
              "], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])"
              "{ cube(size = [0.5, 0.5, 0.5], center = true); }";
-    return of_segments(compiled(row + "}"));
+    return sum_of_segments(compiled(row + "}"));
   };
   const isa::Preparation eight = row_of(8);
   const isa::Preparation sixteen = row_of(16);

@@ -38,7 +38,7 @@ void seal(Bytes& bytes) {
 }
 
 /// Asserts that decode() either rejects the bytes or returns a valid Program.
-void survives(const Bytes& bytes) {
+void check_valid_or_rejected(const Bytes& bytes) {
   Program program;
   if (refusal([&] { program = decode(bytes, "p.csgt"); }).empty()) validate(program);
 }
@@ -123,7 +123,7 @@ TEST_CASE("a Program with one hostile byte and a correct checksum is valid or re
       Bytes hostile = sound;
       hostile[i] = static_cast<std::byte>(value);
       seal(hostile);
-      survives(hostile);
+      check_valid_or_rejected(hostile);
     }
 }
 
@@ -138,7 +138,7 @@ TEST_CASE("a randomly corrupted Program with a correct checksum is valid or reje
       hostile[place] = static_cast<std::byte>(*rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 256)));
     }
     seal(hostile);
-    survives(hostile);
+    check_valid_or_rejected(hostile);
   }));
 }
 
@@ -152,7 +152,7 @@ TEST_CASE("random bytes after a Program's header are a valid Program or rejected
     out.block(std::vector<std::uint8_t>(checksum_size));
     Bytes bytes = out.take();
     seal(bytes);
-    survives(bytes);
+    check_valid_or_rejected(bytes);
   }));
 }
 
