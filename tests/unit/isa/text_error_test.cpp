@@ -163,7 +163,7 @@ TEST_CASE("model preparation and prunings are read and their errors have a posit
   CHECK(error_of(array + ".pruning tries=3\n").find("the nearest is 'tried'") != std::string::npos);
 }
 
-TEST_CASE("rejects missing, misplaced and repeated directives in a Program's text") {
+TEST_CASE("rejects missing or misplaced or repeated directives in a Program's text") {
   CHECK(error_of("").starts_with("t: there is no .array"));
   CHECK(error_of(".model unions=1\n" + array).starts_with("t:1:2: .model comes before .array"));
   CHECK(error_of(array + "enable_all").starts_with("t:2:1: the instruction is in no segment"));

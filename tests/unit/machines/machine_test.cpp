@@ -125,7 +125,7 @@ TEST_CASE("quadratics and the root flag enlarge a pixel by about the published s
   CHECK(with / without < 1.45);
 }
 
-TEST_CASE("the built-in pixel-planes-4 has the published array, clock and memory ports") {
+TEST_CASE("the built-in pixel-planes-4 has the published array and clock and ports") {
   const Machine machine = kinds::load("pixel-planes-4");
   CHECK(machine.name == "pixel-planes-4");
   CHECK(machine.array == isa::ArrayShape{512, 512, 72});
