@@ -16,9 +16,10 @@ namespace csgsim::array {
 /// The bits of all pixels, with deferred execution: steps are logged, and executed in batches when a result is read,
 /// block by block of pixels.
 ///
-/// A block without enabled pixels skips a batch that then changes neither memory nor enable, if the values it leaves in
-/// carry, latch and flag depend only on memory. These registers of the block are then stale. The batch is replayed on
-/// the block before the registers are read, before a step uses them, and before the memory they depend on changes.
+/// A block without enabled pixels skips a batch that changes neither memory nor enable bits of disabled pixels,
+/// provided that the values which the batch leaves in carry, latch and flag depend only on memory. These registers of
+/// the block are then stale. The batch is replayed on the block before its registers are read, before a step uses them,
+/// and before the memory on which they depend changes.
 class DeferredPixels {
  public:
   DeferredPixels(PlaneShape shape, std::span<const Place> places, PixelBits bits);
@@ -42,7 +43,7 @@ class DeferredPixels {
   /// Clears the registers. The pixels in `present` take part in all later steps; the others stay disabled.
   void select(const Words& present);
 
-  // State of which the pending steps have been executed. `bit` is an index as in bits().
+  // State without the effects of pending steps; settle() executes these. `bit` is an index as in bits().
   [[nodiscard]] const PixelBits& bits() const { return bits_; }
   [[nodiscard]] const Words& enable() const { return enable_; }
   [[nodiscard]] std::uint64_t word(unsigned bit, std::size_t word) const {
@@ -92,7 +93,8 @@ class DeferredPixels {
   std::vector<Batch> kept_;      ///< ring of batches that some blocks have skipped
   std::uint64_t last_kept_ = 0;  ///< number of the last kept batch
   Stale last_;                   ///< last kept batches that set each register
-  std::vector<Stale> stale_;     ///< per block, for batches up to since_; the block has skipped all batches after it
+  /// Stale registers of each block as of its batch since_; the block has skipped all later batches.
+  std::vector<Stale> stale_;
   std::vector<std::uint64_t> since_;
   std::vector<std::uint8_t> on_;  ///< per block: whether any pixel is enabled
   std::vector<std::uint32_t> to_run_;

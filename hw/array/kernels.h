@@ -14,14 +14,14 @@ namespace csgsim::array::kernels {
 /// Pixels are processed in blocks of this many words: one cache line for each bit of a pixel.
 inline constexpr std::size_t block_words = 8;
 
-/// Bit j of xx*x*x + a*x + c for every column x is row j of `columns`; rows are `stride` words apart. The words of a
-/// row of pixels repeat, so that each block finds its words contiguous wherever it begins in a row. A stream with x*y
-/// has different bits in each row, and no such table.
+/// Bit j of xx*x*x + a*x + c for every column x is row j of `columns`; rows are `stride` words apart. Each table
+/// row repeats the words of a row of pixels, so that the words of a block are contiguous wherever the block begins. A
+/// stream with x*y has different bits in each row of pixels, and no such table.
 struct StreamTable {
   const std::uint64_t* columns = nullptr;
   std::size_t stride = 0;
-  std::uint64_t b = 0;
-  std::uint64_t yy = 0;
+  std::uint64_t b = 0;              ///< coefficient of y, the pixel's row
+  std::uint64_t yy = 0;             ///< coefficient of y*y
   unsigned bits = 0;                ///< 1 to 64
   const Stream* crossed = nullptr;  ///< the stream itself if it has x*y
 };

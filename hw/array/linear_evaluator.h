@@ -12,7 +12,7 @@
 namespace csgsim::array {
 
 /// Coefficient bits that the controller sends in one clock, selected by the token, lowest bit first. Trees of degree 1
-/// have no wires for the last three coefficients.
+/// have no wires for xx, xy and yy.
 struct RootBits {
   Token token;
   std::uint32_t a = 0;

@@ -139,7 +139,7 @@ BitStep Sequencer::trial_bit() {
   return {.root = {}, .pixels = step, .last = !busy_};
 }
 
-/// The lowest two bits of the added or subtracted number are constant and its top bit is 0, as is that of the first
+/// The lowest two bits of the added or subtracted number are constant. Its top bit is 0, as is the top bit of the first
 /// remainder.
 ArrayStep Sequencer::trial_step(std::uint32_t place) const {
   const auto step = [&](AluFunction function) {

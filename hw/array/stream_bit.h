@@ -32,7 +32,7 @@ constexpr std::uint64_t value_at(const Coefficients& coefficients, std::uint64_t
 /// The bits of xx*x*x + xy*x*y + yy*y*y + a*x + b*y + c that the token selects (bits 0 to 63), in registers at every
 /// pixel or at every node of a tree. The coefficients represent these bits at all pixels. At least the coefficient bits
 /// up to the token's last bit are valid, and the result depends on no others. Without an active token the bits are 0.
-/// The first three coefficients are 0 in trees of degree 1.
+/// xx, xy and yy are 0 in trees of degree 1.
 struct StreamBit {
   Token token;
   std::uint64_t a = 0;

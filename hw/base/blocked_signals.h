@@ -17,6 +17,7 @@ class BlockedSignals {
   ~BlockedSignals() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
   BlockedSignals(const BlockedSignals&) = delete;
   BlockedSignals& operator=(const BlockedSignals&) = delete;
+  /// The thread's signal mask before construction.
   [[nodiscard]] const sigset_t& before() const { return before_; }
 
  private:

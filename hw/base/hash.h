@@ -25,7 +25,7 @@ class Hash {
 
   [[nodiscard]] std::uint64_t value() const { return state_; }
 
-  /// Sixteen hexadecimal digits.
+  /// The hash as sixteen hexadecimal digits.
   [[nodiscard]] std::string text() const { return fmt::format("{:016x}", state_); }
 
  private:

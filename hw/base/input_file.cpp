@@ -25,8 +25,9 @@ namespace {
   throw InputError(fmt::format("{}: cannot be read: {}", path.native(), why));
 }
 
-/// Whether a name is probably a slip of the other: without its extension, or with one or two other letters.
-bool is_slip_of(const std::filesystem::path& other, const std::filesystem::path& path) {
+/// Whether `path` is probably a misspelling of `other`: the name without its extension, or with one or two different
+/// letters.
+bool is_misspelling_of(const std::filesystem::path& other, const std::filesystem::path& path) {
   constexpr std::size_t shortest = 4;
   constexpr std::size_t long_name = 8;
   const std::string name = path.filename().native();
@@ -45,8 +46,8 @@ std::filesystem::path similar_file(const std::filesystem::path& path) {
   auto entry = std::filesystem::directory_iterator(folder, error);
   for (int i = 0; i < max_entries && !error && entry != std::filesystem::directory_iterator(); ++i) {
     const std::filesystem::path& other = entry->path();
-    // the order of a folder is arbitrary
-    if (is_slip_of(other, path) && (found.empty() || other < found)) found = other;
+    // A folder lists its entries in arbitrary order, so the alphabetically first name is chosen.
+    if (is_misspelling_of(other, path) && (found.empty() || other < found)) found = other;
     entry.increment(error);
   }
   return found.empty() || path.has_parent_path() ? found : found.filename();
@@ -85,7 +86,8 @@ std::string read_all(const Descriptor& file, const std::filesystem::path& path, 
     if (const std::error_code error = read_to_end(file, bytes, most)) fail(path, error.message());
   } catch (const std::bad_alloc&) {
     const std::size_t read = std::max(expected, bytes.size());
-    throw InputError(fmt::format("{}: there is not enough memory to read its {} bytes", path.native(), read));
+    throw InputError(
+        fmt::format("{}: there is not enough memory to read its {} bytes; use a smaller file", path.native(), read));
   }
   check_length(path.native(), bytes.size(), kind);
   return bytes;

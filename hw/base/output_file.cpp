@@ -24,13 +24,13 @@ namespace fs = std::filesystem;
 
 constexpr int max_links = 40;
 
-void check(const fs::path& path, const std::error_code& error) {
+void require_success(const fs::path& path, const std::error_code& error) {
   if (error) fail_to_write(path, error);
 }
 
 /// Throws if the path is an existing file without write permission, even if its folder would permit a replacement, or
 /// if no file can have that name.
-void check_place(const fs::path& requested, const fs::path& place) {
+void require_writable(const fs::path& requested, const fs::path& place) {
   const bool is_there = ::faccessat(AT_FDCWD, place.c_str(), F_OK, AT_EACCESS) == 0;
   if (!is_there && errno != ENOENT) fail_to_write(requested, last_error());
   if (is_there && ::faccessat(AT_FDCWD, place.c_str(), W_OK, AT_EACCESS) != 0) fail_to_write(requested, last_error());
@@ -101,7 +101,7 @@ fs::path without_links(const fs::path& path) {
   for (int link = 0; link < max_links; ++link) {
     if (!fs::is_symlink(fs::symlink_status(place, error))) return place;
     const fs::path target = fs::read_symlink(place, error);
-    check(path, error);
+    require_success(path, error);
     place = place.parent_path() / target;
   }
   fail_to_write(path, std::make_error_code(std::errc::too_many_symbolic_link_levels));
@@ -116,11 +116,11 @@ OutputFile::OutputFile(fs::path path) : requested_(std::move(path)), final_(requ
   std::error_code error;
   if (!is_stream_) {
     final_ = without_links(requested_);
-    check_place(requested_, final_);
+    require_writable(requested_, final_);
     refuse_kept_input(requested_, final_);
   }
   const fs::path folder = is_stream_ ? fs::temp_directory_path(error) : parent_folder(final_);
-  check(requested_, error);
+  require_success(requested_, error);
   create(folder);
 }
 
@@ -143,13 +143,13 @@ OutputFile::~OutputFile() {
   if (!partial_.empty()) fs::remove(partial_, ignored);
 }
 
-void OutputFile::write(std::string_view content) { check(requested_, write_all(file_, content)); }
+void OutputFile::write(std::string_view content) { require_success(requested_, write_all(file_, content)); }
 
 void OutputFile::finish() {
   if (std::exchange(is_finished_, true) || is_stream_) return;
   refuse_kept_input(requested_, final_);  // the file may have been read since the constructor's check
-  check(requested_, sync(file_));
-  check(requested_, file_.close());
+  require_success(requested_, sync(file_));
+  require_success(requested_, file_.close());
 }
 
 void OutputFile::commit() {
@@ -157,10 +157,10 @@ void OutputFile::commit() {
   if (is_stream_) return copy_to_stream();
   std::error_code error;
   fs::rename(partial_, final_, error);
-  check(requested_, error);
+  require_success(requested_, error);
   registered_.reset();
   partial_.clear();
-  check(requested_, sync_folder(parent_folder(final_)));
+  require_success(requested_, sync_folder(parent_folder(final_)));
 }
 
 void OutputFile::copy_to_stream() {
@@ -173,9 +173,9 @@ void OutputFile::copy_to_stream() {
   std::string bytes;
   do {
     bytes.clear();
-    check(requested_, read_to_end(file_, bytes, block));
+    require_success(requested_, read_to_end(file_, bytes, block));
     if (is_seen && bytes.find('\0') != std::string::npos) fail_on_terminal(requested_);
-    check(requested_, write_all(stream, bytes));
+    require_success(requested_, write_all(stream, bytes));
   } while (!bytes.empty());
 }
 

@@ -9,7 +9,8 @@ namespace csgsim {
 /// Prints text of a result to standard output, unchanged.
 void print_text(std::string_view text);
 
-/// Discards what this thread passes to print_text() during the object's lifetime; the caller uses the result itself.
+/// Discards what this thread passes to print_text() during the object's lifetime, for callers that only use a
+/// function's return value.
 class SilentPrints {
  public:
   SilentPrints() noexcept;

@@ -104,7 +104,7 @@ std::string grouped(std::uint64_t value) {
 }
 
 std::string rounded(double value, int digits) {
-  constexpr double max_grouped = 1e18;  // above, the number has its exponent
+  constexpr double max_grouped = 1e18;  // larger numbers are written with an exponent
   const double shown = to_digits(value, digits);
   const double min_grouped = std::max(1000.0, std::pow(10.0, digits - 1));  // a whole number with that many digits
   const bool is_grouped = std::abs(shown) >= min_grouped && std::abs(shown) <= max_grouped;

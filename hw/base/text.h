@@ -22,8 +22,8 @@ std::string shell_word(std::string_view bytes);
 /// 1234567 as `1,234,567`.
 std::string grouped(std::uint64_t value);
 
-/// A number for people, rounded to that many significant digits or, if it is longer, to a whole number: `24.32`,
-/// `0.00576`, `1,736`.
+/// A number for people, rounded to `digits` significant digits; a number with more digits before the point is rounded
+/// to a whole number: `24.32`, `0.00576`, `1,736`.
 std::string rounded(double value, int digits = 3);
 
 /// A quantity of a unit for people, with an SI prefix and three significant digits: `26.6 mJ`, `10 MHz`, `18.9 Mbit`.

@@ -29,7 +29,7 @@ class Work {
   /// convex pieces".
   void charge(std::uint64_t steps, std::string_view doing) const;
 
-  /// A new count of 0 with the same limit.
+  /// A Work object with the same limit and its own count of 0.
   [[nodiscard]] Work with_zero_count() const;
 
   /// Steps charged until now; always 0 if there is no limit.

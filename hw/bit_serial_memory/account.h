@@ -12,16 +12,14 @@ namespace csgsim::bit_serial_memory {
 /// Operations of the chips that cost energy, summed over all slots.
 struct Work {
   std::array<std::uint64_t, row_op_count> commands{};  ///< number of each op, counted once for all slots
-  /// Number of rows activated in addition to the first row of an activation.
-  std::uint64_t activations = 0;
-  std::uint64_t further_rows = 0;  ///< number of logic commands, counted per slot
-  /// Number of commands that deliver a bit from the trees, counted per slot.
-  std::uint64_t logic = 0;
-  std::uint64_t leaves = 0;        ///< commands that deliver a bit from the trees to a slot
-  std::uint64_t own_logic = 0;     ///< part of `logic` by commands of a designer's set
-  std::uint64_t own_logic_fj = 0;  ///< energy of these in one column of each slot
-  std::uint64_t transferred_bits = 0;
-  std::uint64_t refreshes = 0;  ///< refreshes of all chips
+  std::uint64_t activations = 0;                       ///< row activations, counted per slot
+  std::uint64_t further_rows = 0;                      ///< rows activated in addition to the first row of an activation
+  std::uint64_t logic = 0;                             ///< logic commands, counted per slot
+  std::uint64_t leaves = 0;                            ///< commands that deliver a bit from the trees, counted per slot
+  std::uint64_t own_logic = 0;                         ///< part of `logic`: commands of a designer's set
+  std::uint64_t own_logic_fj = 0;                      ///< energy of these in femtojoules, for one column of each slot
+  std::uint64_t transferred_bits = 0;                  ///< bits transferred between rows and host
+  std::uint64_t refreshes = 0;                         ///< refreshes of all chips
 
   constexpr bool operator==(const Work&) const = default;
 };

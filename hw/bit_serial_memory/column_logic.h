@@ -49,15 +49,15 @@ class ColumnLogic {
 
   virtual void end() {}
 
-  /// target := value, or its complement.
+  /// target := value, complemented if `inverted`.
   virtual void assign(Row target, Bit value, bool inverted = false) = 0;
-  /// target := value, or its complement, in the columns of the mask.
+  /// target := value, complemented if `inverted`, in the columns of the mask.
   virtual void store(Row target, Bit value, Mask mask, bool inverted = false) = 0;
   /// target := a op b.
   virtual void combine(BinaryOp op, Row target, Bit a, Bit b) = 0;
   /// target := a op b in the columns of the mask.
   virtual void store_combined(BinaryOp op, Row target, Bit a, Bit b, Mask mask);
-  /// target := yes where `condition` is 1, otherwise no.
+  /// target := `yes` where `condition` is 1, otherwise `no`.
   virtual void choose(Row target, Row condition, Bit yes, Bit no) = 0;
   /// target := target xor E.
   virtual void toggle(Row target);
@@ -65,7 +65,7 @@ class ColumnLogic {
   /// Hint that the following operations read the row often.
   virtual void hold(Row /*row*/) {}
 
-  /// Initializes the carry or borrow.
+  /// Starts a sum or difference with `one` as its carry or borrow.
   virtual void begin_chain(Chain chain, bool one) = 0;
   /// target := a + b + carry, or a - b - borrow; updates the carry or borrow.
   virtual void sum(Row target, Bit a, Bit b) = 0;
@@ -73,12 +73,12 @@ class ColumnLogic {
   virtual void store_sum(Row target, Bit a, Bit b, Mask mask) = 0;
   /// Computes only the carry or borrow.
   virtual void carry(Bit a, Bit b) = 0;
-  /// target := carry or borrow, or its complement.
+  /// target := carry or borrow, complemented if `inverted`.
   virtual void assign_chain(Row target, bool inverted) = 0;
 
-  /// E := E and the carry or borrow, or its complement.
+  /// E := E and the carry or borrow, complemented if `inverted`.
   virtual void narrow_by_chain(bool inverted) = 0;
-  /// Selects the columns where E and the carry or borrow (or its complement) are both 1.
+  /// Selects the columns where E and the carry or borrow, complemented if `inverted`, are both 1.
   virtual void select_by_chain(bool inverted) = 0;
   /// E := E op value.
   virtual void change_enable(BinaryOp op, Bit value);

@@ -66,7 +66,7 @@ class Reader {
 
   const toml::node& child(const toml::table& in, std::string_view key) const {
     const toml::node* const node = in.get(key);
-    if (node == nullptr) fail(in.source().begin, fmt::format("key '{}' is missing", key));
+    if (node == nullptr) fail(in.source().begin, fmt::format("key '{}' is missing; add it", key));
     return *node;
   }
 
@@ -105,7 +105,8 @@ class Reader {
     GateCommand command{.name = std::move(name)};
     const std::string bits = text(in, "table");
     const toml::node& place = child(in, "table");
-    if (bits.find_first_not_of("01") != std::string::npos) fail(place, "'table' has other characters than 0 and 1");
+    if (bits.find_first_not_of("01") != std::string::npos)
+      fail(place, "'table' has other characters than 0 and 1; use only these");
     while (command.inputs < 3 && bits.size() > std::size_t{1} << command.inputs) ++command.inputs;
     if (bits.size() != std::size_t{1} << command.inputs)
       fail(place, fmt::format("'table' has {} bits; a function of 0 to 3 inputs has 1, 2, 4 or 8", bits.size()));
@@ -115,7 +116,7 @@ class Reader {
     command.energy_fj = static_cast<std::uint64_t>(number(in, "energy", 0, max_gate_fj));
     const std::string provenance = text(in, "provenance");
     if (provenance != "published" && provenance != "assumed")
-      fail(child(in, "provenance"), "'provenance' is neither published nor assumed");
+      fail(child(in, "provenance"), "'provenance' is neither published nor assumed; write one of them");
     command.is_published = provenance == "published";
     command.source = text(in, "source");
     set_.commands.push_back(std::move(command));
@@ -133,7 +134,7 @@ class Reader {
   GateSequence read_sequence(const toml::node& node, Gate gate) const {
     const toml::array* const lines = node.as_array();
     if (lines == nullptr || lines->size() > max_steps)
-      fail(node, fmt::format("the sequence is not an array of up to {} strings", max_steps));
+      fail(node, fmt::format("the sequence is not an array of up to {} strings; write one", max_steps));
     GateSequence sequence;
     for (const toml::node& line : *lines) {
       const toml::value<std::string>* const words = line.as_string();
@@ -154,7 +155,7 @@ class Reader {
     std::vector<std::string> words;
     for (std::string word; in >> word;) words.push_back(word);
     if (words.size() < 3 || words[1] != "=")
-      fail(place, fmt::format("'{}' is not of the form T1 = COMMAND x y", printable(line)));
+      fail(place, fmt::format("'{}' is not a command; write it in the form T1 = COMMAND x y", printable(line)));
     const auto command = std::ranges::find(set_.commands, words[2], &GateCommand::name);
     if (command == set_.commands.end()) {
       std::vector<std::string> names;
@@ -162,7 +163,8 @@ class Reader {
       fail(place, unknown_name_text("command", words[2], names));
     }
     if (words.size() != 3 + command->inputs)
-      fail(place, fmt::format("{} has {} inputs, not {}", command->name, command->inputs, words.size() - 3));
+      fail(place, fmt::format("{0} has {1} inputs, but the sequence gives it {2}; write {1}", command->name,
+                              command->inputs, words.size() - 3));
     GateStep step{.command = static_cast<std::size_t>(command - set_.commands.begin())};
     step.target = read_place(place, words[0]);
     for (std::size_t i = 0; i < command->inputs; ++i) step.inputs.at(i) = read_place(place, words[3 + i]);

@@ -74,7 +74,7 @@ struct Figures {
   std::uint32_t subarray_rows = 1;  ///< rows of a subarray
   std::uint32_t banks = 1;          ///< banks of a chip
   std::uint32_t subarrays = 1;      ///< subarrays of a bank
-  std::uint32_t bus_bits = 1;       ///< bits of a row transferred between chips and host per clock
+  std::uint32_t bus_bits = 1;       ///< bits of a row transferred between a chip and the host per clock
   std::uint32_t plane_bits = 1;     ///< bits per clock that the host computes, or converts from rows to pixels
   std::uint32_t queue = 1;          ///< host commands that can wait at the controller
   CommandClocks command;

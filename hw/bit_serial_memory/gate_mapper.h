@@ -37,8 +37,9 @@ inline constexpr Aliases no_aliases{0, 1, 2, target_place};
 /// Whether the sequence leaves the gate's value in its target and does not change its other operands.
 bool computes(const GateSequence& sequence, Gate gate, const Aliases& aliases, const CommandSet& set);
 
-/// Finds sequences. A sequence of the file is used where it is valid, that is, unless it overwrites an operand that is
-/// also the target too early; otherwise the fastest sequence is searched, and of these the one with the least energy.
+/// Finds sequences for gates. A sequence of the file is used unless the target is also an operand and the sequence
+/// overwrites this operand before its last use. Otherwise the fastest sequence is searched; among equally fast ones,
+/// that with the least energy.
 class GateMapper {
  public:
   explicit GateMapper(const CommandSet& set) : set_(set) {}

@@ -206,7 +206,7 @@ void Compiler::compile() {
     case Opcode::squares: return;
     case Opcode::linear_plus: return add_value(Chain::sum);
     case Opcode::linear_minus: return add_value(Chain::difference);
-    case Opcode::root: return take_root(instruction_.fields[0], logic_);
+    case Opcode::root: return write_root(instruction_.fields[0], logic_);
   }
 }
 

@@ -36,7 +36,7 @@ class RankSteps {
   void start(std::uint64_t clock);
   /// Lets all slots execute a command of the given kind.
   void step(RowOp op);
-  /// The same; appends the command's clocks in each slot or, for a command without activation, in each bank.
+  /// Also appends the command's clocks in each slot or, for a command without activation, in each bank.
   void step(const RowCommand& command, std::vector<Issue>& issues);
   /// Delays everything in progress by `clocks`.
   void delay(std::uint64_t clocks) { zero_ += static_cast<std::int64_t>(clocks); }

@@ -70,6 +70,6 @@ class Root {
 
 }  // namespace
 
-void take_root(isa::Field field, ColumnLogic& logic) { Root(field, logic).take(); }
+void write_root(isa::Field field, ColumnLogic& logic) { Root(field, logic).take(); }
 
 }  // namespace csgsim::bit_serial_memory

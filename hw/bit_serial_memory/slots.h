@@ -35,7 +35,7 @@ inline Slots slots_of(const machines::Machine& machine) {
           std::uint64_t{figures.chips} * figures.row_bits, figures.banks};
 }
 
-/// Clocks to transfer `bits` bits between a slot's row and the host, or for the host to compute them.
+/// Clocks to transfer `bits` bits between a slot's row and the host, at the rate of the slower of bus and host.
 constexpr std::uint64_t transfer_clocks(std::uint64_t bits, const Figures& figures) {
   const std::uint64_t bits_a_clock =
       std::min<std::uint64_t>(std::uint64_t{figures.bus_bits} * figures.chips, figures.plane_bits);

@@ -186,7 +186,7 @@ class FrameModel {
   FrameAccount account_;
 };
 
-Machine drawing(const isa::Program& program, const Machine& machine) {
+Machine with_picture_of(const isa::Program& program, const Machine& machine) {
   Machine one = machine;
   machines::set_picture_size(one, {program.shape.width, program.shape.height});
   return one;
@@ -204,19 +204,19 @@ std::uint64_t Kind::clocks(const isa::Instruction& instruction, const Machine& m
 
 machines::FrameTiming Kind::time(const isa::Program& program, const Machine& machine,
                                  const RunOutcome& outcomes) const {
-  const Machine one = drawing(program, machine);
+  const Machine one = with_picture_of(program, machine);
   return FrameModel(program, one, outcomes.skips).time(shown_field(program));
 }
 
 machines::FrameTiming time_rows(const isa::Program& program, const Machine& machine,
                                 const machines::RunOutcome& outcomes, RowListener& listener, const CommandSet* set) {
-  const Machine one = drawing(program, machine);
+  const Machine one = with_picture_of(program, machine);
   return FrameModel(program, one, outcomes.skips, &listener, set).time(shown_field(program));
 }
 
 std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, const Machine& machine,
                                                  const RunOutcome& outcomes) const {
-  const Machine one = drawing(program, machine);
+  const Machine one = with_picture_of(program, machine);
   FrameModel model(program, one, outcomes.skips);
   model.time(shown_field(program));
   machines::Timeline timeline;

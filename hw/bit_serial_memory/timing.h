@@ -32,7 +32,8 @@ class RankTiming {
   /// progress is delayed by the refresh. Returns the clock at which the commands end.
   std::uint64_t carry_out(const RowCommands& commands, std::uint64_t begin);
 
-  /// First clock, not before `ready`, at which commands may begin; refreshes that are due before it are performed.
+  /// First clock at which commands may begin, if the rank is free from clock `free` on and the commands are available
+  /// from `ready` on. Refreshes that fall due until then are performed first.
   std::uint64_t begin(std::uint64_t free, std::uint64_t ready);
 
   [[nodiscard]] std::uint64_t refreshing() const { return refreshing_; }  ///< total clocks of refreshes

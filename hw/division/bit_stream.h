@@ -51,14 +51,15 @@ class BitReader {
  public:
   explicit BitReader(const Bits& bits) : bits_(bits) {
     if (bits.words.size() != link_words(bits.count, 64))
-      throw InputError("the display model: the number of words does not match the number of bits");
+      throw InputError(
+          "the display model: the number of words does not match the number of bits; compile the model again");
   }
 
   [[nodiscard]] std::uint64_t left() const { return bits_.count - next_; }
 
   std::uint64_t take(unsigned width) {
     if (width == 0) return 0;
-    if (width > left()) throw InputError("the display model: the stream ends too soon");
+    if (width > left()) throw InputError("the display model: the stream ends too soon; compile the model again");
     const auto word = static_cast<std::size_t>(next_ / 64);
     const auto at = static_cast<unsigned>(next_ % 64);
     std::uint64_t value = bits_.words[word] >> at;

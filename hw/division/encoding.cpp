@@ -79,7 +79,8 @@ Header take_header(BitReader& in, DisplayModel& model) {
 /// Throws InputError unless the stream has room for `records` records of at least `bits` bits, so that an invalid count
 /// cannot exhaust memory.
 void require_room(const BitReader& in, std::uint64_t records, unsigned bits) {
-  if (records > in.left() / bits) throw InputError("the display model: the stream ends too soon");
+  if (records > in.left() / bits)
+    throw InputError("the display model: the stream ends too soon; compile the model again");
 }
 
 Primitive take_primitive(BitReader& in, const DisplayModel& model, const Widths& widths) {
@@ -95,7 +96,7 @@ Primitive take_primitive(BitReader& in, const DisplayModel& model, const Widths&
     halfspace.plane = static_cast<std::uint32_t>(in.take(widths.plane));
     halfspace.forward = in.take(1) != 0;
     if (halfspace.plane >= model.planes.size())
-      throw InputError("the display model: a half-space refers to a nonexistent plane");
+      throw InputError("the display model: a half-space refers to a nonexistent plane; compile the model again");
     if (seen(side_of(model.planes[halfspace.plane], halfspace.forward), one.complemented))
       halfspace.colour = static_cast<std::uint32_t>(in.take(widths.colour));
     one.halfspaces.push_back(halfspace);
@@ -168,7 +169,7 @@ DisplayModel read(BitReader& in) {
 /// Rejects streams that encode() would not write: fields wider than needed, another form of an empty rectangle, or
 /// trailing data.
 void require_canonical(bool holds) {
-  if (!holds) throw InputError("the display model: the stream is not in canonical form");
+  if (!holds) throw InputError("the display model: the stream is not in canonical form; compile the model again");
 }
 
 }  // namespace

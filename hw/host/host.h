@@ -16,7 +16,7 @@ namespace csgsim::host {
 /// and otherwise compiles every segment.
 processors::Operations count_operations(const isa::Program& program, const machines::Machine& machine);
 
-/// Time of the machine's host for operations, shared by its processors; 0 for an ideal host.
+/// Nanoseconds that the machine's host takes for the operations, which its processors share; 0 for an ideal host.
 double nanoseconds(const processors::Operations& operations, const machines::Machine& machine);
 
 /// Clocks of the machine until its host has finished a frame, rounded up; 0 for an ideal host. Throws InputError above

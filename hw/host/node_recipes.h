@@ -5,22 +5,47 @@
 #include "hw/processors/operations.h"
 
 // Operations of the nodes and the display processor of a multi-processor, assumed like those of the host. Tasks that
-// the host does too have its recipes.
+// the host also performs have the host's recipes (hw/host/recipes.h).
 namespace csgsim::host {
 
-/// A plane of the model transformed: the host's `quotients` and `planes`, with 12 products that are not kept in tables.
-processors::Operations transformed_plane();
-processors::Operations tested_box();            ///< a primitive's box against a part of the picture: the host's `boxes`
-processors::Operations tested_halfspace();      ///< a half-space at the corners of a part: the host's `tests`
-processors::Operations tested_cell();           ///< a half-space against the leaders of a cell
-processors::Operations visited_node();          ///< a node of the tree with its box: the host's `nodes` and `boxes`
-processors::Operations listed_instruction();    ///< an instruction with its expression appended to a list
-processors::Operations listed_number();         ///< an instruction with the number of a half-space appended to a list
-processors::Operations found_field();           ///< the place of the next number in packed bits
-processors::Operations linked_call();           ///< a call appended to a native program
-processors::Operations called();                ///< a call of a native program, and its return
-processors::Operations repeated_pixel();        ///< an iteration of the loop over the pixels of a row
-processors::Operations repeated_row();          ///< an iteration of the loop over rows
-processors::Operations repeated_instruction();  ///< an iteration of the loop over instructions, with its opcode
+/// Transformation of a plane of the model: the host's `quotients` and `planes`, with 12 products that are not kept in
+/// tables.
+processors::Operations plane_transform_operations();
+
+/// Test of a primitive's box against a part of the picture: the host's `boxes`.
+processors::Operations box_test_operations();
+
+/// Test of a half-space at the corners of a part of the picture: the host's `tests`.
+processors::Operations halfspace_test_operations();
+
+/// Comparison of a half-space with the leaders of a cell (hw/division/cells.h).
+processors::Operations cell_test_operations();
+
+/// Visit of a node of the tree, with a test of its box: the host's `nodes` and `boxes`.
+processors::Operations node_visit_operations();
+
+/// Entry of an instruction with its expression in a list.
+processors::Operations instruction_listing_operations();
+
+/// Entry of an instruction with the number of a half-space in a list.
+processors::Operations number_listing_operations();
+
+/// Search for the place of the next number in packed bits.
+processors::Operations field_search_operations();
+
+/// A call appended to a native program.
+processors::Operations call_linking_operations();
+
+/// A call in a native program, and its return.
+processors::Operations call_operations();
+
+/// An iteration of the loop over the pixels of a row.
+processors::Operations pixel_loop_operations();
+
+/// An iteration of the loop over rows.
+processors::Operations row_loop_operations();
+
+/// An iteration of the loop over instructions, with the dispatch on the opcode.
+processors::Operations instruction_loop_operations();
 
 }  // namespace csgsim::host

@@ -12,91 +12,91 @@ namespace csgsim::host {
 
 namespace {
 
-using processors::made;
 using processors::Operation;
+using processors::operation_counts;
 using processors::Operations;
 
 // Recipes. Numbers of the model and of matrices are longs.
 
 /// A distinct coordinate times a number of the matrix, stored in a table.
-constexpr Operations product = made({{Operation::load_long, 2},
-                                     {Operation::multiply_long, 1},
-                                     {Operation::add_long, 1},
-                                     {Operation::compare_long, 1},
-                                     {Operation::branch_taken, 1},
-                                     {Operation::store_long, 1}});
+constexpr Operations product = operation_counts({{Operation::load_long, 2},
+                                                 {Operation::multiply_long, 1},
+                                                 {Operation::add_long, 1},
+                                                 {Operation::compare_long, 1},
+                                                 {Operation::branch_taken, 1},
+                                                 {Operation::store_long, 1}});
 
 /// Three sums of three products; the reciprocal of one sum, times the others; stored. The divisor is aligned first, and
 /// both products by its places.
-constexpr Operations quotient = made({{Operation::load_long, 9},
-                                      {Operation::add_long, 6},
-                                      {Operation::divide_long, 1},
-                                      {Operation::multiply_long, 2},
-                                      {Operation::shift_long, 3},
-                                      {Operation::shifted_bit, 36},
-                                      {Operation::compare_long, 2},
-                                      {Operation::branch, 2},
-                                      {Operation::store_long, 3}});
+constexpr Operations quotient = operation_counts({{Operation::load_long, 9},
+                                                  {Operation::add_long, 6},
+                                                  {Operation::divide_long, 1},
+                                                  {Operation::multiply_long, 2},
+                                                  {Operation::shift_long, 3},
+                                                  {Operation::shifted_bit, 36},
+                                                  {Operation::compare_long, 2},
+                                                  {Operation::branch, 2},
+                                                  {Operation::store_long, 3}});
 
 /// The sum of a plane's offset and three products, times the reciprocal of its direction; aligned by the places stored
 /// with the reciprocal, and stored.
-constexpr Operations plane = made({{Operation::load_long, 6},
-                                   {Operation::add_long, 3},
-                                   {Operation::multiply_long, 1},
-                                   {Operation::shift_long, 1},
-                                   {Operation::shifted_bit, 12},
-                                   {Operation::compare_long, 2},
-                                   {Operation::branch, 2},
-                                   {Operation::store_long, 1}});
+constexpr Operations plane = operation_counts({{Operation::load_long, 6},
+                                               {Operation::add_long, 3},
+                                               {Operation::multiply_long, 1},
+                                               {Operation::shift_long, 1},
+                                               {Operation::shifted_bit, 12},
+                                               {Operation::compare_long, 2},
+                                               {Operation::branch, 2},
+                                               {Operation::store_long, 1}});
 
 /// Three sums of three products, and the update of a box.
-constexpr Operations point = made({{Operation::load_long, 9},
-                                   {Operation::add_long, 6},
-                                   {Operation::compare_long, 6},
-                                   {Operation::branch, 6},
-                                   {Operation::store_long, 3}});
-constexpr Operations colour = made({{Operation::load_long, 6},
-                                    {Operation::multiply_long, 6},
-                                    {Operation::add_long, 5},
-                                    {Operation::compare_long, 3},
-                                    {Operation::branch, 3},
-                                    {Operation::shift_long, 2},
-                                    {Operation::shifted_bit, 24},
-                                    {Operation::logic_long, 2},
-                                    {Operation::store_long, 1}});
-constexpr Operations box = made({{Operation::load, 4},
-                                 {Operation::load_long, 2},
-                                 {Operation::compare, 4},
-                                 {Operation::compare_long, 2},
-                                 {Operation::branch, 6},
-                                 {Operation::add_long, 1},
-                                 {Operation::branch_taken, 1}});
-constexpr Operations halfspace = made({{Operation::load_long, 3},
-                                       {Operation::load, 4},
-                                       {Operation::multiply, 8},
-                                       {Operation::add_long, 10},
-                                       {Operation::compare_long, 6},
-                                       {Operation::branch, 6},
-                                       {Operation::branch_taken, 1}});
-constexpr Operations value = made({{Operation::load_long, 1},
-                                   {Operation::add_long, 2},
-                                   {Operation::compare_long, 1},
-                                   {Operation::branch, 1},
-                                   {Operation::branch_taken, 1}});
-constexpr Operations support = made({{Operation::load_long, 3},
-                                     {Operation::multiply_long, 3},
-                                     {Operation::add_long, 3},
-                                     {Operation::compare_long, 1},
-                                     {Operation::branch, 1},
-                                     {Operation::branch_taken, 1}});
-constexpr Operations node = made({{Operation::load, 2},
-                                  {Operation::load_long, 1},
-                                  {Operation::add_long, 2},
-                                  {Operation::compare, 2},
-                                  {Operation::branch, 2},
-                                  {Operation::store_long, 1},
-                                  {Operation::call, 1},
-                                  {Operation::come_back, 1}});
+constexpr Operations point = operation_counts({{Operation::load_long, 9},
+                                               {Operation::add_long, 6},
+                                               {Operation::compare_long, 6},
+                                               {Operation::branch, 6},
+                                               {Operation::store_long, 3}});
+constexpr Operations colour = operation_counts({{Operation::load_long, 6},
+                                                {Operation::multiply_long, 6},
+                                                {Operation::add_long, 5},
+                                                {Operation::compare_long, 3},
+                                                {Operation::branch, 3},
+                                                {Operation::shift_long, 2},
+                                                {Operation::shifted_bit, 24},
+                                                {Operation::logic_long, 2},
+                                                {Operation::store_long, 1}});
+constexpr Operations box = operation_counts({{Operation::load, 4},
+                                             {Operation::load_long, 2},
+                                             {Operation::compare, 4},
+                                             {Operation::compare_long, 2},
+                                             {Operation::branch, 6},
+                                             {Operation::add_long, 1},
+                                             {Operation::branch_taken, 1}});
+constexpr Operations halfspace = operation_counts({{Operation::load_long, 3},
+                                                   {Operation::load, 4},
+                                                   {Operation::multiply, 8},
+                                                   {Operation::add_long, 10},
+                                                   {Operation::compare_long, 6},
+                                                   {Operation::branch, 6},
+                                                   {Operation::branch_taken, 1}});
+constexpr Operations value = operation_counts({{Operation::load_long, 1},
+                                               {Operation::add_long, 2},
+                                               {Operation::compare_long, 1},
+                                               {Operation::branch, 1},
+                                               {Operation::branch_taken, 1}});
+constexpr Operations support = operation_counts({{Operation::load_long, 3},
+                                                 {Operation::multiply_long, 3},
+                                                 {Operation::add_long, 3},
+                                                 {Operation::compare_long, 1},
+                                                 {Operation::branch, 1},
+                                                 {Operation::branch_taken, 1}});
+constexpr Operations node = operation_counts({{Operation::load, 2},
+                                              {Operation::load_long, 1},
+                                              {Operation::add_long, 2},
+                                              {Operation::compare, 2},
+                                              {Operation::branch, 2},
+                                              {Operation::store_long, 1},
+                                              {Operation::call, 1},
+                                              {Operation::come_back, 1}});
 
 constexpr auto rows = std::to_array<Recipe>({
     {"planes", &isa::Preparation::planes, plane},
@@ -112,43 +112,44 @@ constexpr auto rows = std::to_array<Recipe>({
 });
 
 /// Selection of the next instruction and the call of the procedure that assembles it.
-constexpr Operations any_instruction = made({{Operation::load, 2},
-                                             {Operation::move, 2},
-                                             {Operation::compare, 2},
-                                             {Operation::branch, 2},
-                                             {Operation::call, 1},
-                                             {Operation::come_back, 1}});
+constexpr Operations any_instruction = operation_counts({{Operation::load, 2},
+                                                         {Operation::move, 2},
+                                                         {Operation::compare, 2},
+                                                         {Operation::branch, 2},
+                                                         {Operation::call, 1},
+                                                         {Operation::come_back, 1}});
 
 /// Another number shifted to its place behind the previous numbers.
-constexpr Operations packed = made({{Operation::load_long, 1},
-                                    {Operation::shift_long, 1},
-                                    {Operation::shifted_bit, 16},
-                                    {Operation::logic_long, 2},
-                                    {Operation::add, 1}});
+constexpr Operations packed = operation_counts({{Operation::load_long, 1},
+                                                {Operation::shift_long, 1},
+                                                {Operation::shifted_bit, 16},
+                                                {Operation::logic_long, 2},
+                                                {Operation::add, 1}});
 
 /// The constant moved to the segment's corner, by two products of a long and a word.
-constexpr Operations moved =
-    made({{Operation::load_long, 3}, {Operation::load, 2}, {Operation::multiply, 4}, {Operation::add_long, 4}});
+constexpr Operations moved = operation_counts(
+    {{Operation::load_long, 3}, {Operation::load, 2}, {Operation::multiply, 4}, {Operation::add_long, 4}});
 
 /// Common trailing zeros of the coefficients, and a width, each found by five halvings of a long.
-constexpr Operations fitted = made({{Operation::logic_long, 6},
-                                    {Operation::compare_long, 5},
-                                    {Operation::branch, 10},
-                                    {Operation::shift_long, 3},
-                                    {Operation::shifted_bit, 24}});
+constexpr Operations fitted = operation_counts({{Operation::logic_long, 6},
+                                                {Operation::compare_long, 5},
+                                                {Operation::branch, 10},
+                                                {Operation::shift_long, 3},
+                                                {Operation::shifted_bit, 24}});
 
 /// A quadratic expression moved to the corner, which also changes its linear part.
-constexpr Operations squares_moved =
-    made({{Operation::load_long, 6}, {Operation::load, 2}, {Operation::multiply, 16}, {Operation::add_long, 16}});
+constexpr Operations squares_moved = operation_counts(
+    {{Operation::load_long, 6}, {Operation::load, 2}, {Operation::multiply, 16}, {Operation::add_long, 16}});
 
 /// The opcode put into words that are kept.
-constexpr Operations renamed = made({{Operation::load_long, 1}, {Operation::logic_long, 2}, {Operation::move, 1}});
+constexpr Operations renamed =
+    operation_counts({{Operation::load_long, 1}, {Operation::logic_long, 2}, {Operation::move, 1}});
 
-constexpr Operations long_stored = made(
+constexpr Operations long_stored = operation_counts(
     {{Operation::store_long, 1}, {Operation::add_long, 1}, {Operation::compare_long, 1}, {Operation::branch_taken, 1}});
 
 /// A long of kept words, read to be stored.
-constexpr Operations long_read = made({{Operation::load_long, 1}});
+constexpr Operations long_read = operation_counts({{Operation::load_long, 1}});
 
 constexpr unsigned long_bits = 32;
 
@@ -263,13 +264,13 @@ Operations count_operations(const Written& written) {
   return all;
 }
 
-Operations fitted_expression() {
+Operations expression_fitting_operations() {
   Operations all = moved;
   all += fitted;
   return all;
 }
 
-Operations stored_long() { return long_stored; }
+Operations long_store_operations() { return long_stored; }
 
 std::uint64_t model_longs(const isa::Program& program) {
   constexpr std::uint64_t bytes_of_long = 4;

@@ -33,8 +33,8 @@ processors::Operations count_operations(const isa::Preparation& preparation);
 /// Counts of the written instructions that determine the work of writing them.
 struct Written {
   std::uint64_t instructions = 0;
-  std::uint64_t kept = 0;        ///< instructions of these whose words are kept, so that they are only copied
-  std::uint64_t kept_longs = 0;  ///< longs copied
+  std::uint64_t kept = 0;        ///< part of `instructions`: those whose words the host has kept and only copies
+  std::uint64_t kept_longs = 0;  ///< longs of kept words that are copied
   std::uint64_t numbers = 0;     ///< numbers after the opcodes of the other instructions
   std::uint64_t longs = 0;       ///< longs stored for their words
   std::uint64_t linear = 0;      ///< linear expressions, each once per segment
@@ -73,10 +73,10 @@ class Writer {
 processors::Operations count_operations(const Written& written);
 
 /// Operations to move a linear expression to a region's corner and to find its common trailing zeros and its width.
-processors::Operations fitted_expression();
+processors::Operations expression_fitting_operations();
 
 /// Operations to store a long of an assembled command.
-processors::Operations stored_long();
+processors::Operations long_store_operations();
 
 /// Longs of the display model.
 std::uint64_t model_longs(const isa::Program& program);

@@ -16,21 +16,21 @@ namespace csgsim::host {
 
 namespace {
 
-using processors::made;
 using processors::Operation;
+using processors::operation_counts;
 using processors::Operations;
 
 /// Finds the processor of the next chunk, and stores the end of its longs.
-constexpr Operations chunk_merged = made({{Operation::load_long, 2},
-                                          {Operation::add_long, 1},
-                                          {Operation::compare, 1},
-                                          {Operation::branch, 1},
-                                          {Operation::store_long, 1}});
-constexpr Operations long_copied = made({{Operation::load_long, 1},
-                                         {Operation::store_long, 1},
-                                         {Operation::add_long, 2},
-                                         {Operation::compare_long, 1},
-                                         {Operation::branch_taken, 1}});
+constexpr Operations chunk_merged = operation_counts({{Operation::load_long, 2},
+                                                      {Operation::add_long, 1},
+                                                      {Operation::compare, 1},
+                                                      {Operation::branch, 1},
+                                                      {Operation::store_long, 1}});
+constexpr Operations long_copied = operation_counts({{Operation::load_long, 1},
+                                                     {Operation::store_long, 1},
+                                                     {Operation::add_long, 2},
+                                                     {Operation::compare_long, 1},
+                                                     {Operation::branch_taken, 1}});
 
 /// A chunk is the instructions from one enable_all or enable_load to the next. Processors do not share a chunk.
 bool begins_chunk(const isa::Instruction& instruction) {

@@ -46,7 +46,7 @@ struct CompileFacts {
 struct PruningFacts {
   std::string name;               ///< as in --pruning
   std::uint64_t tried = 0;        ///< items to which it was applied
-  std::uint64_t decided = 0;      ///< items of these that need no instructions
+  std::uint64_t decided = 0;      ///< tried items that turned out to need no instructions
   std::uint64_t left = 0;         ///< items to which it was not applied, because the test was not worth its time
   std::uint64_t saved = 0;        ///< estimated instructions for the decided items
   std::uint64_t nanoseconds = 0;  ///< time of the host for the tried items; 0 for an ideal host

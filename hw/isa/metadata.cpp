@@ -176,7 +176,7 @@ SegmentSizes read_segment(const json& value, bool divided, Segment& segment) {
 }
 
 /// Distributes the steps to the segments by the counts of their rows.
-void share_out(const std::vector<DivisionStep>& steps, std::span<const std::uint64_t> counts, Program& program) {
+void distribute(const std::vector<DivisionStep>& steps, std::span<const std::uint64_t> counts, Program& program) {
   std::size_t next = 0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     if (counts[i] > steps.size() - next) malformed("number of steps", "the sum of the segments' step counts");
@@ -198,7 +198,7 @@ json preparation_rows(const Program& program) {
   return any ? rows : json();
 }
 
-void share_out(const std::vector<Preparation>& rows, Program& program) {
+void distribute(const std::vector<Preparation>& rows, Program& program) {
   if (rows.size() != program.segments.size() + 1)
     malformed("preparation", "one row for the frame and one for each segment");
   *program.preparation = rows.front();
@@ -345,12 +345,12 @@ Metadata decode_metadata(std::span<const std::byte> cbor, bool names_machine) {
   if (divided) {
     std::vector<DivisionStep> steps;
     read(require_member(root, "steps"), "steps", steps);
-    share_out(steps, step_counts, program);
+    distribute(steps, step_counts, program);
   }
   if (const auto found = root.find("preparation"); found != root.end()) {
     std::vector<Preparation> rows;
     read(*found, "preparation", rows);
-    share_out(rows, program);
+    distribute(rows, program);
   }
   if (const auto found = root.find("model_preparation"); found != root.end())
     read(*found, "model_preparation", *program.model_preparation);

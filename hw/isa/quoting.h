@@ -23,7 +23,7 @@ std::string word_or_quoted(std::string_view text);
 /// Two hexadecimal digits per byte.
 std::string hexadecimal(std::span<const std::uint8_t> bytes);
 
-/// The bytes that hexadecimal() would print as `digits`; empty if there are none.
+/// The inverse of hexadecimal(); nullopt if `digits` are not hexadecimal, two per byte.
 std::optional<std::vector<std::uint8_t>> bytes_of(std::string_view digits);
 
 }  // namespace csgsim::isa

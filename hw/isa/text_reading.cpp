@@ -253,7 +253,7 @@ void Reading::end_directive() {
       return;
     case Directive::display_model: {
       const auto bytes = bytes_of(text);
-      if (!bytes) refuse("a display model consists of hexadecimal digits, two per byte");
+      if (!bytes) refuse("the display model is not in hexadecimal; write two hexadecimal digits per byte");
       program_.display_model.insert(program_.display_model.end(), bytes->begin(), bytes->end());
       return;
     }

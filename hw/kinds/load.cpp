@@ -78,7 +78,7 @@ std::vector<std::string_view> studied_names() {
 namespace {
 
 /// The figures of the record that differ from the machine's.
-std::vector<std::string> other_figures(const isa::MachineRecord& record, const machines::Machine& machine) {
+std::vector<std::string> figure_differences(const isa::MachineRecord& record, const machines::Machine& machine) {
   std::vector<std::string> others;
   for (const std::string& recorded : record.figures) {
     const auto same = [&](const machines::Figure& one) { return recorded == one.key + "=" + one.value; };
@@ -95,7 +95,7 @@ machines::Machine read_built_in(const BuiltIn& known, const isa::MachineRecord& 
     throw InputError(fmt::format("the machine '{}' has the kind {}, not {}; choose a machine with --machine",
                                  printable(record.name), machine.kind->name, printable(record.kind)));
   }
-  const std::vector<std::string> others = other_figures(record, machine);
+  const std::vector<std::string> others = figure_differences(record, machine);
   all_changes.insert(all_changes.end(), others.begin(), others.end());
   all_changes.insert(all_changes.end(), changes.begin(), changes.end());
   return read(known, all_changes);

@@ -30,7 +30,7 @@ std::string kinds_with(std::string_view key) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-std::string why_missing(std::string_view key, const machines::Kind& kind, std::string_view name) {
+std::string missing_parameter_text(std::string_view key, const machines::Kind& kind, std::string_view name) {
   if (has_parameter(kind, key)) return "";
   std::vector<std::string_view> known;
   for (const machines::FigureSchema& figure : kind.schema) known.push_back(figure.key);

@@ -20,8 +20,8 @@ bool is_parameter(std::string_view key);
 /// Names of the kinds of machines that have the parameter, separated by commas.
 std::string kinds_with(std::string_view key);
 
-/// Why a machine of the kind cannot have that parameter of another kind changed, with its nearest parameter; empty if
-/// it can. `name`: the machine's name.
-std::string why_missing(std::string_view key, const machines::Kind& kind, std::string_view name);
+/// Error text for a change of a parameter that only other kinds of machines have: names these kinds, and the nearest
+/// parameter of `kind` if one is similar. Empty if `kind` has the parameter. `name`: name of the machine.
+std::string missing_parameter_text(std::string_view key, const machines::Kind& kind, std::string_view name);
 
 }  // namespace csgsim::kinds

@@ -111,10 +111,10 @@ class FigureReader {
       fail(table.get("unit")->source().begin, fmt::format("{} has no unit; remove the key 'unit'", form.key));
     if (figure.unit != form.unit)
       fail(table.get("unit")->source().begin,
-           fmt::format("unit '{}' of {}; its unit is '{}'", figure.unit, form.key, form.unit));
+           fmt::format("{} has the unit '{}'; write '{}'", form.key, figure.unit, form.unit));
     if (!is_one_of(figure.provenance, provenances))
       fail(table.get("provenance")->source().begin,
-           fmt::format("provenance '{}' of {}; write 'published' or 'assumed'", figure.provenance, form.key));
+           fmt::format("{} has the provenance '{}'; write 'published' or 'assumed'", form.key, figure.provenance));
     figure.range = range_of(table, form, word ? std::nullopt : std::optional(value));
     return {0, value, std::move(figure)};
   }

@@ -25,7 +25,7 @@ void set_picture_size(Machine& machine, Size size) {
   machine.picture = size;
 }
 
-void adopt(Machine& machine, const isa::Program& program) {
+void adopt_shape(Machine& machine, const isa::Program& program) {
   set_picture_size(machine, {program.shape.width, program.shape.height});
   machine.array.memory_bits = program.shape.memory_bits;
 }
@@ -69,7 +69,7 @@ isa::MachineRecord record_of(const Machine& machine) {
   return record;
 }
 
-std::vector<std::string> other_figures(const Machine& one, const Machine& other) {
+std::vector<std::string> figure_differences(const Machine& one, const Machine& other) {
   const auto text = [](const FigureSchema& figure, const Machine& machine) {
     const std::int64_t value = figure.load(machine);
     return figure.names.empty() ? std::to_string(value) : std::string(figure.names[static_cast<std::size_t>(value)]);

@@ -56,7 +56,7 @@ struct Link {
 struct Machine {
   std::string name;
   std::string description;
-  const Kind* kind = nullptr;          ///< architecture: the region that its processors cover at a time
+  const Kind* kind = nullptr;          ///< its architecture, which determines its functions (hw/machines/kind.h)
   isa::ArrayShape array;               ///< pixel processors (of one chain or renderer) and memory bits of each
   Size picture;                        ///< size of the picture that the machine draws
   std::uint64_t clock_hz = 0;          ///< clock frequency: bit steps or packets per second
@@ -95,7 +95,7 @@ void set_picture_size(Machine& machine, Size size);
 void complete(Machine& machine);
 
 /// Sets the machine's picture size and memory to the Program's. Throws like set_picture_size().
-void adopt(Machine& machine, const isa::Program& program);
+void adopt_shape(Machine& machine, const isa::Program& program);
 
 /// The value of a parameter as used, as text: an integer also where the description leaves it to a processor, or where
 /// options have changed the picture's size or the memory.
@@ -115,7 +115,7 @@ isa::MachineRecord record_of(const Machine& machine);
 
 /// The parameters that differ between two machines of one kind, except the picture's, as texts such as `alu.bits 4
 /// instead of 1`; the first machine's value comes first.
-std::vector<std::string> other_figures(const Machine& one, const Machine& other);
+std::vector<std::string> figure_differences(const Machine& one, const Machine& other);
 
 /// Whether two machines are the same hardware: of one kind, with equal parameters except the picture size. Names and
 /// sources are ignored.

@@ -145,7 +145,7 @@ std::optional<Scale> scale_of_bits(std::string_view word) {
 }
 
 /// Whether the word is a counted unit in singular or plural: `clock` or `clocks`.
-bool counts(std::string_view word, std::string_view unit) {
+bool is_counted_unit(std::string_view word, std::string_view unit) {
   return word == unit || (unit.ends_with('s') && word == unit.substr(0, unit.size() - 1));
 }
 
@@ -155,7 +155,7 @@ const KnownUnit* known_unit(std::string_view unit) {
 }
 
 std::optional<Scale> scale_in(std::string_view word, std::string_view unit) {
-  if (word.empty() || counts(word, unit)) return Scale{};
+  if (word.empty() || is_counted_unit(word, unit)) return Scale{};
   if (unit == "bits") return scale_of_bits(word);
   const KnownUnit* const known = known_unit(unit);
   return known == nullptr ? std::nullopt : scale_of(word, *known);

@@ -47,8 +47,9 @@ struct PixelClocks {
 
 /// Run-time outcomes that exact timing needs.
 struct RunOutcome {
-  std::span<const Skip> skips;         ///< in program order
-  std::span<const PixelActivity> met;  ///< one per segment; empty without a run, or if the kind does not need it
+  std::span<const Skip> skips;  ///< in program order
+  /// Enabled pixels of each segment; empty without a run, or if the clocks do not depend on them.
+  std::span<const PixelActivity> met;
 
   constexpr RunOutcome() = default;
   constexpr RunOutcome(std::span<const Skip> all_skips, std::span<const PixelActivity> all_met)

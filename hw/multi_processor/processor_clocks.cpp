@@ -13,8 +13,8 @@ namespace csgsim::multi_processor {
 
 namespace {
 
-using processors::made;
 using processors::Operation;
+using processors::operation_counts;
 using processors::Operations;
 
 /// A member and its task.
@@ -23,7 +23,7 @@ struct Task {
   Operations each;
 };
 
-Operations single(Operation kind) { return made({{kind, 1}}); }
+Operations single(Operation kind) { return operation_counts({{kind, 1}}); }
 
 void price(const Task& task, const processors::Processor& processor, std::uint32_t compiler_factor) {
   if (task.clocks != machines::not_priced) return;
@@ -44,10 +44,10 @@ const processors::Processor& complete(ProcessorFigures& figures) {
 void price(Figures& figures) {
   const processors::Processor& display = complete(figures.display_processor);
   TestClocks& first = figures.display_tests;
-  for (const Task& task : std::to_array<Task>({{figures.transform_clocks, host::transformed_plane()},
-                                               {first.primitive, host::tested_box()},
-                                               {first.halfspace, host::tested_halfspace()},
-                                               {first.cell, host::tested_cell()}}))
+  for (const Task& task : std::to_array<Task>({{figures.transform_clocks, host::plane_transform_operations()},
+                                               {first.primitive, host::box_test_operations()},
+                                               {first.halfspace, host::halfspace_test_operations()},
+                                               {first.cell, host::cell_test_operations()}}))
     price(task, display, figures.display_processor.compiler_factor);
 
   const processors::Processor& node = complete(figures.node_processor);
@@ -63,18 +63,18 @@ void price(Figures& figures) {
                                                {words.shift_bit, single(Operation::shifted_bit)},
                                                {figures.branches.taken, single(Operation::branch_taken)},
                                                {figures.branches.passed, single(Operation::branch)},
-                                               {figures.field_clocks, host::found_field()},
-                                               {figures.chain.link, host::linked_call()},
-                                               {figures.chain.call, host::called()},
-                                               {figures.loop.pixel, host::repeated_pixel()},
-                                               {figures.loop.row, host::repeated_row()},
-                                               {figures.loop.instruction, host::repeated_instruction()},
-                                               {second.primitive, host::tested_box()},
-                                               {second.halfspace, host::tested_halfspace()},
-                                               {second.cell, host::tested_cell()},
-                                               {second.tree_node, host::visited_node()},
-                                               {second.instruction, host::listed_instruction()},
-                                               {figures.number_clocks, host::listed_number()}}))
+                                               {figures.field_clocks, host::field_search_operations()},
+                                               {figures.chain.link, host::call_linking_operations()},
+                                               {figures.chain.call, host::call_operations()},
+                                               {figures.loop.pixel, host::pixel_loop_operations()},
+                                               {figures.loop.row, host::row_loop_operations()},
+                                               {figures.loop.instruction, host::instruction_loop_operations()},
+                                               {second.primitive, host::box_test_operations()},
+                                               {second.halfspace, host::halfspace_test_operations()},
+                                               {second.cell, host::cell_test_operations()},
+                                               {second.tree_node, host::node_visit_operations()},
+                                               {second.instruction, host::instruction_listing_operations()},
+                                               {figures.number_clocks, host::number_listing_operations()}}))
     price(task, node, figures.node_processor.compiler_factor);
 }
 

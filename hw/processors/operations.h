@@ -94,8 +94,8 @@ constexpr Operations operator*(std::uint64_t times, Operations operations) {
   return operations;
 }
 
-/// The operations of a task.
-constexpr Operations made(std::initializer_list<std::pair<Operation, std::uint64_t>> counts) {
+/// Operations with the given counts; kinds that are not listed have the count 0.
+constexpr Operations operation_counts(std::initializer_list<std::pair<Operation, std::uint64_t>> counts) {
   Operations operations;
   for (const auto& [kind, count] : counts) operations.counts[static_cast<std::size_t>(kind)] += count;
   return operations;

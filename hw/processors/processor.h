@@ -16,12 +16,12 @@ namespace csgsim::processors {
 
 /// Classes of programs with separately measured compiler factors (docs/host.md).
 enum class Compiled : std::uint8_t {
-  general,  ///< programs without their own measurement
-  standard,
-  early_out,
-  positional,
-  status,
-  bit_parallel,
+  general,       ///< programs without their own measurement
+  standard,      ///< standard traversal of the tree
+  early_out,     ///< traversal with early out
+  positional,    ///< positional coding
+  status,        ///< status tree
+  bit_parallel,  ///< bit-parallel methods
 };
 
 inline constexpr std::size_t compiled_kinds = static_cast<std::size_t>(Compiled::bit_parallel) + 1;

@@ -78,7 +78,7 @@ std::string classified_text(const Subject& subject, const Story& story, const At
 }
 
 std::string covered_text(const Subject& subject, const Event& by) {
-  if (by.kind == EventKind::setup) return fmt::format("merged, but the picture with_zero_count at i{}", by.first);
+  if (by.kind == EventKind::setup) return fmt::format("merged, but the picture restarted at i{}", by.first);
   return fmt::format("merged, but {} was merged over it at i{}", primitive_text(subject.program, by.origin.primitive),
                      by.first);
 }

@@ -57,7 +57,7 @@ TEST_CASE("facts and comments change neither counts nor picture of any golden Pr
                                 [](const isa::Instruction& one) { return one.origin == isa::Origin{}; }));
     }
     machines::Machine machine = kinds::load(whole.machine);
-    machines::adopt(machine, whole);
+    machines::adopt_shape(machine, whole);
     kinds.push_back(machine.kind->name);
     const Ran with = run(whole, machine);
     const Ran without = run(bare, machine);

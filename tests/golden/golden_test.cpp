@@ -43,7 +43,7 @@ void check_run(const std::string& name) {
   const isa::Program program = isa::load_program(trace(name, ".csgt"));
   nlohmann::json golden = nlohmann::json::parse(std::ifstream(trace(name, ".json")));
   machines::Machine machine = kinds::load(golden["machine"]["name"].get<std::string>());
-  machines::adopt(machine, program);
+  machines::adopt_shape(machine, program);
   observe::FrameObserver frame(program);
   observe::StatsObserver stats(program);
   const std::array<engine::Observer*, 2> observers{&frame, &stats};

@@ -76,7 +76,7 @@ Drawn draw(engine::Engine& engine, const isa::Program& program, const machines::
 
 }  // namespace
 
-TEST_CASE("a kind defined in a single folder works at every level") {
+TEST_CASE("a kind defined in one folder draws and times a frame equally at both levels") {
   const machines::Machine machine = described(description);
   CHECK(machine.picture == machines::Size{24, 18});
   const isa::Program program = program_for(machine);
@@ -97,7 +97,7 @@ TEST_CASE("a kind defined in a single folder works at every level") {
   CHECK(counted.stats["account"]["parts"]["processor"]["working"] == counted.result.clocks);
 }
 
-TEST_CASE("a parameter may be ideal only if its row allows it") {
+TEST_CASE("a parameter may be ideal only if its kind's schema allows it") {
   std::string text = description;
   text.replace(text.find("value = 2\n"), 9, "value = \"ideal\"");
   const machines::Machine machine = described(text);

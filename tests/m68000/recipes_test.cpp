@@ -282,7 +282,7 @@ TEST_CASE("the recipe of a plane without tables has 0.8 to 1.2 times its assembl
     clocks += static_cast<double>(taken);
     ++done;
   }
-  check("a plane without tables", host::transformed_plane(), clocks / runs);
+  check("a plane without tables", host::plane_transform_operations(), clocks / runs);
 }
 
 TEST_CASE("the recipe of colours has 0.8 to 1.2 times its assembly's clocks") {

@@ -158,7 +158,7 @@ struct CountOptions {
 void count(const CountOptions& options) {
   const isa::Program program = isa::load_program(options.program);
   machines::Machine machine = options.machine.empty() ? kinds::load(program.machine) : kinds::load(options.machine);
-  machines::adopt(machine, program);
+  machines::adopt_shape(machine, program);
   const nlohmann::ordered_json counts = to_json(work_of(program, replay(program, machine)));
   if (options.json) {
     fmt::print("{}\n", counts.dump(2));

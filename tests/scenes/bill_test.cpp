@@ -16,7 +16,7 @@ TEST_CASE("the clocks of solids and effects of every scene add up to the frame's
     const testing::DrawnScene drawn = testing::compile_scene(file, 48, 32);
     const isa::Program& program = drawn.compiled.program;
     machines::Machine machine = kinds::load("pixel-planes-4");
-    machines::adopt(machine, program);
+    machines::adopt_shape(machine, program);
     observe::StatsObserver stats(program);
     const std::array<engine::Observer*, 1> observers{&stats};
     const engine::RunResult result = engine::make_functional_engine(machine)->run(program, observers);

@@ -23,7 +23,7 @@ testing::SceneFile vehicle(const std::string& scene) {
 
 observe::Stats run(const testing::Compiled& compiled) {
   machines::Machine machine = kinds::load("pixel-planes-4");
-  machines::adopt(machine, compiled.program);
+  machines::adopt_shape(machine, compiled.program);
   observe::StatsObserver stats(compiled.program);
   const std::array<engine::Observer*, 1> observers{&stats};
   engine::make_functional_engine(machine)->run(compiled.program, observers);

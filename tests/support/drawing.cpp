@@ -110,7 +110,7 @@ observe::Frame draw(const isa::Program& program, unsigned threads) {
 }
 
 observe::Frame draw_on(machines::Machine machine, const isa::Program& program, unsigned threads) {
-  machines::adopt(machine, program);
+  machines::adopt_shape(machine, program);
   observe::FrameObserver frame(program);
   const std::array<engine::Observer*, 1> observers{&frame};
   const engine::RunResult result = engine::make_functional_engine(machine, threads)->run(program, observers);

@@ -45,7 +45,7 @@ void check_wave(const Case& one) {
   REQUIRE_MESSAGE(compiled.code == 0, compiled.err);
   const isa::Program program = isa::load_program(file);
   machines::Machine machine = kinds::load(one.machine);
-  machines::adopt(machine, program);
+  machines::adopt_shape(machine, program);
   const EngineState state(program, machine, 12, 8);
   const std::uint64_t begin = state.first_clock() - 20;
   const std::uint64_t end = std::min(begin + clocks, state.last_clock());

@@ -62,7 +62,7 @@ Drawn drawn(const std::string& name, const Folder& folder) {
   machines::complete(one.machine);
   one.program = drawn_on(one.machine);
   isa::save_program(one.program, one.file);
-  machines::adopt(one.machine, one.program);
+  machines::adopt_shape(one.machine, one.program);
   return one;
 }
 

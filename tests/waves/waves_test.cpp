@@ -49,7 +49,7 @@ std::size_t compare_with_engine(const Case& one, const std::string& top) {
   const isa::Program program = compiled(one, folder / "p.csgt");
   const Vcd vcd = recorded(one, folder / "p.csgt", folder / "w.vcd");
   machines::Machine machine = kinds::load(one.machine);
-  machines::adopt(machine, program);
+  machines::adopt_shape(machine, program);
   const std::uint64_t period = 1'000'000'000'000 / machine.clock_hz;
   std::size_t compared = 0;
   for (const Place& pixel : one.pixels) {
@@ -97,7 +97,7 @@ TEST_CASE("a wave shows the instruction in progress at the pixels with its text"
   const isa::Program program = compiled(one, folder / "p.csgt");
   const Vcd vcd = recorded(one, folder / "p.csgt", folder / "w.vcd");
   machines::Machine machine = kinds::load(one.machine);
-  machines::adopt(machine, program);
+  machines::adopt_shape(machine, program);
   const EngineState state(program, machine, 12, 8);
   std::size_t instructions = 0;
   for (std::uint64_t clock = 200; clock < 2400; ++clock) {
@@ -187,7 +187,7 @@ void check_levels(const std::string& machine_name, unsigned tree_bits, std::uint
   };
   std::size_t streams = 0;
   machines::Machine machine = kinds::load(machine_name);
-  machines::adopt(machine, program);
+  machines::adopt_shape(machine, program);
   const EngineState state(program, machine, 11, 5);
   for (const Level& level : {Level{"tree_x_0", 0, 0, 0}, Level{"tree_x_2", 8, 0, 2}, Level{"tree_x_4", 11, 0, 4},
                              Level{"tree_y_3", 11, 5, 7}}) {
@@ -227,7 +227,7 @@ TEST_CASE("the wave of a field's last write ends with the clock that shows the r
   REQUIRE_MESSAGE(outcome.code == 0, outcome.err);
   const Vcd vcd(content(folder / "w.vcd"));
   machines::Machine machine = kinds::load(one.machine);
-  machines::adopt(machine, program);
+  machines::adopt_shape(machine, program);
   const EngineState state(program, machine, 12, 8);
   const auto z2 = std::ranges::find(program.facts->fields, "Z2", &isa::NamedField::name)->field;
   const std::uint64_t period = 100'000;

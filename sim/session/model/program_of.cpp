@@ -93,7 +93,7 @@ void check_fits(const isa::Program& program, const std::string& file, const mach
         "model for this one",
         file, own.name, own.kind->name, machine.name, machine.kind->name));
   }
-  const std::vector<std::string> others = machines::other_figures(machine, own);
+  const std::vector<std::string> others = machines::figure_differences(machine, own);
   if (others.empty()) return;
   refuse_less_memory(program, file, machine);
   report_line(fmt::format("{}: warning: the Program was compiled for {}; {} has {}", file, own.name, machine.name,
@@ -107,13 +107,13 @@ machines::Machine machine_for(const isa::Program& program, const std::string& fi
   const std::string shown = printable(shown_name(file));
   if (program.machine.name.empty()) {
     machines::Machine machine = assumed_machine(program, shown, chosen_machine, sets);
-    machines::adopt(machine, program);
+    machines::adopt_shape(machine, program);
     return machine;
   }
   machines::Machine machine =
       chosen_machine.empty() ? named_machine(program, shown, sets) : load_machine(chosen_machine, sets);
   if (!chosen_machine.empty()) check_fits(program, shown, machine);
-  machines::adopt(machine, program);
+  machines::adopt_shape(machine, program);
   return machine;
 }
 

@@ -86,7 +86,7 @@ machines::Machine load_from(const Source& source, const std::string& name, const
   machines::Machine plain = kinds::load(source);
   if (figures.empty()) return plain;
   for (const std::string& figure : figures) {
-    const std::string reason = kinds::why_missing(key_of(figure), *plain.kind, name);
+    const std::string reason = kinds::missing_parameter_text(key_of(figure), *plain.kind, name);
     if (!reason.empty()) throw UsageError("--set " + printable(figure), reason);
   }
   try {

@@ -20,7 +20,7 @@ export class Program {
       // The memory is no longer reliable.
       this.start();
       if (this.begun) this.begin(...this.begun);
-      return {status: 500, body: JSON.stringify({error: 'csgsim failed, possibly out of memory, and was with_zero_count: ' + error.message})};
+      return {status: 500, body: JSON.stringify({error: 'csgsim failed, possibly out of memory, and was restarted: ' + error.message})};
     }
   }
 

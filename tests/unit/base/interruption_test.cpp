@@ -16,7 +16,7 @@ TEST_CASE("work continues until a stop is requested") {
   CHECK_NOTHROW(Work(10).charge(1, "nothing"));
 }
 
-TEST_CASE("both limited and unlimited work end at the next step after a stop request") {
+TEST_CASE("a stop request interrupts limited and unlimited work at the next step") {
   std::stop_source source;
   const Interruptible interruptible(source.get_token());
   source.request_stop();

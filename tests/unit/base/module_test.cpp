@@ -5,7 +5,7 @@
 
 using namespace csgsim;
 
-TEST_CASE("a missing module is reported with the way to get it") {
+TEST_CASE("the error for a missing module says how to install or build it") {
   ModuleRole role{.file = "csgsim_kites.so", .symbol = "csgsim_kites_1", .does = "flies kites"};
   CHECK(
       module_missing_text(role) ==

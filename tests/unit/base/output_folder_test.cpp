@@ -62,7 +62,7 @@ std::set<std::string> texts_in(const fs::path& folder) {
 
 }  // namespace
 
-TEST_CASE("output goes into new or empty directories and replaces earlier output") {
+TEST_CASE("OutputFolder writes to new or empty folders and replaces its earlier output") {
   const Scratch scratch;
   fs::create_directory(scratch / "empty");
   for (const char* const name : {"new", "empty", "in/another", "slash/"}) {
@@ -121,7 +121,7 @@ TEST_CASE("an output folder with an edited file is rejected") {
   CHECK(scratch.files() == 1);
 }
 
-TEST_CASE("an output folder loses its outdated files and keeps files that others added") {
+TEST_CASE("rewriting an output folder deletes its outdated files and keeps foreign files") {
   const Scratch scratch;
   write(scratch / "d", "old");
   put(scratch / "d/made", "made");

@@ -100,7 +100,7 @@ TEST_CASE("a shell parses shell_word() back to the original bytes") {
   }
 }
 
-TEST_CASE("rounded() keeps significant digits and every digit of a whole number") {
+TEST_CASE("rounded() keeps the requested digits and never rounds before the decimal point") {
   CHECK(rounded(0) == "0");
   CHECK(rounded(24.3175, 4) == "24.32");
   CHECK(rounded(1057.6, 4) == "1,058");
@@ -114,7 +114,7 @@ TEST_CASE("rounded() keeps significant digits and every digit of a whole number"
   CHECK(rounded(std::numeric_limits<double>::infinity()) == "inf");
 }
 
-TEST_CASE("quantity() selects the SI prefix and leaves seconds above one without") {
+TEST_CASE("quantity() selects an SI prefix and uses none for seconds above one") {
   CHECK(quantity(26'599'667'194e-12, "J") == "26.6 mJ");
   CHECK(quantity(1e7, "Hz") == "10 MHz");
   CHECK(quantity(18'874'368, "bit") == "18.9 Mbit");
@@ -131,7 +131,7 @@ TEST_CASE("quantity() selects the SI prefix and leaves seconds above one without
   CHECK(quantity(4e15, "") == "4,000 T");
 }
 
-TEST_CASE("quantity() has the value within half a digit of the third") {
+TEST_CASE("quantity() is accurate to half a unit of its third digit") {
   CHECK(rc::check([] {
     const double value = std::pow(10.0, *rc::gen::inRange(-1100, 1400) / 100.0);
     const std::string text = quantity(value, "J");

@@ -31,7 +31,7 @@ TEST_CASE("the dense loop matches the reference on random Programs") {
     const isa::ArrayShape shape{*rc::gen::inRange(1U, 100U), *rc::gen::inRange(1U, 9U), 40};
     const isa::Program program = *test::arbitrary_program(shape, 40, 2);
     machines::Machine machine = kinds::load("pixel-powers");
-    machines::adopt(machine, program);
+    machines::adopt_shape(machine, program);
     reference::ReferenceRun reference(program, machine);
     reference.advance(~std::uint64_t{0}, {});
     bench::DenseLoop dense(shape);

@@ -246,7 +246,7 @@ TEST_CASE("a skip without enabled pixels jumps to any later instruction or frame
       isa::Program program = short_program(memory.machine, instructions);
       program.colour = {2, 5};
       check_run(memory, program);
-      // The same jump to the next segment.
+      // The same skip, but to the start of a second segment.
       program.segments.push_back(program.segments.front());
       program.segments.front().instructions.resize(5 + count);
       check_run(memory, program);
@@ -296,7 +296,7 @@ TEST_CASE("a memory rejects a Program of another picture size or with more pixel
   CHECK(refusal({8, 9, 8}) == refused);
 }
 
-TEST_CASE("a listener's exception leaves the run of a memory and the next frame is correct") {
+TEST_CASE("after a listener's exception ends a run the next frame matches the reference") {
   class Thrower final : public systemc::RunListener {
    public:
     void after_instruction(const systemc::Retired& /*retired*/, const systemc::PixelView& /*pixels*/) override {

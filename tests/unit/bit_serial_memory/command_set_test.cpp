@@ -43,12 +43,12 @@ CommandSet example() {
   return read({std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()});
 }
 
-/// A word of each latch.
+/// One word per latch.
 using Words = std::array<std::uint64_t, latch_count>;
 
 std::uint64_t& at(Words& words, Latch latch) { return words.at(static_cast<std::size_t>(latch)); }
 
-/// The gate by its definition.
+/// Executes a gate by its definition.
 void execute_gate(const RowCommand& gate, Words& words) {
   const std::uint64_t x = at(words, gate.x);
   const std::uint64_t y = at(words, gate.y);
@@ -58,7 +58,7 @@ void execute_gate(const RowCommand& gate, Words& words) {
   at(words, gate.target) = results.at(static_cast<std::size_t>(gate.gate));
 }
 
-/// A command of a set by its table, bit by bit.
+/// Executes a command of a set by its truth table, bit by bit.
 void execute_own(const RowCommand& one, Words& words) {
   const std::array inputs{at(words, one.x), at(words, one.y), at(words, one.z)};
   std::uint64_t result = 0;
@@ -124,7 +124,7 @@ TEST_CASE("the sequence of each gate computes its truth table with any operands"
   }
 }
 
-TEST_CASE("the fastest sequence is found") {
+TEST_CASE("GateMapper finds the fastest sequence of each gate") {
   const CommandSet nand = example();
   GateMapper mapper(nand);
   CHECK(clocks_of(mapper, Gate::zero) == 4);
@@ -143,7 +143,7 @@ TEST_CASE("the fastest sequence is found") {
   }
 }
 
-TEST_CASE("a sequence of the file replaces a shorter one where it is valid") {
+TEST_CASE("a sequence of the file is used unless it overwrites an operand too early") {
   const CommandSet set = read(set_of(command("NAND", "1110")) +
                               "[sequence]\nMOVE = [\"T1 = NAND x x\", \"T2 = NAND T1 T1\", \"T1 = NAND T2 T2\", "
                               "\"target = NAND T1 T1\"]\n");
@@ -160,14 +160,14 @@ TEST_CASE("a sequence of the file replaces a shorter one where it is valid") {
   CHECK(aliased.sequence(Gate::conjunction, {0, 1, 2, 1}).size() == 2);
 }
 
-TEST_CASE("other commands are not changed") {
+TEST_CASE("expand() leaves commands other than gates unchanged") {
   const CommandSet nand = example();
   GateMapper mapper(nand);
   const RowCommands rows{{.op = RowOp::read, .from = 3}, {.op = RowOp::write, .to = 4}, {.op = RowOp::leaf, .bit = 2}};
   CHECK(mapper.expand(rows) == rows);
 }
 
-TEST_CASE("a gate without a sequence is reported with the place of the commands") {
+TEST_CASE("the error for a gate without a sequence has the position of the commands") {
   const CommandSet set = read(set_of(command("AND", "0001")));
   GateMapper mapper(set);
   CHECK(
@@ -176,7 +176,7 @@ TEST_CASE("a gate without a sequence is reported with the place of the commands"
       "in [sequence]");
 }
 
-TEST_CASE("a search that cannot succeed ends") {
+TEST_CASE("a search for a gate that the set cannot compute ends with an error") {
   // Monotone functions do not compute a choice; three operands and five latches have millions of them.
   const CommandSet set = read(set_of(command("AND", "0001") + command("OR", "0111"), 4));
   GateMapper mapper(set);
@@ -184,31 +184,32 @@ TEST_CASE("a search that cannot succeed ends") {
   CHECK(testing::error_of(message).starts_with("set.toml:4:1: no sequence of these commands was found for SEL"));
 }
 
-TEST_CASE("errors of a command set have their place and the mistake") {
+TEST_CASE("the error for an invalid command set states position and cause") {
   const std::string nand = command("NAND", "1110");
   const auto expects = [](const std::string& text, const std::string& message) {
     CAPTURE(text);
     CHECK(refusal(text) == message);
   };
-  expects("name = \"t\"\n", "set.toml:1:1: key 'description' is missing");
+  expects("name = \"t\"\n", "set.toml:1:1: key 'description' is missing; add it");
   expects("name = 1\n", "set.toml:1:8: 'name' is an integer; make it a string");
   expects("nam = 1\n", "set.toml:1:1: unknown key 'nam'; the nearest known is 'name'");
   expects(set_of(nand, 5), "set.toml:3:15: 'temporaries' is not a whole number from 0 to 4");
-  expects(set_of(""), "set.toml:1:1: key 'command' is missing");
+  expects(set_of(""), "set.toml:1:1: key 'command' is missing; add it");
   expects(set_of("[command]\n"), "set.toml:4:1: there are 0 commands; give 1 to 64");
   expects(set_of("[command]\nNAND = 1\n"), "set.toml:5:8: 'NAND' is an integer; make it a table");
   expects(set_of("[command.nand]\n"),
           "set.toml:4:10: a command's name is 1 to 16 capital letters, digits and _, beginning with a letter");
-  expects(set_of(command("A", "012")), "set.toml:5:9: 'table' has other characters than 0 and 1");
+  expects(set_of(command("A", "012")), "set.toml:5:9: 'table' has other characters than 0 and 1; use only these");
   expects(set_of(command("A", "011")),
           "set.toml:5:9: 'table' has 3 bits; a function of 0 to 3 inputs has 1, 2, 4 or 8");
   expects(set_of(command("A", "0", 0)), "set.toml:6:10: 'clocks' is not a whole number from 1 to 65535");
   const std::string head = set_of(nand) + "[sequence]\n";
   expects(head + "XOOR = []\n", "set.toml:11:1: unknown key 'XOOR'; the nearest known is 'XOR'");
-  expects(head + "XOR = 1\n", "set.toml:11:7: the sequence is not an array of up to 64 strings");
+  expects(head + "XOR = 1\n", "set.toml:11:7: the sequence is not an array of up to 64 strings; write one");
   expects(head + "XOR = [1]\n", "set.toml:11:8: a command of a sequence is an integer; make it a string");
-  expects(head + "XOR = [\"NAND\"]\n", "set.toml:11:8: 'NAND' is not of the form T1 = COMMAND x y");
-  expects(head + "NOT = [\"target = NAND x\"]\n", "set.toml:11:8: NAND has 2 inputs, not 1");
+  expects(head + "XOR = [\"NAND\"]\n", "set.toml:11:8: 'NAND' is not a command; write it in the form T1 = COMMAND x y");
+  expects(head + "NOT = [\"target = NAND x\"]\n",
+          "set.toml:11:8: NAND has 2 inputs, but the sequence gives it 1; write 2");
   expects(
       head + "NOT = [\"target = NAND x y\"]\n",
       "set.toml:11:7: the sequence does not compute NOT of its operands, uses a latch before it is set, or changes an "

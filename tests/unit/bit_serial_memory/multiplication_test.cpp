@@ -113,7 +113,7 @@ constexpr std::array designs{Design::and_or_not, Design::majority, Design::latch
 
 }  // namespace
 
-TEST_CASE("a multiplication built from operations is correct in every column") {
+TEST_CASE("a multiplication built from operations gives the product in every column") {
   for (const Design design : designs) {
     CAPTURE(bit_serial_memory::design_names[static_cast<std::size_t>(design)]);
     CHECK(rc::check([&] {

@@ -160,7 +160,7 @@ std::int64_t plain_clocks(const Figures& figures, const Slots& slots, const RowC
 
 }  // namespace
 
-TEST_CASE("row commands take the clocks of a reference rank") {
+TEST_CASE("random row commands take the clocks of a reference rank") {
   for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
     CAPTURE(seed);
     Random random(seed);
@@ -235,7 +235,7 @@ TEST_CASE("refreshes delay row commands as in a reference rank") {
   }
 }
 
-TEST_CASE("a rank computes correct clocks after its table of states is full") {
+TEST_CASE("a rank's clocks match the reference after its table of states is full") {
   Random random(5);
   Figures figures = random.figures();
   figures.banks = 3;

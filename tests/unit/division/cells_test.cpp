@@ -115,7 +115,7 @@ TEST_CASE("the divider tests a single half-space once and an empty side not at a
   CHECK(extremes(side_of({}, true, row)) == Kept{});
 }
 
-TEST_CASE("half-spaces that no leading one excludes everywhere are compared by quarters") {
+TEST_CASE("half-spaces that no leader is beyond at all corners are compared in quarters") {
   // Values at the corners of the row: 20 and -10, -10 and 20, 4 and 4; in columns 0 to 7: 20 and -1, -10 and 11; in 4
   // to 7: 8 and -1, 2 and 11. In 0 to 3 the first is at least 11, in 4 and 5 it is 5; in 6 and 7 the second is 8, and
   // in 8 to 10 it is 14.
@@ -149,7 +149,7 @@ TEST_CASE("the divider tests a half-space at most once per cell of its rectangle
   }));
 }
 
-TEST_CASE("dropping half-spaces behind leading ones first does not change the result") {
+TEST_CASE("keep_by_leaders() before keep_extremes() does not change the result") {
   CHECK(rc::check([] {
     const Sides made = any_side(true);
     Sides first = made;

@@ -32,7 +32,7 @@ constexpr isa::Region top_left{0, 0, 8, 8};
 
 }  // namespace
 
-TEST_CASE("a slab that fills a square compiles to the expected ten instructions") {
+TEST_CASE("a slab that fills a square is drawn by ten instructions") {
   testing::ModelDivider divider(testing::one_slab());
   const division::Divided divided = divider.divide(top_left);
   const std::vector<Instruction> expected{

@@ -51,7 +51,7 @@ TEST_CASE("an ideal host compiles in no time") {
   CHECK(host::time_frame(program, machine) == machines::time_frame(program, machine));
 }
 
-TEST_CASE("the host's clocks sum segments and their preparation") {
+TEST_CASE("the host's clocks are those of the written instructions and all preparation") {
   const machines::Machine machine = machine_named("scan-line");
   const isa::Program program = drawn_on(machine);
   isa::Preparation sum = *program.preparation;
@@ -105,7 +105,7 @@ TEST_CASE("a host slower than the machine limits the frame and a faster one does
   CHECK(bound.sentence.starts_with(kept_up.sentence));
 }
 
-TEST_CASE("the host's clocks for the model are apart from those of the frame") {
+TEST_CASE("work on the model adds to host_model_clocks and not to host_clocks") {
   const machines::Machine machine = machine_named("pixel-planes-4+host.processor=mc68000");
   isa::Program program = drawn_on(machine);
   *program.model_preparation = {};

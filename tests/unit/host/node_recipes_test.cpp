@@ -23,7 +23,7 @@ std::uint64_t clocks_on_mc68000(const processors::Operations& operations) {
 
 }  // namespace
 
-TEST_CASE("a task of the host costs a node and the display processor the same") {
+TEST_CASE("box and half-space tests take a node and the display processor the host's clocks") {
   const Figures figures = figures_of("");
   for (const multi_processor::TestClocks& tests : {figures.display_tests, figures.node_tests}) {
     CHECK(tests.primitive == clocks_on_mc68000(host::recipe("boxes")));
@@ -48,8 +48,8 @@ TEST_CASE("a node in assembly takes the clocks of the MC68000 manual") {
   CHECK(figures.node_tests.cell == 4 * (16 + 16 + 6 + 8 + 10) + 3 * (16 + 6 + 8));
   CHECK(figures.display_tests.cell == figures.node_tests.cell);
   CHECK(figures.number_clocks == 4 * (6 + 8) + 3 * 12);
-  CHECK(figures.node_tests.instruction ==
-        processors::hand_written_clocks(host::listed_instruction(), processors::built_in_processor("mc68000")));
+  CHECK(figures.node_tests.instruction == processors::hand_written_clocks(host::instruction_listing_operations(),
+                                                                          processors::built_in_processor("mc68000")));
   // Twelve products, of a number read and one read by the quotient and the plane.
   constexpr std::uint64_t products = 12 * (16 + 344);
   // Nine numbers read, six sums, a division, two products, three shifts by 12, two comparisons and branches, three
@@ -60,7 +60,7 @@ TEST_CASE("a node in assembly takes the clocks of the MC68000 manual") {
   CHECK(figures.transform_clocks == products + quotient + plane);
 }
 
-TEST_CASE("the price list of another processor changes only what is left to it") {
+TEST_CASE("another node processor changes only the parameters that are priced by it") {
   const Figures figures = figures_of("+node.processor=i486dx2+node.cell_clocks=422");
   CHECK(figures.node_processor.compiler_factor == 1500);
   CHECK(figures.operations.read == 2);  // 1.5, rounded up
@@ -72,7 +72,7 @@ TEST_CASE("the price list of another processor changes only what is left to it")
   CHECK(figures_of("+display.processor=i860").transform_clocks < figures.transform_clocks);
 }
 
-TEST_CASE("only parameters with a recipe can be left to a processor") {
+TEST_CASE("the value `processor` is accepted only for parameters with a recipe") {
   CHECK_THROWS_WITH_AS(kinds::load("multi-processor+node.word_bits=processor"),
                        doctest::Contains("node.word_bits is 'processor'; write a whole number of bits"),
                        machines::ChangeError);
@@ -87,7 +87,7 @@ TEST_CASE("only parameters with a recipe can be left to a processor") {
                        machines::ChangeError);
 }
 
-TEST_CASE("shows the clocks of a parameter left to a processor and records the word") {
+TEST_CASE("a parameter set to `processor` keeps that value and is used with its clocks") {
   const machines::Machine machine = kinds::load("multi-processor+node.processor=mc68020-weitek");
   CHECK(machine.name == "multi-processor+node.processor=mc68020-weitek");
   const auto found = std::ranges::find(machine.figures, "node.read_clocks", &machines::Figure::key);

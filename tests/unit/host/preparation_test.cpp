@@ -22,7 +22,7 @@ isa::Program compiled(const std::string& csg, const csg::Pruning& pruning = {}) 
 }
 
 /// Sum over all segments.
-isa::Preparation of_segments(const isa::Program& program) {
+isa::Preparation sum_of_segments(const isa::Program& program) {
   isa::Preparation sum;
   for (const isa::Segment& segment : program.segments) sum += *segment.preparation;
   return sum;
@@ -38,7 +38,7 @@ TEST_CASE("a cube takes the host the transformation of six planes and eight corn
   CHECK(program.preparation->planes == 6);
   CHECK(program.preparation->points == 8);
   CHECK(program.preparation->nodes == 0);
-  // Two coordinates an axis by three numbers of the matrix; the components 0 and 1 of normals an axis by four.
+  // Per axis, two coordinates times three numbers of the matrix, and normals' components 0 and 1 times four.
   CHECK(program.preparation->products == 2 * 3 * 3 + 2 * 3 * 4);
   // One for each direction in a parallel projection.
   CHECK(program.preparation->quotients == 3);
@@ -47,7 +47,7 @@ TEST_CASE("a cube takes the host the transformation of six planes and eight corn
   CHECK(*program.model_preparation == isa::Preparation{.nodes = 1 + 6 + 6 * 4 + 8 * 3});
 }
 
-TEST_CASE("cubes side by side share directions and the coordinates in common") {
+TEST_CASE("cubes side by side share the products and quotients of equal coordinates") {
   const isa::Preparation took = *compiled("group() {" + cube + moved + "{" + cube + "} }").preparation;
   CHECK(took.planes == 12);
   CHECK(took.points == 16);
@@ -65,7 +65,7 @@ TEST_CASE("each plane and each point takes a quotient in perspective") {
 }
 
 TEST_CASE("a lone cube takes the host box and half-space tests against its rectangle") {
-  const isa::Preparation took = of_segments(compiled(cube));
+  const isa::Preparation took = sum_of_segments(compiled(cube));
   // Whether it is in the picture, its block, and the rectangles of the deciding front and back half-spaces.
   CHECK(took.boxes == 2 + 6);
   // Each half-space is tested once over the rectangle, to narrow the block.
@@ -79,9 +79,9 @@ TEST_CASE("a lone cube takes the host box and half-space tests against its recta
   CHECK(took.colours == 3);
 }
 
-TEST_CASE("each surface of a notched cube takes a test of the other cube by the host") {
+TEST_CASE("a notched cube takes support tests once per model and none per segment") {
   const isa::Program program = compiled("difference() {" + cube + moved + "{" + cube + "} }");
-  const isa::Preparation took = of_segments(program);
+  const isa::Preparation took = sum_of_segments(program);
   CHECK(took.nodes > 0);
   CHECK(took.halfspaces > 12);
   // There is no plane between them whose place in the view could be examined.
@@ -94,7 +94,7 @@ TEST_CASE("each surface of a notched cube takes a test of the other cube by the 
   CHECK(*program.model_preparation == isa::Preparation{.supports = supports, .nodes = 3 + 12 + 12 * 4 + 16 * 3});
 }
 
-TEST_CASE("prunings not worth their time are left out; none is if the host takes no time") {
+TEST_CASE("prunings that cost more than they save are left out unless the host is ideal") {
   const std::string notched = "difference() {" + cube + moved + "{" + cube + "} }";
   testing::Setup setup = setup_of({});
   const auto facts_at = [&](const csg::Prices& prices, std::string_view name) {
@@ -129,11 +129,11 @@ TEST_CASE("the host's preparation does not count disabled prunings") {
   pruning.separation = false;
   CHECK(compiled(notched, pruning).model_preparation->supports == 0);
   pruning.halfspaces = false;
-  CHECK(of_segments(compiled(notched, pruning)).values == 0);
-  const isa::Preparation none = of_segments(compiled(notched, csg::Pruning::none()));
+  CHECK(sum_of_segments(compiled(notched, pruning)).values == 0);
+  const isa::Preparation none = sum_of_segments(compiled(notched, csg::Pruning::none()));
   CHECK(compiled(notched, csg::Pruning::none()).model_preparation->supports == 0);
   CHECK(none.values == 0);
-  CHECK(none.boxes < of_segments(compiled(notched)).boxes);
+  CHECK(none.boxes < sum_of_segments(compiled(notched)).boxes);
 }
 
 TEST_CASE("twice as many cubes side by side take twice the host's work") {
@@ -143,7 +143,7 @@ TEST_CASE("twice as many cubes side by side take twice the host's work") {
       row += "multmatrix([[1, 0, 0, " + std::to_string(i - 8) +
              "], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])"
              "{ cube(size = [0.5, 0.5, 0.5], center = true); }";
-    return of_segments(compiled(row + "}"));
+    return sum_of_segments(compiled(row + "}"));
   };
   const isa::Preparation eight = row_of(8);
   const isa::Preparation sixteen = row_of(16);

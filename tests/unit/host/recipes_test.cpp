@@ -240,7 +240,7 @@ TEST_CASE("an expression that the row above has is moved by an addition") {
   CHECK(moved_in(6, 5) == 2);
 }
 
-TEST_CASE("every counted item has a recipe that takes time") {
+TEST_CASE("every member of the preparation has one recipe with a positive cost") {
   isa::Preparation all;
   for (const host::Recipe& recipe : host::recipes()) {
     CHECK(all.*recipe.count == 0);

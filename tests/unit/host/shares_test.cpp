@@ -10,8 +10,8 @@
 #include "tests/support/two_cubes.h"
 
 using namespace csgsim;
-using processors::made;
 using processors::Operation;
+using processors::operation_counts;
 using processors::Operations;
 
 namespace {
@@ -47,17 +47,17 @@ Operations sum_of(std::initializer_list<Operations> parts) {
   return all;
 }
 
-Operations merged(std::uint64_t longs, std::uint64_t chunks) {
-  return sum_of({longs * made({{Operation::load_long, 1},
-                               {Operation::store_long, 1},
-                               {Operation::add_long, 2},
-                               {Operation::compare_long, 1},
-                               {Operation::branch_taken, 1}}),
-                 chunks * made({{Operation::load_long, 2},
-                                {Operation::add_long, 1},
-                                {Operation::compare, 1},
-                                {Operation::branch, 1},
-                                {Operation::store_long, 1}})});
+Operations merge_operations(std::uint64_t longs, std::uint64_t chunks) {
+  return sum_of({longs * operation_counts({{Operation::load_long, 1},
+                                           {Operation::store_long, 1},
+                                           {Operation::add_long, 2},
+                                           {Operation::compare_long, 1},
+                                           {Operation::branch_taken, 1}}),
+                 chunks * operation_counts({{Operation::load_long, 2},
+                                            {Operation::add_long, 1},
+                                            {Operation::compare, 1},
+                                            {Operation::branch, 1},
+                                            {Operation::store_long, 1}})});
 }
 
 Operations share(const isa::Program& program, const machines::Machine& machine) {
@@ -76,8 +76,9 @@ TEST_CASE("processors of a host take chunks in turn and the first one merges") {
   // in three parts, the first has two parts.
   const host::Written of_second = written(2, two.link.width);
   const std::uint64_t longs = of_second.longs + of_second.kept_longs;
-  CHECK(share(program, two) == sum_of({20 * host::recipe("planes"), 8 * host::recipe("boxes"),
-                                       host::count_operations(written(2, two.link.width)), merged(longs, 2)}));
+  CHECK(share(program, two) ==
+        sum_of({20 * host::recipe("planes"), 8 * host::recipe("boxes"),
+                host::count_operations(written(2, two.link.width)), merge_operations(longs, 2)}));
 }
 
 TEST_CASE("more processors than chunks do not make the largest share smaller") {
@@ -89,7 +90,7 @@ TEST_CASE("more processors than chunks do not make the largest share smaller") {
   const Operations largest = share(program, four);
   CHECK(largest == sum_of({8 * host::recipe("planes"), 100 * host::recipe("boxes"),
                            host::count_operations(written(1, four.link.width)),
-                           merged(3 * written(1, four.link.width).longs, 3)}));
+                           merge_operations(3 * written(1, four.link.width).longs, 3)}));
   CHECK(share(program, machine_with(64)) == largest);
 }
 

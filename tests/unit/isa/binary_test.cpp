@@ -38,7 +38,7 @@ void seal(Bytes& bytes) {
 }
 
 /// Asserts that decode() either rejects the bytes or returns a valid Program.
-void survives(const Bytes& bytes) {
+void check_valid_or_rejected(const Bytes& bytes) {
   Program program;
   if (refusal([&] { program = decode(bytes, "p.csgt"); }).empty()) validate(program);
 }
@@ -116,18 +116,18 @@ TEST_CASE("decode() rejects any truncation even with a correct checksum") {
   }
 }
 
-TEST_CASE("a hostile byte in a Program with a correct checksum is rejected or harmless") {
+TEST_CASE("a Program with one hostile byte and a correct checksum is valid or rejected") {
   const Bytes sound = encode(sample_program());
   for (std::size_t i = 5; i + checksum_size < sound.size(); ++i)
     for (const unsigned value : {0x00U, 0x01U, 0x7fU, 0x80U, 0x9bU, 0xbfU, 0xffU}) {
       Bytes hostile = sound;
       hostile[i] = static_cast<std::byte>(value);
       seal(hostile);
-      survives(hostile);
+      check_valid_or_rejected(hostile);
     }
 }
 
-TEST_CASE("random corruption of a Program with a correct checksum is rejected or harmless") {
+TEST_CASE("a randomly corrupted Program with a correct checksum is valid or rejected") {
   const Bytes sound = encode(sample_program());
   CHECK(rc::check("decode() returns a valid Program or an error", [&sound] {
     Bytes hostile = sound;
@@ -138,11 +138,11 @@ TEST_CASE("random corruption of a Program with a correct checksum is rejected or
       hostile[place] = static_cast<std::byte>(*rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 256)));
     }
     seal(hostile);
-    survives(hostile);
+    check_valid_or_rejected(hostile);
   }));
 }
 
-TEST_CASE("random bytes after a valid header of a Program are rejected or harmless") {
+TEST_CASE("random bytes after a Program's header are a valid Program or rejected") {
   CHECK(rc::check("decode() returns a valid Program or an error", [] {
     const auto noise = *rc::gen::container<std::vector<std::uint8_t>>(
         rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint8_t>()));
@@ -152,7 +152,7 @@ TEST_CASE("random bytes after a valid header of a Program are rejected or harmle
     out.block(std::vector<std::uint8_t>(checksum_size));
     Bytes bytes = out.take();
     seal(bytes);
-    survives(bytes);
+    check_valid_or_rejected(bytes);
   }));
 }
 

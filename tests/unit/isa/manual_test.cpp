@@ -10,7 +10,7 @@ using namespace csgsim::isa;
 
 namespace {
 
-TEST_CASE("the printed manual of the instruction set has the expected table rows") {
+TEST_CASE("the instruction set's manual has rows for operands and clocks and purposes") {
   const std::string page = instruction_set_page();
   for (const char* const row : {
            "| 12 | `linear_le` | source, linear | any | 36 + 3w | E := E and F <= s |\n",

@@ -42,7 +42,7 @@ TEST_CASE("a Program file is written in the requested form and read back from it
   CHECK(scratch.files() == 1);
 }
 
-TEST_CASE("a Program file that cannot be written leaves nothing behind") {
+TEST_CASE("a Program that cannot be written leaves no partial file") {
   const Scratch scratch("unwritable");
   fs::create_directory(scratch / "p.csgt");
   fs::create_directory(scratch / "p.csgt" / "full");

@@ -81,7 +81,7 @@ TEST_CASE("answers report whether any pixel of the segment is enabled") {
   CHECK(result.answers == std::vector<bool>{true, false, true});
 }
 
-TEST_CASE("observers receive every instruction with the previously enabled pixels") {
+TEST_CASE("each observer receives every instruction and the pixels enabled before it") {
   Recorder first;
   Recorder second;
   const std::array<Observer*, 2> observers{&first, &second};
@@ -155,7 +155,7 @@ TEST_CASE("a skip to the end of a segment continues with the next segment") {
   CHECK(result.answers == std::vector<bool>{true});
 }
 
-TEST_CASE("a skip instruction that is skipped has no effect and one that is reached has") {
+TEST_CASE("a skip_if_none takes effect only if it is not skipped itself") {
   Recorder skipped;
   CHECK(run({{skip(1), skip(2), all, ask}}, skipped).answers == std::vector<bool>{true});
   Recorder reached;

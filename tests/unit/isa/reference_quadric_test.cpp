@@ -30,7 +30,7 @@ void put_wide(ReferenceArray& array, Field field, std::uint32_t x, std::uint32_t
     array.write({static_cast<std::uint16_t>(field.base + bit), 1}, x, y, static_cast<std::uint32_t>(value >> bit & 1U));
 }
 
-TEST_CASE("a root and its remainder are correct at every width") {
+TEST_CASE("a root and its remainder equal those of integer arithmetic at every width") {
   for (std::uint16_t width = 3; width <= 61; width += 2) {
     CAPTURE(width);
     const Field field{5, width};

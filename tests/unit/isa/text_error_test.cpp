@@ -126,7 +126,7 @@ TEST_CASE("validation errors in the text of a Program have a position") {
   CHECK(error_of(".array width=8 height=8 memory_bits=9999").starts_with("t:1:1: a pixel has 9999 memory bits"));
 }
 
-TEST_CASE("invalid skips are reported with their position") {
+TEST_CASE("errors of skips in the text of a Program have a position") {
   CHECK(error_in_line_5("skip_if_none 1").empty());
   CHECK(error_in_line_5("skip_if_none").starts_with("t:5:13: expected a number of instructions"));
   CHECK(error_in_line_5("skip_if_none Z1").starts_with("t:5:14: expected a number of instructions"));
@@ -150,7 +150,7 @@ TEST_CASE("preparation counts beyond the limit are rejected and so is their sum"
             "; use a smaller model");
 }
 
-TEST_CASE("directives in the text of a Program must be in order") {
+TEST_CASE("model preparation and prunings are read and their errors have a position") {
   const std::string segment = ".segment width=8 height=8\n";
   const isa::Program program =
       parse(array + ".prepare_model supports=7\n.pruning name=\"space\" tried=3\n" + segment, "t");
@@ -163,7 +163,7 @@ TEST_CASE("directives in the text of a Program must be in order") {
   CHECK(error_of(array + ".pruning tries=3\n").find("the nearest is 'tried'") != std::string::npos);
 }
 
-TEST_CASE("directives must be in order") {
+TEST_CASE("rejects missing or misplaced or repeated directives in a Program's text") {
   CHECK(error_of("").starts_with("t: there is no .array"));
   CHECK(error_of(".model unions=1\n" + array).starts_with("t:1:2: .model comes before .array"));
   CHECK(error_of(array + "enable_all").starts_with("t:2:1: the instruction is in no segment"));
@@ -172,7 +172,7 @@ TEST_CASE("directives must be in order") {
   CHECK(error_of(array + ".field Q [9] stack\n.field Q [8] stack").starts_with("t:3:1: field \"Q\" is named twice"));
 }
 
-TEST_CASE("a corrupted text of a Program is rejected in one line or valid") {
+TEST_CASE("a corrupted text of a Program is a valid one or rejected in a single line") {
   std::ostringstream out;
   print(out, test::sample_program());
   const std::string sound = out.str();

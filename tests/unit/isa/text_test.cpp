@@ -70,7 +70,7 @@ TEST_CASE("every Program survives a text round trip") {
   }));
 }
 
-TEST_CASE("a Program prints the same after it was read") {
+TEST_CASE("printing a parsed Program reproduces its text") {
   CHECK(rc::check("a parsed Program prints the same text", [] {
     const std::string text = printed(*test::arbitrary_program({5, 3, 40}, 20, 2));
     RC_ASSERT(printed(parse(text, "t")) == text);

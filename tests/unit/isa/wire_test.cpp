@@ -203,7 +203,7 @@ TEST_CASE("every width of link carries the longest and the shortest commands") {
   }
 }
 
-TEST_CASE("F computed from received coefficients equals F of the sent ones") {
+TEST_CASE("F of an expression is unchanged by encoding and decoding") {
   CHECK(rc::check("F of the decoded expression equals F of the sent one", [] {
     const auto any = rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::int64_t>());
     Linear linear{*any >> *rc::gen::inRange(2, 63), *any >> *rc::gen::inRange(2, 63), *any >> *rc::gen::inRange(2, 63),
@@ -242,7 +242,7 @@ TEST_CASE("commands follow each other over one link and start with a new word") 
   }));
 }
 
-TEST_CASE("random words are either commands that re-encode equally or errors") {
+TEST_CASE("random words are errors or decode to commands that encode to the same words") {
   std::mt19937_64 random(1988);
   unsigned commands = 0;
   unsigned errors = 0;
@@ -325,7 +325,7 @@ TEST_CASE("the decoder rejects ones after the end of a command") {
   }
 }
 
-TEST_CASE("the decoder ignores wires that the link does not have") {
+TEST_CASE("the decoder ignores bits beyond the width of its link") {
   WireDecoder decoder(6);
   CHECK(decoder.take(LinkWord{{0xffffffffffffffc1U, 1, 1, 1}}) ==
         Command{Instruction{Opcode::enable_invert, {}, {}, 0, {}}});

@@ -125,7 +125,7 @@ TEST_CASE("quadratics and the root flag enlarge a pixel by about the published s
   CHECK(with / without < 1.45);
 }
 
-TEST_CASE("pixel-planes-4 is a built-in machine with the published figures") {
+TEST_CASE("the built-in pixel-planes-4 has the published array and clock and ports") {
   const Machine machine = kinds::load("pixel-planes-4");
   CHECK(machine.name == "pixel-planes-4");
   CHECK(machine.array == isa::ArrayShape{512, 512, 72});
@@ -255,10 +255,10 @@ TEST_CASE("out-of-range values and wrong units in a machine file are rejected wi
   CHECK(message_of_change("[memory.writes]\nvalue = 1", "[memory.writes]\nvalue = 2")
             .ends_with("memory.writes is 2; the simulator supports only 1"));
   const std::string unit = changed("unit = \"Hz\"", "unit = \"MHz\"");
-  CHECK(message(unit) == testing::place_in(unit, "\"MHz\"") + ": unit 'MHz' of clock.frequency; its unit is 'Hz'");
+  CHECK(message(unit) == testing::place_in(unit, "\"MHz\"") + ": clock.frequency has the unit 'MHz'; write 'Hz'");
   const std::string provenance = changed("provenance = \"assumed\"", "provenance = \"guessed\"");
   CHECK(message(provenance) == testing::place_in(provenance, "\"guessed\"") +
-                                   ": provenance 'guessed' of memory.reads; write 'published' or 'assumed'");
+                                   ": memory.reads has the provenance 'guessed'; write 'published' or 'assumed'");
 }
 
 TEST_CASE("every assumed number of a built-in machine has a range with a reason") {
@@ -314,7 +314,7 @@ TEST_CASE("a parameter that belongs to another kind of machine is rejected") {
                                 ": unknown key 'refresh'; the keys here are name, description, kind, array, clock, "));
 }
 
-TEST_CASE("the error for an unknown kind or order lists the valid names") {
+TEST_CASE("the error for an unknown kind or square order lists the valid names") {
   std::string names;
   for (const machines::Kind* const one : kinds::all()) names += (names.empty() ? "" : ", ") + std::string(one->name);
   CHECK(names.starts_with("frame-buffer, scan-line, pixel-square"));
@@ -389,7 +389,7 @@ TEST_CASE("a degree-1 machine rejects squares and suggests a machine that suppor
                                         {.opcode = isa::Opcode::squares, .linear = wide},
                                         {.opcode = isa::Opcode::edge_negative, .linear = wide}}}};
   Machine machine = kinds::load("pixel-planes-4");
-  machines::adopt(machine, program);
+  machines::adopt_shape(machine, program);
   CHECK_THROWS_WITH_AS(
       machines::check_runs_on(program, machine),
       "segment 0, instruction 1: squares needs quadratic expressions, which the machine pixel-planes-4 "
@@ -398,12 +398,12 @@ TEST_CASE("a degree-1 machine rejects squares and suggests a machine that suppor
       InputError);
   for (const std::string name : {"pixel-powers", "pixel-planes-4+evaluator.degree=2"}) {
     machine = kinds::load(name);
-    machines::adopt(machine, program);
+    machines::adopt_shape(machine, program);
     CHECK_NOTHROW(machines::check_runs_on(program, machine));
   }
   program.segments.front().instructions.erase(program.segments.front().instructions.begin() + 1);
   machine = kinds::load("pixel-planes-4");
-  machines::adopt(machine, program);
+  machines::adopt_shape(machine, program);
   CHECK_NOTHROW(machines::check_runs_on(program, machine));
 }
 
@@ -438,7 +438,7 @@ TEST_CASE("a Program's recorded parameters take precedence over csgsim's current
   const Machine machine = kinds::load(record);
   CHECK(machine.alu_bits == 2);
   CHECK(machine.name == "pixel-planes-4+alu.bits=2");
-  CHECK(machines::other_figures(machine, kinds::load("pixel-planes-4")) ==
+  CHECK(machines::figure_differences(machine, kinds::load("pixel-planes-4")) ==
         std::vector<std::string>{"alu.bits 2 instead of 1"});
   CHECK(kinds::load(record, {"alu.bits=4"}).alu_bits == 4);
 }

@@ -217,7 +217,7 @@ TEST_CASE("a frame takes at least the work of its busiest part and at most the t
   }));
 }
 
-TEST_CASE("a better link never adds clocks to a frame of a frame buffer") {
+TEST_CASE("a wider or faster or deeper link never adds clocks to a frame buffer's frame") {
   CHECK(rc::check("a link that is wider, faster, deeper or of lower latency adds no clock", [] {
     const auto program = *test::arbitrary_program(shape, 30);
     const auto skips = arbitrary_skips(program);

@@ -50,7 +50,7 @@ std::vector<std::string> loads_of(const SquareAccount& counted) {
 
 }  // namespace
 
-TEST_CASE("clocks of a part without work count as waiting or as idle after its end") {
+TEST_CASE("complete_clocks() adds a part's clocks without work to waiting or to done") {
   CHECK(pixel_square::complete_clocks(working(3, 4), SquareActivity::waiting_for_host, 20) ==
         Clocks{3, 13, 0, 0, 0, 4});
   CHECK(pixel_square::complete_clocks(working(3, 4), SquareActivity::done, 20) == Clocks{3, 0, 0, 0, 0, 17});
@@ -138,7 +138,7 @@ TEST_CASE("of several equally busy parts the first is the one that limits the fr
         std::vector<std::string>{"link from the host 5", "divider 2 8", "sender 4", "renderer 0", "frame buffer 13"});
 }
 
-TEST_CASE("the account of a ring counts full clocks of ring and sending of processors") {
+TEST_CASE("on a ring the loads have the busiest processor and the ring's full clocks") {
   SquareAccount counted;
   counted.processors = {working(4), working(6)};
   counted.ring = {.clocks = working(50), .words = 20, .full_clocks = 9};

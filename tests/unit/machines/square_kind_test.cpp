@@ -40,7 +40,7 @@ isa::Program divided_program(const Machine& machine) {
 
 }  // namespace
 
-TEST_CASE("dividing graphics processors share the host's work and otherwise the hosts do") {
+TEST_CASE("graphics processors share the host's work only if the divider is `processors`") {
   Machine machine = make_machine(2, {.processors = 7});
   machine.host.count = 3;
   CHECK(machine.kind->hosts(machine) == 3);
@@ -50,7 +50,7 @@ TEST_CASE("dividing graphics processors share the host's work and otherwise the 
   CHECK(machine.kind->hosts(machine) == 7);
 }
 
-TEST_CASE("only a machine with dividers divides the model and two levels make groups") {
+TEST_CASE("only corner dividers divide the model and only two levels have groups") {
   Machine machine = make_machine(2, {.levels = 2, .group_side = 5, .list_entries = 9});
   const auto division = [&] { return machine.kind->division(machine); };
   CHECK_FALSE(division());
@@ -116,7 +116,7 @@ TEST_CASE("a timeline reports when a square is cleared and its instructions are 
   CHECK(later.issued == std::vector<std::vector<machines::ClockSpan>>{{}, {{8, 9}, {9, 12}}});
 }
 
-TEST_CASE("only queries take the clocks of a renderer's OR and only if it has gates") {
+TEST_CASE("a query takes the clocks of the OR's gates and other instructions take none") {
   Machine machine = make_machine(4, {.has_global_or = true, .or_fan_in = 4});
   machine.array = {4, 2, 16};  // eight lines: two gates, and one gate for their outputs
   const isa::Instruction query{.opcode = Opcode::skip_if_none, .constant = 1};
@@ -132,7 +132,7 @@ TEST_CASE("only queries take the clocks of a renderer's OR and only if it has ga
   CHECK(machine.kind->clocks(query, machine) == at_once);
 }
 
-TEST_CASE("an answer for the host is rejected in any square of the pixel-square machine") {
+TEST_CASE("rejects global_or in any square of a pixel-square machine") {
   const Machine machine = make_machine(2, {.has_global_or = true});
   for (std::size_t segment = 0; segment < 4; ++segment) {
     for (std::size_t place = 0; place < 2; ++place) {
@@ -158,7 +158,7 @@ TEST_CASE("a colour wider than the backing store is rejected") {
   CHECK(refused(4, 5).starts_with("a pixel has 5 bits of colour, but the backing memory of squares holds 4"));
 }
 
-TEST_CASE("a screen that leaves no clock or a display model that does not fit is rejected") {
+TEST_CASE("rejects a screen that takes all clocks and a display model that does not fit") {
   Machine machine = make_machine(2, {.refresh_rate = 10, .refresh_bits = 48, .refresh_clocks = 2});
   machine.clock_hz = 21;
   // A screen turn fetches 48 colour bits in two clocks, ten times a second.
@@ -180,7 +180,7 @@ TEST_CASE("a screen that leaves no clock or a display model that does not fit is
   CHECK(refusal(program, dividing_machine).starts_with("the divider would test for more than"));
 }
 
-TEST_CASE("planes are read over the link only if the memory cannot hold model and planes") {
+TEST_CASE("planes are read over the link only if the model exceeds the divider's memory") {
   const auto far = [](std::uint64_t bytes, std::uint64_t planes, std::uint64_t plane_bits) {
     return pixel_square::has_remote_planes(bytes, planes, plane_bits, {.model_bits = 80});
   };
@@ -210,7 +210,7 @@ TEST_CASE("any excess of half-spaces or nodes in a divider is rejected without o
   }
 }
 
-TEST_CASE("a Program for dividers equals their computation in one level and in two") {
+TEST_CASE("rejects a Program that differs from its division in one level and in two") {
   Figures figures = dividing();
   figures.group_side = 2;
   figures.list_entries = 100;

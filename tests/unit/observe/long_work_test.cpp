@@ -28,7 +28,7 @@ using MakeEngine = std::unique_ptr<engine::Engine> (*)(const machines::Machine&)
 double estimate_ratio(const std::string& trace, const std::string& machine_name, MakeEngine make) {
   const isa::Program program = isa::load_program(std::string(CSGSIM_SOURCE_DIR) + "/traces/" + trace + ".csgt");
   machines::Machine machine = kinds::load(machine_name);
-  machines::adopt(machine, program);
+  machines::adopt_shape(machine, program);
   const double begin = processor_time();
   make(machine)->run(program, {});
   const double haste = 4 / (processor_time() - begin);

@@ -157,7 +157,7 @@ TEST_CASE("the paths that limit the clock equal the hand-counted sums of their g
   CHECK(clock->hz == static_cast<std::uint64_t>(std::llround(1e12 / 1190)));
 }
 
-TEST_CASE("the longest wire is half the longer side and the global OR takes all pixels") {
+TEST_CASE("the longest wire is half the longer side and the global OR combines all pixels") {
   const Process one = round_process();
   machines::Machine machine = small_machine();
   for (const bool is_high : {false, true}) {

@@ -127,10 +127,11 @@ TEST_CASE("an error in a processor file is reported with its place and a fix") {
   text = changed("value = 8_000_000", "value = 0");
   CHECK(message(text) == testing::place_in(text, "0\n") + ": clock.frequency is 0; it must be 1 to 10000000000 Hz");
   text = changed("provenance = \"published\"", "provenance = \"fitted\"");
-  CHECK(message(text).find("provenance 'fitted' of price.load; write 'published' or 'assumed'") != std::string::npos);
+  CHECK(message(text).find("price.load has the provenance 'fitted'; write 'published' or 'assumed'") !=
+        std::string::npos);
   text = changed("unit = \"clocks\"", "unit = \"seconds\"");
   CHECK(message(text) ==
-        testing::place_in(text, "\"seconds\"") + ": unit 'seconds' of price.load; its unit is 'clocks'");
+        testing::place_in(text, "\"seconds\"") + ": price.load has the unit 'seconds'; write 'clocks'");
   text = changed("value = 12\n", "value = 12.5\n");
   CHECK(message(text) ==
         testing::place_in(text, "12.5\n") + ": price.load is a number with a point; make it an integer");
