@@ -107,7 +107,7 @@ TEST_CASE("a renderer takes one word per clock and the frame buffer one per bank
   check({0, 2, 0, 0, 1});  // order from processor 1 on: processor 1, renderers 0 and 1
 }
 
-TEST_CASE("the ring serves one source per channel and continues with the next ones") {
+TEST_CASE("a ring of two channels serves two sources per clock in round-robin order") {
   Board board({.renderers = 3, .banks = 9, .processors = 1, .ring_channels = 2});
   board.ring.begin();
   for (std::size_t i = 0; i < 3; ++i) board.offer_colours(i, 2);
