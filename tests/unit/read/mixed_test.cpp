@@ -67,7 +67,7 @@ TEST_CASE("a Boolean of solids and an operand that is neither 2-D nor 3-D is nei
   CHECK(kind("union() { difference() { group() { } cube(3); } square(4); }") == "flat");
 }
 
-TEST_CASE("shapes made from empty ones are empty") {
+TEST_CASE("empty extrusions and projections and hulls decide the kind as in OpenSCAD") {
   CHECK(kind("union() { linear_extrude(height = 3) { square(0); } square(4); }") == "flat");
   CHECK(kind("union() { linear_extrude(height = 3) { square(0); square(0); } square(4); }") == "nothing");
   CHECK(kind("union() { rotate_extrude(angle = 0) { square(3); } square(4); }") == "flat");

@@ -120,7 +120,7 @@ TEST_CASE("an open polyhedron is rejected at the face next to the hole") {
         "m.csg:1:65: the mesh is open: no other face has the edge of faces[0] from points[1] to points[2]; add one");
 }
 
-TEST_CASE("polyhedra of one or two triangles are rejected as open") {
+TEST_CASE("the error for an open polyhedron names the edge that no other face has") {
   CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,2]]")) ==
         "m.csg:1:65: the mesh is open: no other face has the edge of faces[0] from points[0] to points[1]; add one");
   CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,2],[2,1,3]]")) ==
@@ -134,7 +134,7 @@ TEST_CASE("a concave polyhedron with coordinates beyond 1e12 is rejected") {
   CHECK(error_of(far).find("points[1] has a coordinate beyond 1e+12; scale the solid down") != std::string::npos);
 }
 
-TEST_CASE("a single face of the wrong orientation is turned") {
+TEST_CASE("a polyhedron's single reversed face is turned") {
   CHECK(volume(read(polyhedron(tetrahedron_points, "[[0,1,2],[0,1,3],[0,2,3],[1,3,2]]"))) == doctest::Approx(1.0 / 6));
 }
 
@@ -162,7 +162,7 @@ TEST_CASE("a bent face of a polyhedron is split at a convex or a concave edge") 
         2);
 }
 
-TEST_CASE("a bend below a tenth of a degree is drawn as a hull where it meets other solids") {
+TEST_CASE("a polyhedron bent by less than 0.1 degrees is one primitive in a Boolean") {
   // Two corners of the top are lowered by 0.0005; in this orientation OpenSCAD cuts the top along the valley edge.
   const std::string bent =
       polyhedron("[[0,0,0],[1,0,0],[1,1,0],[0,1,0],[0,0,1],[1,0,0.9995],[1,1,1],[0,1,0.9995]]", outward_box_faces);
@@ -229,7 +229,7 @@ TEST_CASE("two solids in one polyhedron are two pieces of it") {
                           "[[0,1,2],[0,3,1],[0,2,3],[1,3,2],[4,5,6],[4,7,5],[4,6,7],[5,7,6]]")) == 2);
 }
 
-TEST_CASE("a flat polyhedron of one or two triangles is rejected as open") {
+TEST_CASE("a polyhedron of one triangle or two with a common edge is rejected as open") {
   CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,2]]")).find("the mesh is open") != std::string::npos);
   CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,2],[1,3,2]]")).find("the mesh is open") != std::string::npos);
 }
