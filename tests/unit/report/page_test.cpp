@@ -64,7 +64,7 @@ TEST_CASE("a page contains the data of the run except wall-clock times") {
   CHECK(report::without_wall_times(data) == Json{{"clocks", 5}, {"rows", {{{"bits", 1}}}}});
 }
 
-TEST_CASE("a study's page explains missing points and a missing picture") {
+TEST_CASE("a study's page states why a point or the picture is missing") {
   const Json file{
       {"points",
        {{{"strategy", "stack"}, {"clocks", 100}, {"reason", ""}}, {{"strategy", "bits"}, {"reason", "no <room>"}}}}};
@@ -89,7 +89,7 @@ TEST_CASE("the effects page plots a mark for each charge of each effect") {
   CHECK(count(html, "<g class=\"pt\">") == 4);
 }
 
-TEST_CASE("a page shows the sentences and tables that other versions' stats have") {
+TEST_CASE("a page shows advice sentences and configuration values but no null values") {
   const Json data{{"knobs", {{{"sentence", "Turn this."}}, {{"sentence", "Or that."}}}},
                   {"configuration", {{"model", {{"file", "m.csg"}}}, {"bits", {1, 2}}, {"unsaid", nullptr}}}};
   const std::vector<report::Part> parts = report::sentences(data, "/knobs");
