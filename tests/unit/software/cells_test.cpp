@@ -338,7 +338,7 @@ TEST_CASE("each facet is enlarged by the reach and the total box by twice the re
   const software::Facets none;
   CHECK(software::FacetShapes(none).box().empty());
 }
-TEST_CASE("a facet touches a box within the reach along every axis to the last bit") {
+TEST_CASE("a facet touches a box exactly if they are within the reach along every axis") {
   // The reach is 1/4. The nearest point is at `at` or slightly farther.
   struct Row {
     const char* what;

@@ -14,7 +14,7 @@
 using namespace csgsim;
 using testing::Scene;
 
-TEST_CASE("a wrong pixel of list priority is attributed to surfaces in wrong order") {
+TEST_CASE("a wrong pixel of list priority is attributed to coincidence or wrong order") {
   const std::vector<software::Event> exact{{10, 0}, {20, 2}, {20, 4}, {40, 1}, {40, 3}, {41, 5}, {60, 7}};
   const std::vector<double> level{10, 20, 20, 40, 40, 40, 60};
   const auto fault = [&](std::vector<software::Event> drawn) { return software::fault_of({exact, level, 1}, drawn); };
