@@ -98,7 +98,7 @@ std::string fault_in(const std::string& text, std::size_t most = 3) {
 
 }  // namespace
 
-TEST_CASE("each frame has the instructions of a Program compiled from nothing") {
+TEST_CASE("each frame has the instructions of a separately compiled Program") {
   for (const std::string_view name : kinds::built_in_names()) {
     for (const std::string model : {"thesis_fig_2_3", "basics_csg", "old_example002"}) {
       CAPTURE(name);
@@ -108,7 +108,7 @@ TEST_CASE("each frame has the instructions of a Program compiled from nothing") 
   }
 }
 
-TEST_CASE("each frame has the instructions of a Program from nothing with any prunings") {
+TEST_CASE("each frame equals a separately compiled Program with any prunings") {
   for (const std::string pruning : {"auto", "all", "none", "no-separation", "no-halfspaces", "no-sets", "halfspaces"}) {
     for (const std::string machine_name : {"pixel-planes-4", "scan-line", "pixel-planes-4+host.processor=i486dx2"}) {
       CAPTURE(pruning);
@@ -120,7 +120,7 @@ TEST_CASE("each frame has the instructions of a Program from nothing with any pr
   }
 }
 
-TEST_CASE("each frame has the instructions of a Program from nothing with any strategy") {
+TEST_CASE("each frame equals a separately compiled Program with any strategy") {
   for (const std::string strategy : {"products", "bits", "auto"}) {
     for (const std::string pruning : {"auto", "all"}) {
       CAPTURE(strategy);
@@ -192,7 +192,7 @@ TEST_CASE("a sequence of frames does the work for the model once") {
   }
 }
 
-TEST_CASE("the work for the model is done again when the camera changes its facets") {
+TEST_CASE("the work for the model is repeated when the camera changes the model's facets") {
   session::ModelRequest request = request_of("basics_csg", "pixel-planes-4", "64x64");
   request.tolerance = setup::Tolerance{0.5, true};
   const machines::Machine machine = session::machine_of(request);
