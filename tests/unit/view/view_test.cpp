@@ -156,7 +156,7 @@ TEST_CASE("a near plane behind the whole model is rejected") {
   CHECK_THROWS_AS(see(100, view::Projection::perspective), InputError);
 }
 
-TEST_CASE("depth steps and distances are inverse to each other") {
+TEST_CASE("depth_of() and distance_of() are inverse to each other") {
   for (const isa::DepthScale& scale : {isa::DepthScale{false, -3, 17}, isa::DepthScale{true, 0.5, 128}}) {
     for (const std::uint32_t step : {1U, 2U, 77U, 4000U, 65533U}) {
       CHECK(isa::depth_of(scale, 16, isa::distance_of(scale, 16, step)) == doctest::Approx(step).epsilon(1e-9));
@@ -180,7 +180,7 @@ TEST_CASE("faces seen edge-on become edge tests and opposite sides share their z
   CHECK(edges == 4);
 }
 
-TEST_CASE("rounding hardly enlarges a thick solid's extent and planes bound a thin one's") {
+TEST_CASE("rounding hardly enlarges a thick solid's box but greatly enlarges a thin sheet's") {
   const view::Camera camera{{0, -40, 0}, {0, 0, 0}, view::Projection::orthographic};
   const auto extent_of = [&](const model::Tree& tree, const view::Sampling& sampling) {
     return view::make_view(facet::make_geometry(tree), tree, camera, sampling).extents[0];
