@@ -202,7 +202,7 @@ TEST_CASE("the first answer to the page has the model and its options and the ma
   CHECK(more[0] == "pixel-planes-4+alu.bits=2");
 }
 
-TEST_CASE("the session's report is that of the last drawing") {
+TEST_CASE("the report shows the last drawing and is rejected before the first") {
   viewer::Session session = figure_session();
   CHECK(session.answer({.method = "GET"}, "report").status == 400);
   CHECK(ask(session, "tree", box_request()).status == 200);
@@ -279,7 +279,7 @@ TEST_CASE("the answer to a rejected request states its error") {
   CHECK(testing::error_of([] { const viewer::Session none({"/nosuch.csg", {}, Json::object()}); }) != "");
 }
 
-TEST_CASE("any request that is cancelled by its name reports the cancellation") {
+TEST_CASE("a wave request cancelled by its name reports the cancellation") {
   viewer::Session* running = nullptr;
   Json progress;
   viewer::Session session = figure_session(recording([&] {

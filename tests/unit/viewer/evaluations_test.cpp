@@ -63,7 +63,7 @@ TEST_CASE("only evaluations have a time limit and each one restarts it") {
   CHECK(one.end_reason() == EndReason::overdue);
 }
 
-TEST_CASE("a closed session ends current and later work") {
+TEST_CASE("closing the evaluations interrupts current and later ones") {
   viewer::Evaluations all(1h);
   {
     const viewer::Evaluation before(all, "");

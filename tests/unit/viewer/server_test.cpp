@@ -169,7 +169,7 @@ TEST_CASE("a server has separate time limits for slow requests and idle connecti
   }
 }
 
-TEST_CASE("an answer may take longer than a request") {
+TEST_CASE("a handler may take longer than the time limit of a request") {
   viewer::Serving one = serving({.request = 400ms, .reply = 2s});
   one.handler = [](const viewer::Request&) {
     std::this_thread::sleep_for(600ms);
@@ -397,7 +397,7 @@ TEST_CASE("a port in use is rejected and one of an ended server is free at once"
   CHECK(client.until("/a ") == plain_reply("GET /a "));
 }
 
-TEST_CASE("pages count as left once all are closed and the patience has passed") {
+TEST_CASE("pages are left once all have been closed for longer than the given time") {
   viewer::Pages pages;
   CHECK_FALSE(pages.is_left_for(0ms));
   pages.open();

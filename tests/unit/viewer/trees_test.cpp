@@ -92,7 +92,7 @@ TEST_CASE("a surface's active tree has the Program's compared primitives on each
   CHECK(surfaces > 300);
 }
 
-TEST_CASE("the model's tree has each node of the file once with operands after operators") {
+TEST_CASE("a tree has each primitive once in order and deepens only after operators") {
   const Compiled one = compiled("carburettor", {"--size", "32x32", "--view-all"});
   const Json rows = viewer::tree_json(one.model.tree, *one.model.program.facts);
   std::vector<std::uint32_t> primitives;
@@ -180,7 +180,7 @@ std::string rows_text(const Json& rows) {
 
 }  // namespace
 
-TEST_CASE("a tree has its operators' names with operands one level deeper in order") {
+TEST_CASE("a tree lists each operator with its operands one level deeper in order") {
   const auto tree = [](const std::string& text) {
     const Compiled one = small_compiled(text);
     return rows_text(viewer::tree_json(one.model.tree, *one.model.program.facts));
@@ -194,7 +194,7 @@ TEST_CASE("a tree has its operators' names with operands one level deeper in ord
   CHECK(viewer::tree_json({}, {}) == Json::array());
 }
 
-TEST_CASE("pieces of a node are named as the node and an unnamed primitive by its number") {
+TEST_CASE("pieces of one node are one row and an unnamed primitive is named by its number") {
   model::Tree tree;
   const model::Primitive cube;
   model::Node pieces;
