@@ -207,7 +207,7 @@ TEST_CASE("accuracy varies only the requested settings") {
                                            "tolerance 0.25"});
 }
 
-TEST_CASE("a row of accuracy has a cell for each column name") {
+TEST_CASE("a row of compare has a cell for each column and survives a round trip") {
   studies::ComparisonRow row;
   row.point = {"a machine", 1001, 1002, 1003, "an ideal"};
   row.inputs = {"a model", "a hash", "a build"};
