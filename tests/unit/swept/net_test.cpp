@@ -48,7 +48,7 @@ TEST_CASE("corners of a patch's elements are points of the surface") {
   }));
 }
 
-TEST_CASE("the leaves of a net cover a patch from south-west to north-east") {
+TEST_CASE("a patch's leaves cover it in Morton order from south-west to north-east") {
   CHECK(rc::check([] {
     const auto surface = swept::surface_of(random_net(4, 4, 40));
     double covered = 0;

@@ -268,7 +268,7 @@ TEST_CASE("vertices on nested lines and between patches move onto the larger lin
   }
 }
 
-TEST_CASE("one patch has no wire frame and several patches share one at their corners") {
+TEST_CASE("one patch has no wire frame and nine patches share one of 16 vertices") {
   for (const Repair repair : both_repairs) {
     const Patchwork alone = patchwork(1, {"(LLLL"}, repair);
     CHECK(alone.wire_vertices == 0);
