@@ -105,9 +105,9 @@ TEST_CASE("renderers take turns at the frame buffer word by word and idle ones a
 }
 
 TEST_CASE("a cleared square takes the words of a drawn one and alternates with renderers") {
-  // The square's ten words alternate with the other's eight words of header and two of background. The renderer's port
-  // is first: its ninth word is the 17th, with two colours and two zeros of the third. The 18th is the first word of
-  // background, with the same number.
+  // The drawn square's ten words alternate with the cleared square's eight words of header and two of background. The
+  // renderer's port is first: its ninth word, with two colours and two zeros of the third, is taken at 17, and the
+  // first word of background at 18.
   Board board(1);
   board.begin(2, 4);
   board.send(0, {2, 0, 2, 2}, {1, 2, 4, 3});

@@ -111,7 +111,7 @@ TEST_CASE("a processor waits until all words of another's square have left for t
   static_cast<void>(board.words[1].read());
   board.bench.edges(1);
   CHECK(board.words[2].num_available() == 0);
-  static_cast<void>(board.words[1].read());  // none of its words waits for one clock, but one more follows
+  static_cast<void>(board.words[1].read());  // the FIFO is empty for a clock, but the square's last word follows
   board.bench.edges(1);
   CHECK(board.words[1].num_available() == 1);
   CHECK(board.words[2].num_available() == 0);

@@ -85,7 +85,7 @@ TEST_CASE("the ring delivers a word per source in the last of the word's clocks"
   CHECK(account.words == 6);
   CHECK(account.clocks.of(SquareActivity::working) == 6);
   CHECK(account.clocks.of(SquareActivity::waiting_for_divider) == 4);
-  CHECK(account.full_clocks == 6);  // the frame buffer took one through each bank
+  CHECK(account.full_clocks == 6);  // the frame buffer received a word through each bank
 }
 
 TEST_CASE("a renderer takes one word per clock and the frame buffer one per bank") {
