@@ -157,7 +157,7 @@ std::size_t pieces(const std::string& text) {
 }  // namespace
 
 TEST_CASE("a bent face of a polyhedron is split at a convex or a concave edge") {
-  // The raised corner is on the diagonal along which a quadrangle is cut, or it is not.
+  // The raised corner may or may not be on the diagonal along which the quadrangle is cut.
   CHECK(pieces(polyhedron("[[0,0,0],[1,0,0],[1,1,0],[0,1,0],[0,0,1],[1,0,1],[1,1,1.25],[0,1,1]]", outward_box_faces)) <=
         2);
 }
@@ -176,7 +176,7 @@ TEST_CASE("a polyhedron bent by less than 0.1 degrees is one primitive in a Bool
 }
 
 TEST_CASE("a bent square's diagonal is chosen after its transforms up to the next Boolean") {
-  // As OpenSCAD 2021.01 exports it: the valley of the top runs along a diagonal, giving two pieces, or it does not.
+  // As in OpenSCAD 2021.01's export: two pieces if the top is split into a valley, one if it is split into a ridge.
   const std::string bent =
       polyhedron("[[0,0,0],[1,0,0],[1,1,0],[0,1,0],[0,0,1],[1,0,0.9],[1,1,1],[0,1,0.9]]", outward_box_faces);
   const auto turned = [](const std::string& what) {
