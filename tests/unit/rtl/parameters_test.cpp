@@ -101,7 +101,7 @@ TEST_CASE("a scan-out in a design is limited to the width of the array") {
   CHECK(values_of(eight_by_eight({"scan_out.pixels=8"}))["SCAN_PIXELS"] == 8);
   CHECK(values_of(eight_by_eight({"scan_out.pixels=9"}))["SCAN_PIXELS"] == 8);
   CHECK(values_of(eight_by_eight({"scan_out.pixels=512"}))["SCAN_PIXELS"] == 8);
-  // Higher than wide.
+  // An array higher than wide.
   CHECK(values_of(kinds::load("pixel-planes-4+array.width=3+array.height=9+scan_out.pixels=5"))["SCAN_PIXELS"] == 3);
 }
 
