@@ -14,7 +14,7 @@ using testing::Random;
 
 namespace {
 
-/// Visits cells until it has enough of them.
+/// Stops the walk after a given number of cells.
 class LimitedVisitor final : public software::CellVisitor {
  public:
   explicit LimitedVisitor(std::size_t enough) : enough_(enough) {}
