@@ -291,7 +291,7 @@ TEST_CASE("more pieces or parts of faces than the limits allow are rejected") {
 TEST_CASE("gathering the faces of a mesh by planes counts as work") {
   const Mesh mesh = testing::load_off("gear");
   solids::Limits limits;
-  // One or more steps per face.
+  // Gathering takes at least one step per face.
   limits.work = Work(mesh.faces.size());
   CHECK(testing::error_of([&] { convex_pieces(mesh, limits); }).starts_with("gathering the faces of a plane needs"));
 }
