@@ -117,7 +117,7 @@ TEST_CASE("a table is plain CSV and a file beside it names its study") {
   CHECK(content(fs::path(path).replace_extension(".study")) == "one study\n");
   fs::remove(fs::path(path).replace_extension(".study"));
   CHECK_THROWS_AS(table_at(path, "one study"), InputError);  // the study of its rows is unknown
-  // If there are no rows nothing can be confused.
+  // A table without rows may be used by any study.
   std::ofstream(path) << plain_header;
   CHECK(table_at(path, "another study").rows().empty());
   CHECK(content(fs::path(path).replace_extension(".study")) == "another study\n");
