@@ -12,7 +12,7 @@ using namespace csgsim::swept_test;
 namespace {
 
 double to_triangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-  // Distance to the nearest point of a lattice on it: coarse, but independent of the judged code.
+  // Distance to the nearest point of a lattice on the triangle: coarse, but independent of the judged code.
   constexpr int steps = 12;
   double nearest = glm::distance(p, a);
   for (int i = 0; i <= steps; ++i) {
