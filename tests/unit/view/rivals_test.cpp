@@ -27,7 +27,7 @@ std::vector<FixedLinear> functions(std::size_t count, const view::PixelRect& rec
       case 0: made.push_back({between(-slope, slope), between(-slope, slope), between(-20 * slope, 20 * slope)}); break;
       // Tangents of a bowl.
       case 1: made.push_back({2 * slope * x, 2 * slope * y, -slope * (x * x + y * y)}); break;
-      // All through one edge.
+      // Planes through one edge.
       case 2: made.push_back({base.a + times * edge.a, base.b + times * edge.b, base.c + times * edge.c}); break;
       case 3: made.push_back(base); break;
       case 4: made.push_back({0, 0, between(-slope, slope)}); break;
@@ -45,7 +45,7 @@ struct Drawn {
   unsigned shift = 0;
 };
 
-/// Moves backs and edges so that the solid exists at a pixel, possibly just so.
+/// Moves backs and edges so that the solid exists at a pixel, sometimes only just.
 void open_at(Drawn& drawn, std::int64_t x, std::int64_t y) {
   Boundary& boundary = drawn.boundary;
   const auto value = [&](const FixedLinear& one) { return one.a * x + one.b * y + one.c; };
