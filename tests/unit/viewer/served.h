@@ -130,7 +130,7 @@ class Client {
     }
     return is_at_end_;
   }
-  /// Whether it is open, without waiting.
+  /// Whether the connection is open; does not wait.
   [[nodiscard]] bool is_open() const {
     char byte = 0;
     return ::recv(socket_, &byte, 1, MSG_PEEK | MSG_DONTWAIT) < 0 && (errno == EAGAIN || errno == EWOULDBLOCK);
