@@ -266,7 +266,7 @@ TEST_CASE("a sweep's corners are mitred and sections between them lean evenly") 
   CHECK(are_same(straight.joint(1).u, {0, 0, -1}));
 }
 
-TEST_CASE("a smooth trajectory has no corner above a thousandth at repeated points") {
+TEST_CASE("a smooth trajectory with a corner above 0.001 rad at equal points is rejected") {
   // Two equal points of a curve of degree 2 form a corner: it arrives along x and leaves at an angle.
   const auto bent = [](double angle, bool is_closed) {
     const glm::dvec3 next(std::cos(angle), std::sin(angle), 0);
