@@ -359,7 +359,7 @@ TEST_CASE("a run of one pixel equals that of the whole array with effects") {
   }
 }
 
-TEST_CASE("a story's text and JSON start with the owner and its line and its plane") {
+TEST_CASE("a story's text names owner and line and plane and its JSON the owner and depth") {
   const PixelCase pixel = draw_case(big + near_box, 4, 2);
   const story::HalfspaceFinder finder(pixel.compiled.tree, pixel.compiled.scene, pixel.compiled.view);
   const story::Subject subject{pixel.compiled.program, &finder};
