@@ -200,7 +200,7 @@ TEST_CASE("rotations and reflections and uniform scales to 6 digits keep balls")
   }));
 }
 
-TEST_CASE("only round balls in orthographic views become fast spheres") {
+TEST_CASE("only uniformly scaled spheres in orthographic views become fast spheres") {
   const glm::dmat4 longer = glm::scale(glm::dmat4(1.0), {1, 1, 2});
   CHECK(facet::make_geometry(sphere(1, glm::dmat4(1.0)), fast()).quadrics.quadrics().size() == 1);
   CHECK(facet::make_geometry(sphere(1, longer), fast()).quadrics.quadrics().empty());
