@@ -97,7 +97,7 @@ TEST_CASE("a polyhedron without faces or volume or with a non-finite point is em
         "nothing");
 }
 
-TEST_CASE("a polyhedron with a malformed point is dropped and the rest drawn") {
+TEST_CASE("a polyhedron with a malformed point is empty and other solids are drawn") {
   for (const char* point :
        {"undef", "3", "\"a\"", "[0,5]", "[5,2,3,1]", "[1,undef,2]", "[0,0,inf]", "[nan,1,1]", "[]"}) {
     CAPTURE(point);
