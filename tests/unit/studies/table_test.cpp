@@ -88,7 +88,7 @@ TEST_CASE("a table of another study is rejected and kept") {
   CHECK(content(path) == before);
 }
 
-TEST_CASE("a table with a broken line names it") {
+TEST_CASE("the error for a broken table line names its file and line and column") {
   for (const std::size_t before : {0U, 1U, 2U}) {
     CAPTURE(before);
     const fs::path path = fresh("table_broken.csv");
