@@ -87,7 +87,7 @@ TEST_CASE("an edited source replaces the file and errors have their place in it"
   CHECK(ask(drawing, "draw", Json::object()).json["stats"]["model"]["primitives"] > 1);
 }
 
-TEST_CASE("warnings are sent to the page line by line") {
+TEST_CASE("the answer to draw contains each warning about the model") {
   viewer::Session drawing = session();
   const Answer empty =
       ask(drawing, "draw", {{"source", "import(file=\"there_is_none.stl\");cube(size=[1,2,3],center=true);"}});

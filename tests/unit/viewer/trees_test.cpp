@@ -109,7 +109,7 @@ TEST_CASE("a tree has each primitive once in order and deepens only after operat
   for (std::uint32_t i = 0; i < primitives.size(); ++i) CHECK(primitives[i] == i);
 }
 
-TEST_CASE("a primitive that is not drawn has no active tree") {
+TEST_CASE("a nonexistent piece has no active tree") {
   const Compiled one = compiled("thesis_fig_2_3", {"--size", "64x48", "--view-all"});
   viewer::ActiveTrees trees(one.model, one.machine);
   CHECK_FALSE(trees.of(1000, 0));
@@ -218,7 +218,7 @@ TEST_CASE("pieces of one node are one row and an unnamed primitive is named by i
   CHECK(rows[2].at("text") == "p" + rows[2].at("primitive").dump());
 }
 
-TEST_CASE("a surface must be in intersected operands and outside subtracted ones") {
+TEST_CASE("an active tree has intersected operands and complements of subtracted ones") {
   const auto active = [](const std::string& text, std::uint32_t piece) {
     const Compiled one = small_compiled(text);
     viewer::ActiveTrees trees(one.model, one.machine);
