@@ -83,7 +83,7 @@ class Pierced {
 /// Costs of a facet plane's distance along the ray, and of its range check.
 Operations distance() { return products(6) + quotients(1) + comparisons(2); }
 
-/// The facets already tested against a ray; mailboxes skip them.
+/// The facets already tested against a ray, which are skipped if the method has mailboxes.
 class Tries {
  public:
   Tries(bool has_mailboxes, Operations& sum, RaysMet& met) : has_mailboxes_(has_mailboxes), sum_(sum), met_(met) {}
