@@ -57,7 +57,7 @@ class RunningServer {
   RunningServer& operator=(const RunningServer&) = delete;
 
   /// Whether the server ends within three seconds.
-  [[nodiscard]] bool is_left() const {
+  [[nodiscard]] bool ends_soon() const {
     for (int i = 0; i < 300 && !is_left_; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     return is_left_;
   }

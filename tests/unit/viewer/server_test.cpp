@@ -226,7 +226,7 @@ TEST_CASE("an open page receives periodic events and the server ends after the l
   CHECK(second.bytes(3) == ":\n\n");
   CHECK(ends == 0);
   second.close();
-  CHECK(server.is_left());
+  CHECK(server.ends_soon());
   CHECK(ends == 1);
   CHECK(ticks > 1);
 }
@@ -259,7 +259,7 @@ TEST_CASE("a server announces its end before it waits for requests in progress")
   page.send(get("/stay"));
   page.until("\r\n\r\n");
   page.close();
-  CHECK(server.is_left());
+  CHECK(server.ends_soon());
   CHECK(was_announced);
 }
 
