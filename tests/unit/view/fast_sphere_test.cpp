@@ -180,7 +180,7 @@ TEST_CASE("the ranges and blocks and extents of fast spheres contain their depth
   CHECK((!testing::draws_usual_cases() || out_blocks > 50));
 }
 
-TEST_CASE("rotations and reflections and uniform scales to 6 digits keep balls") {
+TEST_CASE("keeps_balls() accepts rotations and reflections and uniform scales to 6 digits") {
   CHECK(rc::check([] {
     glm::dmat4 place = glm::translate(glm::dmat4(1.0), vector(20));
     place = glm::rotate(place, real(0, 6.28), glm::normalize(vector(1) + glm::dvec3(1e-3)));

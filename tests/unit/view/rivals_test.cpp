@@ -202,7 +202,7 @@ TEST_CASE("rivals include each boundary at which a solid begins or ends in hard 
   CHECK(tally.left_out > 100'000);
 }
 
-TEST_CASE("few of many faces spread over the picture are rivals of each other") {
+TEST_CASE("faces spread over the picture have fewer than 60 rivals on average") {
   for (const std::int64_t side : {10, 50, 200}) {
     CAPTURE(side);
     const Boundary boundary = bowl(side, 1024);
