@@ -24,7 +24,7 @@ bool is_interrupted() {
 
 }  // namespace
 
-TEST_CASE("cancelling an evaluation by name ends only its thread's work") {
+TEST_CASE("an evaluation is cancelled only by its own name and not if it has none") {
   viewer::Evaluations all(1h);
   viewer::Evaluation one(all, "one");
   all.cancel("two");
