@@ -187,7 +187,7 @@ TEST_CASE("an HTTP request's time starts with its first byte even after another 
   CHECK(reader.has_begun());
 }
 
-TEST_CASE("the message for a rejected HTTP body says what to send") {
+TEST_CASE("the error message of each rejected HTTP request states the reason") {
   const auto error = [](std::string_view bytes) {
     return nlohmann::json::parse(read(bytes).refusal().body).at("error").get<std::string>();
   };
