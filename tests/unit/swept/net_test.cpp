@@ -68,7 +68,7 @@ TEST_CASE("a patch's leaves cover it in Morton order from south-west to north-ea
   }));
 }
 
-TEST_CASE("points of a net's surface are within the tolerance of their element") {
+TEST_CASE("points of a net's surface are within 1.5 tolerances of their element") {
   CHECK(rc::check([] {
     const swept::Net net = random_net(4, 4, 20);
     const auto surface = swept::surface_of(net);

@@ -211,7 +211,7 @@ TEST_CASE("a larger patch gets the vertex of a smaller neighbour on its common s
   }
 }
 
-TEST_CASE("both repairs split patch edges into segments of the larger elements") {
+TEST_CASE("both repairs yield the same elements for neighbouring subdivided patches") {
   // Expressions divided in different corners, next to each other in both directions.
   const std::vector<std::string> kinds{"L",         "(LLLL",     "((LLLLLLL",    "(LL(LLLLL",
                                        "(L(LLLLLL", "(LLL(LLLL", "((LLLL(LLLLLL"};

@@ -194,7 +194,7 @@ TEST_CASE("an upright ring is rotated at both places along the y axis and keeps 
   CHECK(volume(solid.mesh) == doctest::Approx(2 * pi * 9 * pi * 0.5).epsilon(0.02));
 }
 
-TEST_CASE("any sweep is closed and oriented outwards and equals the quadtree's elements") {
+TEST_CASE("any sweep is closed and oriented outwards and both repairs have equal volumes") {
   CHECK(rc::check([] {
     Sweep sweep;
     sweep.contour = circle(1 + 0.01 * *rc::gen::inRange(0, 100), *rc::gen::inRange<std::size_t>(4, 9));
