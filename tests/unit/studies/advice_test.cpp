@@ -364,7 +364,7 @@ TEST_CASE("fitting a Program to its memory does not depend on the first guess") 
                   InputError);
 }
 
-TEST_CASE("a timer that runs a Program once equals separate runs on every machine") {
+TEST_CASE("a timer that runs a Program once has the clocks of separate runs per machine") {
   const AdviceJobs job({"pixel-planes-4"});
   const view::View view =
       view::make_view(job.front().subject->scene, job.front().subject->tree, job.front().camera, job.front().sampling);
