@@ -59,7 +59,7 @@ TEST_CASE("a share in a page is a fraction or 0 for 0 of 0 or absent for a missi
   CHECK(report::share(nullptr, 12).value.is_null());
 }
 
-TEST_CASE("a page contains the data of the run except wall-clock times") {
+TEST_CASE("without_wall_times() removes wall-clock times at every level of a page's data") {
   const Json data{{"clocks", 5}, {"wall_seconds", 1.5}, {"rows", {{{"bits", 1}, {"wall_seconds", 2.5}}}}};
   CHECK(report::without_wall_times(data) == Json{{"clocks", 5}, {"rows", {{{"bits", 1}}}}});
 }
