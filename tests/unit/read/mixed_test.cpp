@@ -99,7 +99,7 @@ TEST_CASE("a polygon with a point that is not two finite numbers is empty and fl
   }
 }
 
-TEST_CASE("an empty operand empties a flat Minkowski sum unless it is the only one") {
+TEST_CASE("a flat Minkowski sum of several operands is empty unless two are not empty") {
   CHECK(kind("minkowski() { circle(r = 0); square(4); }") == "nothing");
   CHECK(kind("minkowski() { square(4); circle(r = 0); }") == "nothing");
   CHECK(kind("minkowski() { group() { } square(4); }") == "nothing");
