@@ -207,7 +207,7 @@ TEST_CASE("pixels have the root flag if any instruction of a segment takes a roo
   CHECK(has_roots({}) == 0);
 }
 
-TEST_CASE("a template's names are capitals and underscores between two @ signs") {
+TEST_CASE("a template's names are capitals and underscores between two at signs") {
   const std::vector<rtl::Filling> fillings{{"A", "1"}, {"A_B", "two"}, {"NOTHING", ""}};
   const auto filled = [&](std::string_view text) { return rtl::fill_template(text, fillings); };
   CHECK(filled("") == "");
