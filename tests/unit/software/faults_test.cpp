@@ -68,7 +68,7 @@ TEST_CASE("surfaces coincide within 2^-10 of a step and rounding faults have an 
   CHECK(overtaken(1.5) == software::Fault::depth_bits);
   CHECK(overtaken(1.5 + 0x1p-40) == software::Fault::order);
 }
-TEST_CASE("a pixel that is wrong for several reasons counts under the worst") {
+TEST_CASE("a pixel that is wrong for several reasons counts under the most severe one") {
   // Three surfaces are near 20, two of them coincide; two coincide at 40; two at 60 coincide in integers only.
   const std::vector<software::Event> exact{{20, 0}, {20, 2}, {21, 4}, {40, 1}, {40, 3}, {60, 6}, {60, 8}};
   const std::vector<double> depths{20, 20, 20.5, 40, 40, 60, 60.5};
