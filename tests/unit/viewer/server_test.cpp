@@ -72,7 +72,7 @@ TEST_CASE("a connection has default time limits and a page a default event inter
   CHECK(viewer::RequestLimits{}.body_bytes == 4'194'304);
 }
 
-TEST_CASE("each reply has its exact status line and headers and body") {
+TEST_CASE("each kind of reply has its exact status line and headers and body") {
   const RunningServer server(serving());
   Client client(server.port);
   const auto reply = [&](const std::string& request) {
