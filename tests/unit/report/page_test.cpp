@@ -74,7 +74,7 @@ TEST_CASE("a study's page states why a point or the picture is missing") {
   const std::string html = report::to_html(page);
   CHECK(html.find("<th scope=col>reason</th>") != std::string::npos);
   CHECK(html.find("no &lt;room&gt;") != std::string::npos);
-  CHECK(count(html, ">bits</th>") == 1);  // a sort of column with no key in the second point
+  CHECK(count(html, ">bits</th>") == 1);  // the second row's header; no point has a value for a column of bits
   CHECK(html.find("No picture: too dark") != std::string::npos);
 }
 
