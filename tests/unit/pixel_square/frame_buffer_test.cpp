@@ -104,10 +104,10 @@ TEST_CASE("renderers take turns at the frame buffer word by word and idle ones a
   CHECK(board.picture() == std::vector<std::uint32_t>{1, 2, 5, 6, 3, 4, 7, 0});
 }
 
-TEST_CASE("a cleared square is charged the words of its colours in alternating turns") {
-  // The square's ten words alternate with the other's eight words of header and two of background. The renderer's port
-  // is first: its ninth word is the 17th, with two colours and two zeros of the third. The 18th is the first word of
-  // background, with the same number.
+TEST_CASE("a cleared square takes the words of a drawn one and alternates with renderers") {
+  // The drawn square's ten words alternate with the cleared square's eight words of header and two of background. The
+  // renderer's port is first: its ninth word, with two colours and two zeros of the third, is taken at 17, and the
+  // first word of background at 18.
   Board board(1);
   board.begin(2, 4);
   board.send(0, {2, 0, 2, 2}, {1, 2, 4, 3});
@@ -121,7 +121,7 @@ TEST_CASE("a cleared square is charged the words of its colours in alternating t
   CHECK(board.picture() == std::vector<std::uint32_t>{4, 4, 1, 2, 4, 4, 4, 3});
 }
 
-TEST_CASE("a frame starts at the first port and keeps the previous picture") {
+TEST_CASE("a frame keeps the previous frame's pixels outside its squares") {
   Board board(2);
   board.begin(1, 5);
   board.bench.edges(7);
@@ -137,7 +137,7 @@ TEST_CASE("a frame starts at the first port and keeps the previous picture") {
   CHECK(board.buffer.account(12).of(SquareActivity::working) == header_words + 1);
 }
 
-TEST_CASE("in each frame ports take turns from the first whichever was served last") {
+TEST_CASE("each frame serves the first port first whichever was served last") {
   Board board(2);
   board.begin(1);
   board.send(0, {0, 0, 1, 1}, {7});
@@ -244,7 +244,7 @@ TEST_CASE("a frame buffer's wave shows screen turns and the row read and a squar
   CHECK(squares == "- - - - - - - - - - - 2,0 2,0 2,0 - ");
 }
 
-TEST_CASE("a frame with colours starts with its screen turns after an idle frame buffer") {
+TEST_CASE("screen turns start with the frame if the previous picture had no colours") {
   // A picture without colours takes no turns. A picture of 24 bits then takes them in one of five clocks, as above.
   const pixel_square::Figures figures{
       .port_bits = port_bits, .refresh_rate = 10, .refresh_bits = 12, .refresh_clocks = 2};

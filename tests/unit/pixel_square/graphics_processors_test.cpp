@@ -98,7 +98,7 @@ TEST_CASE("processors take squares in turn and send a word per clock after the l
   CHECK(account.of(SquareActivity::done) == 5);
 }
 
-TEST_CASE("a renderer reserved by one processor is free after all words of its square") {
+TEST_CASE("a processor waits until all words of another's square have left for the renderer") {
   const std::vector<isa::Segment> frame = squares({true, true, true});
   Board board(3, 1);
   board.parts.begin(frame);
@@ -111,7 +111,7 @@ TEST_CASE("a renderer reserved by one processor is free after all words of its s
   static_cast<void>(board.words[1].read());
   board.bench.edges(1);
   CHECK(board.words[2].num_available() == 0);
-  static_cast<void>(board.words[1].read());  // none of its words waits for one clock, but one more follows
+  static_cast<void>(board.words[1].read());  // the FIFO is empty for a clock, but the square's last word follows
   board.bench.edges(1);
   CHECK(board.words[1].num_available() == 1);
   CHECK(board.words[2].num_available() == 0);
@@ -121,7 +121,7 @@ TEST_CASE("a renderer reserved by one processor is free after all words of its s
   CHECK(board.parts.account(2, 11).of(SquareActivity::waiting_for_renderer) == 10);
 }
 
-TEST_CASE("among free renderers a square goes to the first one with the fewest squares") {
+TEST_CASE("a square goes to the first free renderer with the fewest unfinished squares") {
   Board board(1, 3);
   const std::vector<isa::Segment> frame = squares({true, true, true, true, true});
   board.parts.begin(frame);
@@ -135,7 +135,7 @@ TEST_CASE("among free renderers a square goes to the first one with the fewest s
   CHECK(targets == std::vector<std::uint64_t>{0, 1, 2, 1, 0});
 }
 
-TEST_CASE("an empty square sends a header to the frame buffer") {
+TEST_CASE("a processor sends an empty square as a header to the frame buffer") {
   const std::vector<isa::Segment> frame = squares({false, true});
   Board board(1, 2, 0, 16);
   board.parts.begin(frame);

@@ -46,7 +46,7 @@ TEST_CASE("a display model's bytes leave the host lowest bit first after the lat
   CHECK(account.of(SquareActivity::done) == 11);
 }
 
-TEST_CASE("a word of the model waits for room and a second frame has the latency again") {
+TEST_CASE("a model word waits for room in the FIFO and each frame starts after the latency") {
   constexpr std::array<std::uint8_t, 3> model{1, 2, 3};
   Board board({.width = 8, .word_clocks = 1, .fifo_depth = 1, .latency = 1}, 1);
   board.source.begin(model);

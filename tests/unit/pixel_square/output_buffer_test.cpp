@@ -42,7 +42,7 @@ std::vector<pixel_square::PortWord> sent(pixel_square::OutputBuffer& buffer) {
 
 }  // namespace
 
-TEST_CASE("a square leaves as its header and the colours of its corner of the array") {
+TEST_CASE("the output buffer sends a square's header and then the colours of its pixels") {
   CHECK(rc::check([] {
     const std::uint32_t width = *rc::gen::inRange(1U, 140U);
     const std::uint32_t height = *rc::gen::inRange(1U, 5U);
@@ -64,7 +64,7 @@ TEST_CASE("a square leaves as its header and the colours of its corner of the ar
   }));
 }
 
-TEST_CASE("a square of 128 x 128 pixels and 24 bits leaves in 2 and 12288 words of 32 bits") {
+TEST_CASE("a square of 128 x 128 pixels of 24 bits takes 2 + 12288 words of 32 bits") {
   const isa::Field colour{0, 24};
   pixel_square::OutputBuffer buffer(32);
   buffer.load(NumberedPixels(128, 128, colour, std::vector<std::uint32_t>(128 * 128)), colour, {0, 0, 128, 128});

@@ -245,7 +245,7 @@ TEST_CASE("a slow row latch delays the row's words and not the header") {
   CHECK(board.renderer.account(30).of(SquareActivity::waiting_for_frame_buffer) == 9);
 }
 
-TEST_CASE("the next square is drawn while one leaves and waits for its last word") {
+TEST_CASE("a square is drawn while the previous one is sent and waits for its last word") {
   Board board(2, pixel_square::all_planes, 1);
   const Instruction two{.opcode = Opcode::set_constant, .fields = {colour}, .constant = 2};
   board.send({enable_all, ramp});

@@ -85,7 +85,7 @@ TEST_CASE("the ring delivers a word per source in the last of the word's clocks"
   CHECK(account.words == 6);
   CHECK(account.clocks.of(SquareActivity::working) == 6);
   CHECK(account.clocks.of(SquareActivity::waiting_for_divider) == 4);
-  CHECK(account.full_clocks == 6);  // the frame buffer took one through each bank
+  CHECK(account.full_clocks == 6);  // the frame buffer received a word through each bank
 }
 
 TEST_CASE("a renderer takes one word per clock and the frame buffer one per bank") {
@@ -107,7 +107,7 @@ TEST_CASE("a renderer takes one word per clock and the frame buffer one per bank
   check({0, 2, 0, 0, 1});  // order from processor 1 on: processor 1, renderers 0 and 1
 }
 
-TEST_CASE("the ring serves one source per channel and continues with the next ones") {
+TEST_CASE("a ring of two channels serves two sources per clock in round-robin order") {
   Board board({.renderers = 3, .banks = 9, .processors = 1, .ring_channels = 2});
   board.ring.begin();
   for (std::size_t i = 0; i < 3; ++i) board.offer_colours(i, 2);

@@ -55,7 +55,7 @@ TEST_CASE("a screen takes no turns with two pictures or without a rate or colour
   }
 }
 
-TEST_CASE("the computed turns of a screen equal stepped ones at every clock edge") {
+TEST_CASE("ScreenTiming computes the turns of a stepped screen at every clock edge") {
   CHECK(rc::check([] {
     Figures figures;
     figures.refresh_rate = *rc::gen::inRange(1U, 100U);
@@ -86,7 +86,7 @@ TEST_CASE("the computed turns of a screen equal stepped ones at every clock edge
   }));
 }
 
-TEST_CASE("a screen must leave a clock for drawing") {
+TEST_CASE("a screen that leaves no clock for drawing is rejected with a suggested fix") {
   // 24 bits in turns of 8: three turns of 10 clocks each, 60 times a second.
   const Figures figures{.refresh_rate = 60, .refresh_bits = 8, .refresh_clocks = 10};
   const isa::FrameHeader header = isa::frame_header(make_program(4, 2, 3));

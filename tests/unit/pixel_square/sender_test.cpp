@@ -110,7 +110,7 @@ TEST_CASE("the sender sends a square to the first renderer with the fewest unfin
   CHECK(words(1) == 3);
 }
 
-TEST_CASE("the sender's word takes a place in a FIFO an edge after it becomes free") {
+TEST_CASE("the sender uses a place in a FIFO one edge after the place became free") {
   const std::vector<isa::Segment> squares{square(0, true)};
   Board board({.width = wide, .word_clocks = 1, .fifo_depth = 1, .latency = 0}, 1);
   board.sender.begin(squares);

@@ -245,7 +245,7 @@ TEST_CASE("waves of a host-divided machine show the host's words and the parts t
   CHECK(board.shown("pixel_1_1.renderer") == "9 -, 10 0");
 }
 
-TEST_CASE("a pixel's wave is that of the renderer that draws its square") {
+TEST_CASE("a pixel's wave shows the renderer that draws its square") {
   isa::Program program = half_drawn();
   for (isa::Segment& segment : program.segments) segment.instructions = {{.opcode = Opcode::enable_all}};
   machines::Link link = wide;

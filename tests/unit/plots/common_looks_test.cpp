@@ -61,7 +61,7 @@ TEST_CASE("plots with more names than colours reuse colours but never within one
   }
 }
 
-TEST_CASE("an unnamed series gets a look unused by names in other plots if possible") {
+TEST_CASE("an unnamed series gets a colour that no named series of another plot has") {
   std::vector<plots::Plot> plots{make_chart("one", {""}), make_chart("other", {"a", "b"})};
   plots::give_common_looks(plots);
   CHECK(look_in(plots[1], "a").colour == plots::palette::looks[0].colour);
@@ -80,7 +80,7 @@ TEST_CASE("the key calls unlisted series smaller only if the plot chose its own 
   CHECK(look_in(plots[1], "a8").colour == plots::palette::background.colour);
 }
 
-TEST_CASE("charts that share looks are unified with the other charts of their study") {
+TEST_CASE("plots with looks from two calls get common looks from a third call for all") {
   std::vector<plots::Plot> first{make_chart("one", {"octree", "exact"}), make_chart("two", {"exact", "run"})};
   std::vector<plots::Plot> second{make_chart("three", {"run", "octree"}), make_chart("four", {"exact"})};
   plots::give_common_looks(first);

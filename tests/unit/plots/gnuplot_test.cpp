@@ -144,7 +144,7 @@ TEST_CASE("a text's ink is within the box reserved for it") {
   }
 }
 
-TEST_CASE("gnuplot draws marks and lines at their places") {
+TEST_CASE("gnuplot draws a mark and a line at the drawing's coordinates") {
   plots::Drawing drawing{400, 300, {}, {}, {}, {}};
   drawing.marks.push_back({{100, 200}, plots::palette::Mark::square, "#000000", 9});
   plots::Box ink = ink_box(decoded(plots::draw_png(png, drawing).picture));
@@ -165,14 +165,14 @@ TEST_CASE("gnuplot's picture has the size of its drawing") {
   CHECK(picture.height == 234);
 }
 
-TEST_CASE("texts reach gnuplot as strings that end nothing and run nothing") {
+TEST_CASE("a text for gnuplot is one quoted string without characters special to gnuplot") {
   const std::string text = plots::gnuplot_text("a\"'`b\\\n$(x)%d\xff");
   CHECK(text.front() == '"');
   CHECK(text.find_first_of("\"'`$\n%") == 0);
   CHECK(text.find_first_of("\"'`$\n%", 1) == text.size() - 1);
 }
 
-TEST_CASE("gnuplot's error becomes one line without its script") {
+TEST_CASE("an error of gnuplot is reported in one line without the script") {
   const std::string error = error_with(
       "echo >&2; echo 'set terminal pngcairo size 600,600' >&2; echo '   ^' >&2;"
       "echo 'line 2: unknown or ambiguous terminal name; type just set terminal for a list' >&2; echo >&2; exit 1");

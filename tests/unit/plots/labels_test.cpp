@@ -84,14 +84,14 @@ TEST_CASE("a single label is placed to the upper right of its point without a le
   CHECK(!placed[0].number);
 }
 
-TEST_CASE("a label in a corner turns inwards") {
+TEST_CASE("the label of a point in the upper right corner is placed to its left") {
   const std::vector<plots::LabelRequest> requests{request(695, 55)};
   const auto placed = plots::place_labels(requests, {area, {}, {}});
   REQUIRE(placed.size() == 1);
   CHECK(placed[0].box.right < 695);
 }
 
-TEST_CASE("a label without room is replaced by a number counted from 1") {
+TEST_CASE("labels too wide for the area are replaced by numbers from 1") {
   const plots::Box narrow{0, 0, 60, 60};
   const std::vector<plots::LabelRequest> requests{{{30, 30}, 100}, {{30, 50}, 100}};
   const auto placed = plots::place_labels(requests, {narrow, {}, {}});
@@ -101,7 +101,7 @@ TEST_CASE("a label without room is replaced by a number counted from 1") {
   CHECK(placed[0].box.right - placed[0].box.left == doctest::Approx(plots::text_width("1")));
 }
 
-TEST_CASE("labels of points without any room are omitted") {
+TEST_CASE("of 200 labels at one point those without room are omitted") {
   const std::vector<plots::LabelRequest> requests(200, request(20, 20));
   CHECK(plots::place_labels(requests, {{0, 0, 50, 50}, {}, {}}).size() < 20);
 }

@@ -73,7 +73,7 @@ TEST_CASE("no two texts of random plots overlap") {
   }
 }
 
-TEST_CASE("the key names the largest series and counts the others with their table") {
+TEST_CASE("the key names the largest series and states how many others the table has") {
   const plots::Drawing drawing = plots::lay_out(make_chart(20));
   CHECK(with(drawing, "series ").size() == plots::palette::max_series);
   for (const char* name :
@@ -91,7 +91,7 @@ TEST_CASE("series listed in the key have distinct colours and all others are gre
   CHECK(colours.count(plots::palette::background.colour) == 2 * 12 + 1);
 }
 
-TEST_CASE("a long title of an upright axis takes two lines with all its words") {
+TEST_CASE("a long title of the y axis is split into two lines between words") {
   const plots::Drawing drawing = plots::lay_out(
       plots::Chart{"title", {"across"}, {{"depth error, 99.9th percentile"}, {"up"}, {"also"}}, {{"s", 0}}, "t"});
   const std::vector<std::string> first = with(drawing, "depth");
@@ -160,7 +160,7 @@ TEST_CASE("a series joins its points by lines or steps or a level line or not at
   CHECK(upright.front().y < upright.back().y - 300);
 }
 
-TEST_CASE("labels of points at one place are one text") {
+TEST_CASE("labels of points at the same position are joined into one text") {
   const plots::Chart chart{"title",
                            {"across"},
                            {{"up"}},
@@ -171,7 +171,7 @@ TEST_CASE("labels of points at one place are one text") {
   CHECK(with(drawing, "m = 7").size() == 1);
 }
 
-TEST_CASE("every label is in the plot or is listed by number or counted in the key") {
+TEST_CASE("labels without room are listed by number and the rest are counted in the key") {
   plots::Chart chart{"title", {"across"}, {{"up"}}, {{"s", 0, plots::Trace::marks, {}}}, "table.csv"};
   for (std::size_t i = 0; i < 200; ++i)
     chart.series[0].points.push_back(
@@ -185,7 +185,7 @@ TEST_CASE("every label is in the plot or is listed by number or counted in the k
   CHECK(with(drawing, "point ").size() + std::stoul(more[0]) <= 200);
 }
 
-TEST_CASE("axis names stand upright where they do not fit and are omitted if need be") {
+TEST_CASE("names on an axis are upright if they do not fit and some are omitted if too many") {
   const auto axis = [](std::size_t count) {
     plots::Chart chart{
         "title", {"machine", plots::Scale::linear, {}, true}, {{"ms"}}, {{"", 0, plots::Trace::marks, {}}}, "t"};

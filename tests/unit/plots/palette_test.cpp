@@ -88,7 +88,7 @@ std::vector<std::string_view> fills_and_white() {
 
 }  // namespace
 
-TEST_CASE("the cone simulation brings red and green together but not blue and yellow") {
+TEST_CASE("simulated red-green blindness makes red similar to olive but not blue to yellow") {
   const auto between = [](std::string_view a, std::string_view b, const Matrix& sight) {
     return least_difference({a, b}, sight);
   };
@@ -107,7 +107,7 @@ TEST_CASE("lines differ in grey and in normal and red-green-blind vision") {
   }
 }
 
-TEST_CASE("lines are distinct without colours: each has its own dash and mark") {
+TEST_CASE("each line look has a unique dash pattern and a unique mark") {
   std::set<std::string_view> dashes;
   std::set<palette::Mark> marks;
   for (const palette::Look& look : palette::looks) {

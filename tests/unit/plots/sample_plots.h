@@ -8,7 +8,8 @@
 
 namespace csgsim::testing::plots_ {
 
-/// Plots of all sorts: one point, equal points, hundreds, huge ranges, hostile names; named accordingly.
+/// Plots of one point, equal points, hundreds of points, huge ranges and hostile names; each is named after its
+/// contents.
 std::vector<plots::Plot> sample_plots();
 
 /// A random chart: panels, series, values, labels and names.

@@ -132,7 +132,7 @@ void check_all(const plots::Drawing& drawing) {
 
 }  // namespace
 
-TEST_CASE("an SVG has every element of a drawing in its place and colour and order") {
+TEST_CASE("an SVG has all elements of a drawing in order with their positions and colours") {
   for (const plots::Plot& plot : samples::sample_plots()) {
     CAPTURE(plot.name);
     check_all(plots::lay_out(plot));
@@ -145,7 +145,7 @@ TEST_CASE("an SVG has every element of a drawing in its place and colour and ord
   }
 }
 
-TEST_CASE("the same drawing gives the same bytes as a file and as an element") {
+TEST_CASE("an SVG file and an SVG element of a drawing differ only in their first line") {
   for (const plots::Plot& plot : samples::sample_plots()) {
     const plots::Drawing drawing = plots::lay_out(plot);
     const std::string file = plots::svg_file(drawing);
@@ -155,7 +155,7 @@ TEST_CASE("the same drawing gives the same bytes as a file and as an element") {
   }
 }
 
-TEST_CASE("an SVG file has its drawing's size on white in the font of the layout") {
+TEST_CASE("an SVG file has the drawing's size and a white background and the font size") {
   const pugi::xml_document document = parsed(plots::svg_file({321, 234, {}, {}, {}, {}}));
   const pugi::xml_node svg = document.child("svg");
   CHECK(svg.attribute("viewBox").value() == std::string("0 0 321 234"));
@@ -181,7 +181,7 @@ TEST_CASE("an SVG's texts and tips of any bytes are escaped and valid XML") {
   CHECK(groups[2].first_child().child_value("title") == shown);
 }
 
-TEST_CASE("marks of all forms differ in an SVG and dashes are in half pixels") {
+TEST_CASE("each mark has its own SVG form and dash lengths in half pixels become pixels") {
   std::set<std::string> forms;
   plots::Drawing drawing{100, 100, {}, {}, {}, {}};
   for (const plots::palette::Look& look : plots::palette::looks) {

@@ -39,7 +39,7 @@ TEST_CASE("linear ticks are round numbers with enough decimals to be distinct") 
   CHECK(texts(plots::linear_ticks(-0.3, 0.3, 4)) == Words{"-0.2", "0", "0.2"});
 }
 
-TEST_CASE("logarithmic ticks are decades and fractions of them if these are few") {
+TEST_CASE("logarithmic ticks are powers of ten or finer in short ranges and sparser in long") {
   CHECK(texts(plots::logarithmic_ticks(0.5, 20'000, 6)) == Words{"1", "10", "100", "1,000", "10,000"});
   CHECK(texts(plots::logarithmic_ticks(3, 130, 6)) == Words{"5", "10", "20", "50", "100"});
   CHECK(texts(plots::logarithmic_ticks(3.05, 3.95, 6)) == Words{"3.2", "3.4", "3.6", "3.8"});
@@ -68,7 +68,7 @@ TEST_CASE("no two ticks of an axis have the same text for any range") {
   }
 }
 
-TEST_CASE("the text of a tick is its value") {
+TEST_CASE("a linear tick's text equals its value within 1e-9") {
   std::mt19937 random(4);
   for (int round = 0; round < 2'000; ++round) {
     const double low = static_cast<double>(random() % 1'000'000) / 1000 - 500;
@@ -81,7 +81,7 @@ TEST_CASE("the text of a tick is its value") {
   }
 }
 
-TEST_CASE("an axis covers all its values and a logarithmic axis has a place for 0") {
+TEST_CASE("a logarithmic axis for values from 0 places 0 before the smallest positive value") {
   const std::vector<double> values{0, 3, 40, 5'000};
   const plots::Extent extent = plots::make_extent(values, plots::Scale::by_range, plots::Begin::near_zero);
   CHECK(extent.is_logarithmic);
@@ -103,7 +103,7 @@ TEST_CASE("an axis is linear for values of one magnitude or a negative value or 
   CHECK(!plots::make_extent(Values{0, 0}, plots::Scale::logarithmic, plots::Begin::near_zero).is_logarithmic);
 }
 
-TEST_CASE("an axis that starts at 0 does so however close its values are") {
+TEST_CASE("an axis that must start at 0 does so unless a value is negative") {
   using Values = std::vector<double>;
   for (const Values& values : {Values{21.5, 22.8}, Values{7, 7}, Values{0, 3}, Values{0}}) {
     const plots::Extent extent = plots::make_extent(values, plots::Scale::by_range, plots::Begin::at_zero);
@@ -115,7 +115,7 @@ TEST_CASE("an axis that starts at 0 does so however close its values are") {
   CHECK(plots::make_extent(Values{-3, 5}, plots::Scale::by_range, plots::Begin::at_zero).low < -3);
 }
 
-TEST_CASE("numbers that round to 1000 or more have grouped digits and others have four") {
+TEST_CASE("numbers have four significant digits or from 1000 on grouped whole digits") {
   CHECK(plots::number_text(999.4) == "999.4");
   for (const double value : {999.5, 999.7, 1000.3}) CHECK(plots::number_text(value) == "1,000");
   CHECK(plots::number_text(-999.5) == "-1,000");
@@ -131,7 +131,7 @@ TEST_CASE("an axis of whole numbers has whole ticks") {
   CHECK(texts(plots::logarithmic_ticks(0.4, 150, 6, true)) == Words{"1", "10", "100"});
 }
 
-TEST_CASE("every value is on its axis and tick texts differ") {
+TEST_CASE("values of random axes lie within the axis and its tick texts are distinct") {
   std::mt19937 random(3);
   for (int round = 0; round < 2000; ++round) {
     std::vector<double> values(1 + random() % 6);

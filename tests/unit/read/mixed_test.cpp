@@ -67,7 +67,7 @@ TEST_CASE("a Boolean of solids and an operand that is neither 2-D nor 3-D is nei
   CHECK(kind("union() { difference() { group() { } cube(3); } square(4); }") == "flat");
 }
 
-TEST_CASE("shapes made from empty ones are empty") {
+TEST_CASE("empty extrusions and projections and hulls decide the kind as in OpenSCAD") {
   CHECK(kind("union() { linear_extrude(height = 3) { square(0); } square(4); }") == "flat");
   CHECK(kind("union() { linear_extrude(height = 3) { square(0); square(0); } square(4); }") == "nothing");
   CHECK(kind("union() { rotate_extrude(angle = 0) { square(3); } square(4); }") == "flat");
@@ -99,7 +99,7 @@ TEST_CASE("a polygon with a point that is not two finite numbers is empty and fl
   }
 }
 
-TEST_CASE("an empty operand empties a flat Minkowski sum unless it is the only one") {
+TEST_CASE("a flat Minkowski sum of several operands is empty unless two are not empty") {
   CHECK(kind("minkowski() { circle(r = 0); square(4); }") == "nothing");
   CHECK(kind("minkowski() { square(4); circle(r = 0); }") == "nothing");
   CHECK(kind("minkowski() { group() { } square(4); }") == "nothing");

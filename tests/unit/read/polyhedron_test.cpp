@@ -97,7 +97,7 @@ TEST_CASE("a polyhedron without faces or volume or with a non-finite point is em
         "nothing");
 }
 
-TEST_CASE("a polyhedron with a malformed point is dropped and the rest drawn") {
+TEST_CASE("a polyhedron with a malformed point is empty and other solids are drawn") {
   for (const char* point :
        {"undef", "3", "\"a\"", "[0,5]", "[5,2,3,1]", "[1,undef,2]", "[0,0,inf]", "[nan,1,1]", "[]"}) {
     CAPTURE(point);
@@ -120,7 +120,7 @@ TEST_CASE("an open polyhedron is rejected at the face next to the hole") {
         "m.csg:1:65: the mesh is open: no other face has the edge of faces[0] from points[1] to points[2]; add one");
 }
 
-TEST_CASE("polyhedra of one or two triangles are rejected as open") {
+TEST_CASE("the error for an open polyhedron names the edge that no other face has") {
   CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,2]]")) ==
         "m.csg:1:65: the mesh is open: no other face has the edge of faces[0] from points[0] to points[1]; add one");
   CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,2],[2,1,3]]")) ==
@@ -134,7 +134,7 @@ TEST_CASE("a concave polyhedron with coordinates beyond 1e12 is rejected") {
   CHECK(error_of(far).find("points[1] has a coordinate beyond 1e+12; scale the solid down") != std::string::npos);
 }
 
-TEST_CASE("a single face of the wrong orientation is turned") {
+TEST_CASE("a polyhedron's single reversed face is turned") {
   CHECK(volume(read(polyhedron(tetrahedron_points, "[[0,1,2],[0,1,3],[0,2,3],[1,3,2]]"))) == doctest::Approx(1.0 / 6));
 }
 
@@ -157,12 +157,12 @@ std::size_t pieces(const std::string& text) {
 }  // namespace
 
 TEST_CASE("a bent face of a polyhedron is split at a convex or a concave edge") {
-  // The raised corner is on the diagonal along which a quadrangle is cut, or it is not.
+  // The raised corner may or may not be on the diagonal along which the quadrangle is cut.
   CHECK(pieces(polyhedron("[[0,0,0],[1,0,0],[1,1,0],[0,1,0],[0,0,1],[1,0,1],[1,1,1.25],[0,1,1]]", outward_box_faces)) <=
         2);
 }
 
-TEST_CASE("a bend below a tenth of a degree is drawn as a hull where it meets other solids") {
+TEST_CASE("a polyhedron bent by less than 0.1 degrees is one primitive in a Boolean") {
   // Two corners of the top are lowered by 0.0005; in this orientation OpenSCAD cuts the top along the valley edge.
   const std::string bent =
       polyhedron("[[0,0,0],[1,0,0],[1,1,0],[0,1,0],[0,0,1],[1,0,0.9995],[1,1,1],[0,1,0.9995]]", outward_box_faces);
@@ -176,7 +176,7 @@ TEST_CASE("a bend below a tenth of a degree is drawn as a hull where it meets ot
 }
 
 TEST_CASE("a bent square's diagonal is chosen after its transforms up to the next Boolean") {
-  // As OpenSCAD 2021.01 exports it: the valley of the top runs along a diagonal, giving two pieces, or it does not.
+  // As in OpenSCAD 2021.01's export: two pieces if the top is split into a valley, one if it is split into a ridge.
   const std::string bent =
       polyhedron("[[0,0,0],[1,0,0],[1,1,0],[0,1,0],[0,0,1],[1,0,0.9],[1,1,1],[0,1,0.9]]", outward_box_faces);
   const auto turned = [](const std::string& what) {
@@ -229,7 +229,7 @@ TEST_CASE("two solids in one polyhedron are two pieces of it") {
                           "[[0,1,2],[0,3,1],[0,2,3],[1,3,2],[4,5,6],[4,7,5],[4,6,7],[5,7,6]]")) == 2);
 }
 
-TEST_CASE("a flat polyhedron of one or two triangles is rejected as open") {
+TEST_CASE("a polyhedron of one triangle or two with a common edge is rejected as open") {
   CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,2]]")).find("the mesh is open") != std::string::npos);
   CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,2],[1,3,2]]")).find("the mesh is open") != std::string::npos);
 }

@@ -44,7 +44,7 @@ RandomNode random_node(int depth) {
   return node;
 }
 
-// ---- Meaning: a tree of parts, then the flat tree.
+// ---- Expected tree: first a tree of parts, then the flat tree.
 
 struct Part {
   std::optional<model::Primitive> leaf;

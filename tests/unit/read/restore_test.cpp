@@ -88,7 +88,7 @@ TEST_CASE("rotations are restored to 1e-15 where rounding the angles would lose 
   for (const auto& [x, y, z] : angles) CHECK(max_error(turned(x, y, z)) <= 1e-15);
 }
 
-TEST_CASE("rotations about two axes that a right angle makes parallel are restored") {
+TEST_CASE("rotations at or next to gimbal lock are restored to 1e-15") {
   CHECK(rc::check([] {
     const int right = *rc::gen::element(9000, -9000, 27000);
     RC_ASSERT(max_error(turned(hundredths(), right, hundredths())) <= 1e-15);
@@ -96,7 +96,7 @@ TEST_CASE("rotations about two axes that a right angle makes parallel are restor
   }));
 }
 
-TEST_CASE("scaled and mirrored rotations are restored in either order") {
+TEST_CASE("a rotation before or after a scale or mirror is restored to 1e-14") {
   CHECK(rc::check([] {
     const auto factor = [] { return *rc::gen::inRange(1, 1000) / 100.0 * *rc::gen::element(1, -1); };
     const Exact scale = scaling(factor(), factor(), factor());
@@ -109,7 +109,7 @@ TEST_CASE("scaled and mirrored rotations are restored in either order") {
 TEST_CASE("a restored matrix has the six written digits within half a unit of the last") {
   CHECK(rc::check([] {
     const auto turn = [] { return *rc::gen::inRange(-3'600'000, 3'600'001); };
-    // Angles in hundredths of hundredths of a degree: few are recognized.
+    // Angles in ten-thousandths of a degree, few of which are recognized.
     const auto about = [](int axis, int fine) {
       Exact whole = turn_about(axis, fine / 100);
       const long double rest = fine % 100 * std::numbers::pi_v<long double> / 1'800'000;
@@ -165,7 +165,7 @@ TEST_CASE("a translation next to a rotation stays as written") {
   CHECK(reader::restored(matrix).value()[3] == matrix[3]);
 }
 
-TEST_CASE("restored solids with equal orientation by different rotations share planes") {
+TEST_CASE("equally oriented solids share planes once their rotations are restored") {
   const auto planes = [](const reader::Options& options) {
     return csgsim::facet::make_geometry(reader::read_csg_text(null_difference, "m.csg", options))
         .planes.planes()

@@ -98,7 +98,7 @@ TEST_CASE("a nonexistent imported file causes a warning and the rest is drawn") 
   CHECK(warnings.size() == 1);
 }
 
-TEST_CASE("indices of a polygon's paths are interpreted like in OpenSCAD with a warning") {
+TEST_CASE("invalid indices in a polygon's paths are dropped or truncated with a warning") {
   // Paths that OpenSCAD 2021.01 draws as a triangle of area 50.
   for (const char* paths : {"[[0,1,2,9]]", "[[0,1,2,-1]]", "[[0,1,2.9]]", "[[1,2,undef]]", "[[0,1,2],[7]]",
                             "[[0,1,2],7]", "[[0,1,2],undef]"}) {

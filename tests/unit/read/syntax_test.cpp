@@ -116,7 +116,7 @@ TEST_CASE("vectors nested beyond a limit are rejected") {
         "m.csg:1:14: vectors are nested more than 8 deep; no node needs this");
 }
 
-TEST_CASE("strings with escapes are read") {
+TEST_CASE("an escaped quote or backslash does not end a string") {
   CHECK(error_of(R"(color("re\"d\\", 1) { cube(1); } group("x");)") ==
         "m.csg:1:7: color() does not accept names; write [red, green, blue], each from 0 to 1");
   CHECK(outline(read(R"(%text(text = "a\"b)};", size = 10); cube(1);)")) == "cube");

@@ -133,7 +133,7 @@ TEST_CASE("children of a solid are rejected") {
         "m.csg:2:2: cube() cannot have children; put sphere() next to it, in a union() or difference()");
 }
 
-TEST_CASE("counts of primitives and operators are those of the tree as written") {
+TEST_CASE("an operator of n operands counts as n - 1 and empty solids do not count") {
   const csgsim::model::Counts counts =
       count(read("difference() { cube(1); cube(2); union() { cube(1); cube(2); cube(3); } }"
                  "intersection() { cube(1); group() { cube(2); cube(0); } }"));

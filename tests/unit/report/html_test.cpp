@@ -20,7 +20,7 @@ TEST_CASE("bytes that are not UTF-8 become valid JSON in a page") {
   CHECK(json.front() == "\xef\xbf\xbd\xef\xbf\xbd");
 }
 
-TEST_CASE("a section's title becomes its id") {
+TEST_CASE("a section's id is its title in lower case with hyphens") {
   CHECK(report::html_id("Where the clocks go") == "where-the-clocks-go");
   CHECK(report::html_id(" <b onclick=x> ") == "b-onclick-x");
 }

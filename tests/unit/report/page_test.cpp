@@ -59,12 +59,12 @@ TEST_CASE("a share in a page is a fraction or 0 for 0 of 0 or absent for a missi
   CHECK(report::share(nullptr, 12).value.is_null());
 }
 
-TEST_CASE("a page contains the data of the run except wall-clock times") {
+TEST_CASE("without_wall_times() removes wall-clock times at every level of a page's data") {
   const Json data{{"clocks", 5}, {"wall_seconds", 1.5}, {"rows", {{{"bits", 1}, {"wall_seconds", 2.5}}}}};
   CHECK(report::without_wall_times(data) == Json{{"clocks", 5}, {"rows", {{{"bits", 1}}}}});
 }
 
-TEST_CASE("a study's page explains missing points and a missing picture") {
+TEST_CASE("a study's page states why a point or the picture is missing") {
   const Json file{
       {"points",
        {{{"strategy", "stack"}, {"clocks", 100}, {"reason", ""}}, {{"strategy", "bits"}, {"reason", "no <room>"}}}}};
@@ -74,7 +74,7 @@ TEST_CASE("a study's page explains missing points and a missing picture") {
   const std::string html = report::to_html(page);
   CHECK(html.find("<th scope=col>reason</th>") != std::string::npos);
   CHECK(html.find("no &lt;room&gt;") != std::string::npos);
-  CHECK(count(html, ">bits</th>") == 1);  // a sort of column with no key in the second point
+  CHECK(count(html, ">bits</th>") == 1);  // the second row's header; no point has a value for a column of bits
   CHECK(html.find("No picture: too dark") != std::string::npos);
 }
 
@@ -89,7 +89,7 @@ TEST_CASE("the effects page plots a mark for each charge of each effect") {
   CHECK(count(html, "<g class=\"pt\">") == 4);
 }
 
-TEST_CASE("a page shows the sentences and tables that other versions' stats have") {
+TEST_CASE("a page shows advice sentences and configuration values but no null values") {
   const Json data{{"knobs", {{{"sentence", "Turn this."}}, {{"sentence", "Or that."}}}},
                   {"configuration", {{"model", {{"file", "m.csg"}}}, {"bits", {1, 2}}, {"unsaid", nullptr}}}};
   const std::vector<report::Part> parts = report::sentences(data, "/knobs");

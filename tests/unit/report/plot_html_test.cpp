@@ -77,7 +77,7 @@ TEST_CASE("each panel of a chart has a table of its series without non-finite va
   CHECK(count(html, "<title>") == 3);
 }
 
-TEST_CASE("names on a plot's axis are names in its table") {
+TEST_CASE("a plot's table has the names of a named axis instead of numbers") {
   plots::Plot plot = make_chart({"one"});
   std::get<plots::Chart>(plot.content).x = {"machine", plots::Scale::linear, {{0, "first"}, {1, "second"}}, true};
   const std::string html = report::plot_html(plot);
@@ -95,7 +95,7 @@ TEST_CASE("a plot of too many lines has a note and lists all values") {
   CHECK(count(html, "<g class=\"pt\">") == 2 * 15);
 }
 
-TEST_CASE("a section of a page contains only the plots with contents") {
+TEST_CASE("a section of a page omits empty plots") {
   const std::array all{make_chart({"one"}), make_chart({}), bars, plots::Plot{"none", plots::Bars{}}};
   const report::Section section = report::plots_section(all);
   REQUIRE(section.parts.size() == 2);

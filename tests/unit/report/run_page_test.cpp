@@ -33,7 +33,7 @@ TEST_CASE("a run's page shows the stats in words and the most expensive primitiv
   CHECK(plain.find("1.2345678") == std::string::npos);
   CHECK(plain.find("data-at=\"/by_primitive/0/clocks\"") != std::string::npos);
   CHECK(plain.find("<th scope=row>half-spaces</th><td class=n data-at=\"/model/halfspaces\">6<") != std::string::npos);
-  CHECK(plain.find("wrong pixels") == std::string::npos);  // nothing has counted them
+  CHECK(plain.find("wrong pixels") == std::string::npos);  // they have not been counted
   file["bound_by"] = {{"part", "controller"}, {"share", 0.9}, {"sentence", "The controller <bounds> it."}};
   file["accuracy"]["wrong"] = 3;
   file["knobs"] = {{{"sentence", "Turn this."}}};

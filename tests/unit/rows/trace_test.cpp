@@ -94,7 +94,7 @@ TEST_CASE("DRAM commands are activations, precharges and bursts of transferred r
                   drawn + 17, drawn + 53)));
 }
 
-TEST_CASE("accesses have the addresses of a rank of eight chips") {
+TEST_CASE("memory accesses have addresses in a rank of eight chips and others are rejected") {
   const isa::Program program = two_instructions(true);
   const Traced accesses = trace(program, "ambit-ddr4", "dramsim3");
   // Row 1 of bank 0: above 6 bits of a burst's bytes, 7 of bursts, 4 of banks and 1 of ranks.
@@ -108,7 +108,7 @@ TEST_CASE("accesses have the addresses of a rank of eight chips") {
   }
 }
 
-TEST_CASE("what a form cannot express is counted") {
+TEST_CASE("a trace counts the commands that its form replaces or omits") {
   const isa::Program program = two_instructions(false);
   const auto replaced = [&](const std::string& machine, const std::string& form) {
     std::string text;

@@ -117,7 +117,7 @@ TEST_CASE("a board shows the upper bits of each channel and zeros below a narrow
         "  assign video[8:0] = {colours[7:5], colours[4:2], colours[1:0], 1'd0};\n");
 }
 
-TEST_CASE("a design has its Program in memory or a serial line instead") {
+TEST_CASE("only a design with a Program has a memory file and a testbench") {
   const machines::Machine machine = kinds::load("pixel-planes-4", {"array.width=8", "array.height=8"});
   const auto has = [](const std::vector<rtl::DesignFile>& files, const std::string& path) {
     return std::ranges::find(files, path, &rtl::DesignFile::path) != files.end();

@@ -73,7 +73,7 @@ constexpr std::string_view instance_parameters = R"(  pixel_planes #(
 
 }  // namespace
 
-TEST_CASE("a design has the modules of hw/rtl and files to draw or to be fed over a line") {
+TEST_CASE("a design has all modules of hw/rtl and more files with a Program than without") {
   const isa::Program program = enabling(24);
   const Files drawn = rtl::design_files(small_machine(), &program);
   const Files bare = rtl::design_files(small_machine(), nullptr);
@@ -136,7 +136,7 @@ TEST_CASE("instruction starts have the fewest digits that hold the number of wor
   CHECK(first_line(254) == "000");
 }
 
-TEST_CASE("a board needs a serial line only in a design without a Program") {
+TEST_CASE("a board has serial-line ports and pins only in a design without a Program") {
   const isa::Program program = enabling(24);
   const Files drawn = rtl::design_files(small_machine(), &program);
   const Files bare = rtl::design_files(small_machine(), nullptr);
@@ -158,7 +158,7 @@ TEST_CASE("a board needs a serial line only in a design without a Program") {
   CHECK(text(drawn, "up5k.pcf").ends_with("lamp_shown 37\n\n"));
 }
 
-TEST_CASE("README, Makefile and system.v fit a design with a Program and one without") {
+TEST_CASE("README and Makefile and system.v fit a design with a Program and one without") {
   const machines::Machine machine = small_machine();
   const isa::Program program = enabling(24);
   const Files drawn = rtl::design_files(machine, &program);
@@ -207,7 +207,7 @@ TEST_CASE("pixels have the root flag if any instruction of a segment takes a roo
   CHECK(has_roots({}) == 0);
 }
 
-TEST_CASE("a template name is between two marks and has capitals and underscores") {
+TEST_CASE("a template's names are capitals and underscores between two at signs") {
   const std::vector<rtl::Filling> fillings{{"A", "1"}, {"A_B", "two"}, {"NOTHING", ""}};
   const auto filled = [&](std::string_view text) { return rtl::fill_template(text, fillings); };
   CHECK(filled("") == "");
@@ -224,7 +224,7 @@ TEST_CASE("a template name is between two marks and has capitals and underscores
   CHECK_THROWS_AS(rtl::template_text("none.v"), std::out_of_range);
 }
 
-TEST_CASE("a board without settings for its line has none and shows no pixel") {
+TEST_CASE("a board with default settings has no serial line and no video") {
   std::vector<rtl::Filling> fillings;
   rtl::add_board(fillings, {.colour_bits = 24});
   CHECK(

@@ -55,7 +55,7 @@ const std::string& text_of(const std::vector<rtl::DesignFile>& files, std::strin
 
 }  // namespace
 
-TEST_CASE("every Verilog parameter is the machine's figure") {
+TEST_CASE("Verilog parameters have the values of the machine's parameters") {
   CHECK(values_of(kinds::load("pixel-planes-4")) == Values{{"WIDTH", 512},
                                                            {"HEIGHT", 512},
                                                            {"MEMORY_BITS", 72},
@@ -101,11 +101,11 @@ TEST_CASE("a scan-out in a design is limited to the width of the array") {
   CHECK(values_of(eight_by_eight({"scan_out.pixels=8"}))["SCAN_PIXELS"] == 8);
   CHECK(values_of(eight_by_eight({"scan_out.pixels=9"}))["SCAN_PIXELS"] == 8);
   CHECK(values_of(eight_by_eight({"scan_out.pixels=512"}))["SCAN_PIXELS"] == 8);
-  // Higher than wide.
+  // An array higher than wide.
   CHECK(values_of(kinds::load("pixel-planes-4+array.width=3+array.height=9+scan_out.pixels=5"))["SCAN_PIXELS"] == 3);
 }
 
-TEST_CASE("a chip in a design has all pixels of the array up to 64") {
+TEST_CASE("the Verilog parameter CHIP is the number of pixels but at most 64") {
   const auto chip = [](const std::string& size) { return values_of(kinds::load("pixel-planes-4" + size))["CHIP"]; };
   CHECK(chip("+array.width=9+array.height=7") == 63);
   CHECK(chip("+array.width=8+array.height=8") == 64);

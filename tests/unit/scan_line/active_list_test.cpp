@@ -32,7 +32,7 @@ TEST_CASE("a primitive extends from the first to the last row in which it is use
   CHECK(extents == std::vector<RowExtent>{{1, 3}, {2, 2}, {2, 3}});
 }
 
-TEST_CASE("the host visits entering and staying and leaving primitives") {
+TEST_CASE("the host visits primitives that enter or stay in or leave the active list") {
   ActiveList list;
   list.begin(std::vector<RowExtent>{{1, 3}, {2, 2}, {2, 3}});
   std::vector<std::size_t> looks;

@@ -145,7 +145,7 @@ TEST_CASE("pixel x reaches the refresh port x clocks after the shift chain takes
   CHECK(seen == expected);
 }
 
-TEST_CASE("a mark that follows another within the clocks of the line is an error") {
+TEST_CASE("a mark sent before the previous line has left the shift chain is an error") {
   constexpr std::uint32_t pixels = 4;
   for (std::uint32_t apart = 1; apart <= pixels + 1; ++apart) {
     CAPTURE(apart);
@@ -231,7 +231,7 @@ void require_same(const Chain& chain, const test::PlainChain& judge, std::uint32
 
 }  // namespace
 
-TEST_CASE("a cell read at any clock equals one that does each clock's work at once") {
+TEST_CASE("a cell's state read at any clock equals that of an eager simulation") {
   CHECK(rc::check([] {
     const isa::ArrayShape shape{*rc::gen::inRange(1U, 40U), 1, *rc::gen::inRange(1U, 100U)};
     const CellShape cell{.word_bits = *rc::gen::inRange(1U, 65U),

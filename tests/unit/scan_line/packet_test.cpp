@@ -40,7 +40,7 @@ void check_adders(const isa::Linear& linear, std::int64_t square, std::uint32_t 
 
 }  // namespace
 
-TEST_CASE("words and sums in each cell equal those of adders of C and A at every width") {
+TEST_CASE("a packet's words and each cell's sums equal those of adders at every word width") {
   CHECK(rc::check([] {
     const auto smaller = *rc::gen::inRange(0U, 62U);
     const auto width = *rc::gen::inRange<std::uint16_t>(1, isa::max_linear_width + 1);
@@ -49,7 +49,7 @@ TEST_CASE("words and sums in each cell equal those of adders of C and A at every
   }));
 }
 
-TEST_CASE("with squares words and sums include the second difference") {
+TEST_CASE("a packet with squares adds the second difference to words and sums") {
   CHECK(rc::check([] {
     const auto smaller = *rc::gen::inRange(0U, 56U);
     const auto width = *rc::gen::inRange<std::uint16_t>(1, isa::max_linear_width + 1);
@@ -111,7 +111,7 @@ TEST_CASE("a packet occupies a cell for its words or for its memory reads and wr
   }
 }
 
-TEST_CASE("misaligned operands are shifted word by word and the ALU takes its width a clock") {
+TEST_CASE("beats include shifts of misaligned operands and an ALU narrower than a word") {
   struct Row {
     Instruction instruction;
     CellShape shape;

@@ -57,7 +57,7 @@ isa::Preparation host_work(const isa::Program& program) {
   return all;
 }
 
-/// The Program of one frame, compiled from nothing.
+/// The Program of one frame, compiled without results of other frames.
 isa::Program compiled_alone(const session::ModelRequest& request, const machines::Machine& machine,
                             const view::Camera& camera) {
   setup::Choices choices = session::choices_of(request, machine);
@@ -65,7 +65,7 @@ isa::Program compiled_alone(const session::ModelRequest& request, const machines
   return session::compile_model(session::read_model_file(request), std::move(choices), machine).program;
 }
 
-/// Checks that each frame of a path has the instructions of a Program compiled from nothing.
+/// Checks that each frame of a path has the instructions of a separately compiled Program.
 void check_frames(const session::ModelRequest& request) {
   const machines::Machine machine = session::machine_of(request);
   session::FrameCompiler compiler(request, machine);
@@ -98,7 +98,7 @@ std::string fault_in(const std::string& text, std::size_t most = 3) {
 
 }  // namespace
 
-TEST_CASE("each frame has the instructions of a Program compiled from nothing") {
+TEST_CASE("each frame has the instructions of a separately compiled Program") {
   for (const std::string_view name : kinds::built_in_names()) {
     for (const std::string model : {"thesis_fig_2_3", "basics_csg", "old_example002"}) {
       CAPTURE(name);
@@ -108,7 +108,7 @@ TEST_CASE("each frame has the instructions of a Program compiled from nothing") 
   }
 }
 
-TEST_CASE("each frame has the instructions of a Program from nothing with any prunings") {
+TEST_CASE("each frame equals a separately compiled Program with any prunings") {
   for (const std::string pruning : {"auto", "all", "none", "no-separation", "no-halfspaces", "no-sets", "halfspaces"}) {
     for (const std::string machine_name : {"pixel-planes-4", "scan-line", "pixel-planes-4+host.processor=i486dx2"}) {
       CAPTURE(pruning);
@@ -120,7 +120,7 @@ TEST_CASE("each frame has the instructions of a Program from nothing with any pr
   }
 }
 
-TEST_CASE("each frame has the instructions of a Program from nothing with any strategy") {
+TEST_CASE("each frame equals a separately compiled Program with any strategy") {
   for (const std::string strategy : {"products", "bits", "auto"}) {
     for (const std::string pruning : {"auto", "all"}) {
       CAPTURE(strategy);
@@ -142,7 +142,7 @@ TEST_CASE("a repeated frame finds all active trees and counts less host work") {
   const isa::Program first = compiler.compile(camera);
   const csg::Reused in_first = compiler.reused();
   CHECK(in_first.trees < in_first.lookups);
-  CHECK(in_first.trees > 0);  // of lines above
+  CHECK(in_first.trees > 0);  // trees of lines above are reused
   const isa::Program second = compiler.compile(camera);
   const csg::Reused in_second = compiler.reused();
   CHECK(in_second.trees == in_second.lookups);
@@ -192,7 +192,7 @@ TEST_CASE("a sequence of frames does the work for the model once") {
   }
 }
 
-TEST_CASE("the work for the model is done again when the camera changes its facets") {
+TEST_CASE("the work for the model is repeated when the camera changes the model's facets") {
   session::ModelRequest request = request_of("basics_csg", "pixel-planes-4", "64x64");
   request.tolerance = setup::Tolerance{0.5, true};
   const machines::Machine machine = session::machine_of(request);
@@ -205,7 +205,7 @@ TEST_CASE("the work for the model is done again when the camera changes its face
     CHECK(without_host_work(program) == without_host_work(alone));
     CHECK((program.model_preparation->nodes == 0 || *program.model_preparation == *alone.model_preparation));
   }
-  CHECK(compiler.compile(path[0]).model_preparation->nodes > 0);  // the third is nearer
+  CHECK(compiler.compile(path[0]).model_preparation->nodes > 0);  // the last camera was nearer and had other facets
 }
 
 TEST_CASE("reads one camera per line and ignores comments and blank lines") {
@@ -230,7 +230,7 @@ TEST_CASE("rejects faults in a file of cameras with their line and column") {
   CHECK(fault_in("0,0,1,0,0,0\n0,0,2,0,0,0\n", 1) == "2:1: more than 1 cameras; split the file into several");
 }
 
-TEST_CASE("frames are numbered by a mark or behind the name and share one .gif") {
+TEST_CASE("frames are numbered at a placeholder or after the name and share one .gif") {
   using Paths = std::vector<std::filesystem::path>;
   CHECK(session::frame_paths("", 2).empty());
   CHECK(session::frame_paths("a/f.png", 2) == Paths{"a/f_000.png", "a/f_001.png"});
@@ -242,7 +242,7 @@ TEST_CASE("frames are numbered by a mark or behind the name and share one .gif")
     CHECK(testing::usage_error_of([&] { session::frame_paths(wrong, 2); }).find("out_%03d.png") != std::string::npos);
 }
 
-TEST_CASE("frames are requested by their number or by a file of cameras") {
+TEST_CASE("frames are requested by a count or by a file of cameras") {
   CHECK_FALSE(FramesRequest{}.is_asked());
   CHECK(Parsed<FramesRequest>({"--frames", "2"}).options.is_asked());
   CHECK(Parsed<FramesRequest>({"--cameras", "c.txt"}).options.is_asked());

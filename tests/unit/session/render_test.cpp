@@ -40,7 +40,7 @@ nlohmann::ordered_json judged(const RenderRequest& options, const session::Compi
 
 }  // namespace
 
-TEST_CASE("render takes the options of models and runs and reports and two more") {
+TEST_CASE("render accepts model and run and report options and --check and a pixel limit") {
   const Parsed<RenderRequest> plain({"a.csg"});
   CHECK(plain.options.model.model == "a.csg");
   CHECK_FALSE(plain.options.check);

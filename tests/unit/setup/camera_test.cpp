@@ -39,7 +39,7 @@ TEST_CASE("eye and centre of the scene replace those of the default view one by 
   CHECK(camera.centre == camera_for({}).centre);
 }
 
-TEST_CASE("a camera that shows all keeps its direction and fits the model") {
+TEST_CASE("view-all keeps a given camera's direction and moves the camera to fit the model") {
   setup::CameraChoice choice{.given = view::Camera{{0, -500, 0}, {0, 0, 0}}, .shows_all = true};
   const view::Camera camera = camera_for(choice);
   const view::Camera fitted = view::view_all(*choice.given, scene.box, picture.width, picture.height);

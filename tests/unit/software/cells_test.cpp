@@ -228,7 +228,7 @@ TEST_CASE("a ray visits its cells in order from each entry to each exit") {
         cells += expected->size();
         const std::vector<ReportedCell> reported = cells_along(*directory, ray);
         check_cells(reported, *expected);
-        // A visitor that has enough receives no more cells.
+        // A visitor that has stopped receives no more cells.
         if (reported.size() < 2) continue;
         Listener listener(reported.size() - 1);
         software::Counting counting;
@@ -303,8 +303,8 @@ TEST_CASE("a grid has four cells per bucket and 1 to 128 along an axis") {
   CHECK(cells({low, high}, 1) == 2 * 2 * 2);
   CHECK(cells({low, high}, 8) == 1);
   CHECK(cells({low, high}, 100) == 1);
-  CHECK(cells({low, low, low, high, high, high, high}, 1) == 3 * 3 * 3);  // 28 wanted
-  // Twice as long along one axis: of 16 wanted, 4 by 2 by 2.
+  CHECK(cells({low, low, low, high, high, high, high}, 1) == 3 * 3 * 3);  // 4 per facet: 28 requested
+  // Twice as long along one axis: 16 cells are requested and made, 4 by 2 by 2.
   for (int turn = 0; turn < 3; ++turn) {
     std::vector<Corners> polygons{low, low, high, high};
     for (Corners& corners : polygons) {
@@ -338,8 +338,8 @@ TEST_CASE("each facet is enlarged by the reach and the total box by twice the re
   const software::Facets none;
   CHECK(software::FacetShapes(none).box().empty());
 }
-TEST_CASE("a facet touches a box within the reach along every axis to the last bit") {
-  // The reach is 1/4. The nearest point is at `at` or slightly farther.
+TEST_CASE("a facet touches a box exactly if they are within the reach along every axis") {
+  // The reach is 1/4. Each box touches the facet exactly, and not after a displacement by `away` along `axis`.
   struct Row {
     const char* what;
     Corners corners;
@@ -358,7 +358,7 @@ TEST_CASE("a facet touches a box within the reach along every axis to the last b
       {"beside a corner", square, {{1.25, 1.25, -1}, {3, 3, 1}}, 1, little},
       {"beyond a slanting side", corner_off, {{3, 1.5, -1}, {4, 3, 1}}, 1, little},
       {"beyond a slanting side", corner_off, {{2.5, 2, -1}, {4, 3, 1}}, 0, little},
-      // The plane x = z: where x is from 1/4, z is up to there.
+      // A face in the plane x = z; the box touches it with its edge at x = 1/2, z = 0.
       {"before a slanting face",
        {{-1, -1, -1}, {-1, 1, -1}, {1, 1, 1}, {1, -1, 1}},
        {{0.5, -1, -1}, {1, 1, 0}},

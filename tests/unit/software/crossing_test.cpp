@@ -83,8 +83,7 @@ class Judge {
     return is_above && is_below;
   }
 
-  /// Whether the part of one polygon within the bounds of the other, and along none of them, is on both sides of its
-  /// plane.
+  /// Whether the part of one polygon strictly within the other's bounds is on both sides of the other's plane.
   [[nodiscard]] bool cross(const Polygon& one, const Polygon& other) const {
     RationalPolygon within = corners_of(one);
     for (const facet::Halfspace& bound : other.bounds) within = clipped(within, bound);

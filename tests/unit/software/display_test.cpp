@@ -234,7 +234,7 @@ TEST_CASE("a new picture of a facet method has zero counts") {
   CHECK(software::Piece{}.facet == 0);
   CHECK(software::PolygonOptions{software::directory_of("excell")}.bucket_size == 24);
 }
-TEST_CASE("a ledger sums the counts of its phases and nothing else") {
+TEST_CASE("a ledger replaces totals by the sums of its phases and keeps other counts") {
   struct CountSource {
     software::Counts counts;
 

@@ -100,7 +100,7 @@ TEST_CASE("scan-converted facets give each pixel its ray's events on the thesis'
   }
   CHECK(tally.bounds < 10 * tally.facets);
 }
-TEST_CASE("solids of a thousand faces give each pixel its ray's events at any size") {
+TEST_CASE("scan-converted solids of 400 or more faces give each pixel its ray's events") {
   Tally tally;
   const std::string ball = "sphere($fn=48,$fa=12,$fs=2,r=10);";
   const std::string rod = "cylinder($fn=400,$fa=12,$fs=2,h=20,r1=10,r2=9,center=true);";

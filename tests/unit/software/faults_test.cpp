@@ -14,7 +14,7 @@
 using namespace csgsim;
 using testing::Scene;
 
-TEST_CASE("a wrong pixel of list priority is attributed to surfaces in wrong order") {
+TEST_CASE("a wrong pixel of list priority is attributed to coincidence or wrong order") {
   const std::vector<software::Event> exact{{10, 0}, {20, 2}, {20, 4}, {40, 1}, {40, 3}, {41, 5}, {60, 7}};
   const std::vector<double> level{10, 20, 20, 40, 40, 40, 60};
   const auto fault = [&](std::vector<software::Event> drawn) { return software::fault_of({exact, level, 1}, drawn); };
@@ -68,7 +68,7 @@ TEST_CASE("surfaces coincide within 2^-10 of a step and rounding faults have an 
   CHECK(overtaken(1.5) == software::Fault::depth_bits);
   CHECK(overtaken(1.5 + 0x1p-40) == software::Fault::order);
 }
-TEST_CASE("a pixel that is wrong for several reasons counts under the worst") {
+TEST_CASE("a pixel that is wrong for several reasons counts under the most severe one") {
   // Three surfaces are near 20, two of them coincide; two coincide at 40; two at 60 coincide in integers only.
   const std::vector<software::Event> exact{{20, 0}, {20, 2}, {21, 4}, {40, 1}, {40, 3}, {60, 6}, {60, 8}};
   const std::vector<double> depths{20, 20, 20.5, 40, 40, 60, 60.5};

@@ -22,7 +22,7 @@ std::uint64_t wrongly_apart(std::span<const Interval> intervals, const std::vect
   return wrong;
 }
 
-/// Counts wrong cells: `known` must be undecided for primitives with pixels in the cell and out for all others.
+/// Counts wrong classifications: those of primitives with pixels in the cell must be undecided, all others `out`.
 std::uint64_t wrong_in_cell(const view::View& view, const software::RayBand& band, std::uint32_t first_column) {
   const std::vector<Known> known = software::known_in(view, band, first_column, software::cell_columns);
   std::uint64_t wrong = 0;

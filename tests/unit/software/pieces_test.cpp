@@ -192,7 +192,7 @@ TEST_CASE("cells without pieces are not drawn and pieces without area are not co
   polygons.cells = {polygons.cells[2]};
   CHECK(software::front_to_back(polygons, plain_eye(false), glm::dvec3{0}, 8, 4).cells.empty());
 }
-TEST_CASE("a facet without area is placed by its corners or its primitive's or the middle") {
+TEST_CASE("a facet without area has its own corners or else a corner of its primitive") {
   for (const double apart : {-10.0, 10.0}) {
     CAPTURE(apart);
     const testing::Scene scene = two_cubes(apart);

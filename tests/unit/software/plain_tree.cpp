@@ -77,7 +77,7 @@ bool PlainTree::is_on_odd_side(std::uint32_t node) const {
   return is_odd;
 }
 
-bool PlainTree::is_taken_away(std::uint32_t primitive) const { return is_on_odd_side(leaf_of_[primitive]); }
+bool PlainTree::is_subtracted(std::uint32_t primitive) const { return is_on_odd_side(leaf_of_[primitive]); }
 
 bool PlainTree::early_out(std::uint32_t node, const Held& held, TreeVisits& tally) const {
   const Node& here = nodes_[node];

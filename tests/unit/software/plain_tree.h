@@ -34,9 +34,9 @@ class PlainTree {
   [[nodiscard]] std::uint64_t levels() const { return levels(root_); }
   [[nodiscard]] bool holds(const Held& held) const { return holds(root_, held); }
   /// Nodes that are left by table 4.1 when absent primitives are out.
-  [[nodiscard]] std::uint64_t nodes_with(const Held& there) const { return nodes_with(root_, there); }
-  /// Whether the node is on the right of an odd number of differences.
-  [[nodiscard]] bool is_taken_away(std::uint32_t primitive) const;
+  [[nodiscard]] std::uint64_t nodes_with(const Held& present) const { return nodes_with(root_, present); }
+  /// Whether the primitive is in the right operand of an odd number of differences.
+  [[nodiscard]] bool is_subtracted(std::uint32_t primitive) const;
 
   /// Table 4.3: skips the right operand if the left one decides.
   [[nodiscard]] TreeVisits early_out(const Held& held) const;

@@ -255,7 +255,7 @@ void count_tie(const PlainTree& tree, std::size_t primitives, const RecordedRay&
     } else {
       active.push_back(event.primitive());
     }
-    if (i >= hit.begin && event.leaves() == tree.is_taken_away(event.primitive())) {
+    if (i >= hit.begin && event.leaves() == tree.is_subtracted(event.primitive())) {
       candidates.push_back(event.primitive());
     }
   }

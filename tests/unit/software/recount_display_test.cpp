@@ -272,7 +272,7 @@ class ScanLineRecount {
     const std::int64_t low = std::min(left, right);
     const std::int64_t high = std::max(left, right);
     if (low >= beyond || (facet.leaves && high < step)) return {true, false, left, right};
-    if (high < step) return {false, true, 0, 0};  // the near plane is in front of it
+    if (high < step) return {false, true, 0, 0};  // the whole span is before the near plane
     return {false, low >= step && high < beyond, left, right};
   }
 

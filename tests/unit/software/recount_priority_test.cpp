@@ -113,7 +113,8 @@ class Preprocessing {
     }
   }
 
-  /// A part that is cut off follows all regions of its facet and is compared with those of the other facet as well.
+  /// A part that is cut off is appended to the regions of its facet, and is also compared with all regions of the other
+  /// facet.
   void clip(std::uint32_t one, std::uint32_t other) {
     for (std::size_t i = 0; i < regions_[one].size(); ++i) {
       for (std::size_t j = 0; j < regions_[other].size(); ++j) {

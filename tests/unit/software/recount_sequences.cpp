@@ -120,7 +120,7 @@ std::uint32_t SequenceRecount::owner(std::span<const Event> before, std::span<co
   counts.operations += at.size() * steps({{load, 2}, compare, branch});
   std::vector<std::uint32_t> candidates;
   for (const Event& event : at) {
-    if (event.leaves() == tree_.is_taken_away(event.primitive())) candidates.push_back(event.primitive());
+    if (event.leaves() == tree_.is_subtracted(event.primitive())) candidates.push_back(event.primitive());
   }
   if (candidates.size() == 1) return candidates.front();
   ++counts.ties;

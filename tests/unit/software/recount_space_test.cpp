@@ -14,18 +14,18 @@ using testing::Random;
 
 namespace {
 
-/// Visits cells until it has enough of them.
+/// Stops the walk after a given number of cells.
 class LimitedVisitor final : public software::CellVisitor {
  public:
-  explicit LimitedVisitor(std::size_t enough) : enough_(enough) {}
+  explicit LimitedVisitor(std::size_t limit) : limit_(limit) {}
 
-  bool visit(const software::Cell& /*cell*/) override { return ++cells < enough_; }
-  [[nodiscard]] bool is_stopped() const { return cells == enough_; }
+  bool visit(const software::Cell& /*cell*/) override { return ++cells < limit_; }
+  [[nodiscard]] bool is_stopped() const { return cells == limit_; }
 
   std::size_t cells = 0;
 
  private:
-  std::size_t enough_;
+  std::size_t limit_;
 };
 
 void check_same(const software::SpaceBuilt& found, const software::SpaceBuilt& expected) {

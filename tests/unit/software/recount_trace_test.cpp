@@ -83,15 +83,16 @@ class Pierced {
 /// Costs of a facet plane's distance along the ray, and of its range check.
 Operations distance() { return products(6) + quotients(1) + comparisons(2); }
 
-/// The facets already tested against a ray; mailboxes skip them.
-class Tries {
+/// The facets already tested against a ray, which are skipped if the method has mailboxes.
+class TestedFacets {
  public:
-  Tries(bool has_mailboxes, Operations& sum, RaysMet& met) : has_mailboxes_(has_mailboxes), sum_(sum), met_(met) {}
+  TestedFacets(bool has_mailboxes, Operations& sum, RaysMet& met)
+      : has_mailboxes_(has_mailboxes), sum_(sum), met_(met) {}
 
   bool is_due(std::uint32_t facet) {
     if (!has_mailboxes_) return true;
     sum_ += steps({{load_long, 2}, compare_long, branch});
-    if (!tried_.insert(facet).second) {
+    if (!tested_.insert(facet).second) {
       ++met_.repeats;
       return false;
     }
@@ -103,7 +104,7 @@ class Tries {
   bool has_mailboxes_;
   Operations& sum_;
   RaysMet& met_;
-  std::set<std::uint32_t> tried_;
+  std::set<std::uint32_t> tested_;
 };
 
 /// Calls `look(cell)` for each cell of a ray until it returns false.
@@ -297,10 +298,10 @@ class TraceRecount {
       ++met.loose;
       test(screen);
     }
-    Tries tries(options_.has_mailboxes, counts_.intersection, met);
+    TestedFacets tested(options_.has_mailboxes, counts_.intersection, met);
     const auto look = [&](const Cell& cell) {
       for (const std::uint32_t facet : cell.facets) {
-        if (!tries.is_due(facet)) continue;
+        if (!tested.is_due(facet)) continue;
         ++met.tested;
         counts_.intersection += steps({{load_long, 2}, {branch, 2}});
         if (traced_.screen_of(facet) != TraceScene::none) test(traced_.screen_of(facet));
@@ -483,10 +484,10 @@ class TraceRecount {
         for (const RealEvent& one : point) taken.insert(one.facet);
       }
     };
-    Tries tries(options_.has_mailboxes, counts_.intersection, met);
+    TestedFacets tested(options_.has_mailboxes, counts_.intersection, met);
     const auto look = [&](const Cell& cell) {
       for (const std::uint32_t facet : cell.facets) {
-        if (!tries.is_due(facet)) continue;
+        if (!tested.is_due(facet)) continue;
         ++met.tested;
         try_facet(ray, facet, from.facet, taken, waiting, met);
       }

@@ -88,7 +88,7 @@ TEST_CASE("ray tracing matches the judge on the thesis's objects with few loose 
   MESSAGE(tally.tested, " facets tested, ", tally.loose, " of them loose; ", tally.loose_facets, " of ", tally.facets);
   CHECK(tally.loose_facets < tally.facets / 20);
 }
-TEST_CASE("counts of primary rays equal those of cells and facets") {
+TEST_CASE("counts of primary rays agree between directories and with and without mailboxes") {
   for (const testing::ThesisObject& one : testing::thesis_objects(view::Projection::perspective)) {
     CAPTURE(one.name);
     const Scene scene = testing::thesis_scene(one, 40, 30);

@@ -53,7 +53,7 @@ TEST_CASE("the diagonal that splits a bent square depends on the orientation") {
   CHECK(ways.size() == 2);
 }
 
-TEST_CASE("dents below a tenth of a degree leave a solid nearly convex unlike two shells") {
+TEST_CASE("is_nearly_convex() accepts dents below 0.1 degrees and rejects two shells") {
   const auto dented = [](double depth) {
     Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
     const auto middle = static_cast<std::uint32_t>(mesh.points.size());

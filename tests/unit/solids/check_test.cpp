@@ -82,7 +82,7 @@ TEST_CASE("the check of a mesh distinguishes a missing face from a reversed one"
   }
 }
 
-TEST_CASE("a box face that shares an edge with another box is turned by its other edges") {
+TEST_CASE("a reversed box face is turned even if another box shares one of its edges") {
   Mesh boxes = box(glm::dvec3(0), glm::dvec3(1));
   testing::append(boxes, box(glm::dvec3(1, 1, 0), glm::dvec3(2, 2, 1)));
   for (std::size_t i = 0; i < 12; ++i) {
@@ -117,7 +117,7 @@ TEST_CASE("shells of a mesh are turned so that every other one faces inwards") {
   }
 }
 
-TEST_CASE("overlapping solids cross and touching solids do not") {
+TEST_CASE("solids that overlap by more than the tolerance cross and touching ones do not") {
   Mesh touching = box(glm::dvec3(0), glm::dvec3(2));
   testing::append(touching, box(glm::dvec3(2, 0.5, 0.5), glm::dvec3(3)));
   CHECK(find_defect(touching) == "");
@@ -171,7 +171,7 @@ TEST_CASE("corners that lie on an unmatched edge of a mesh are inserted into its
   CHECK(find_defect(mesh).starts_with("the mesh is open"));
 }
 
-TEST_CASE("an edge shared by four faces is no defect") {
+TEST_CASE("an edge shared by four faces is accepted") {
   Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
   testing::append(mesh, box(glm::dvec3(1, 1, 0), glm::dvec3(2, 2, 1)));
   CHECK(find_defect(mesh).empty());
@@ -199,7 +199,7 @@ TEST_CASE("points that rounding separates are joined only where the mesh is othe
   CHECK(check(thin, tolerance).mesh.points.size() == 8);
 }
 
-TEST_CASE("a far corner does not cause points of a small solid to be joined") {
+TEST_CASE("a hole in a small solid is reported even if another solid has a far corner") {
   Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
   mesh.faces.pop_back();
   testing::append(mesh, box(glm::dvec3(3), glm::dvec3(4)));
@@ -207,7 +207,7 @@ TEST_CASE("a far corner does not cause points of a small solid to be joined") {
   CHECK(find_defect(mesh).find("the mesh is open") != std::string::npos);
 }
 
-TEST_CASE("points far from the origin are joined only if equal for a small tolerance") {
+TEST_CASE("points far from the origin are joined only within the tolerance") {
   Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
   mesh.faces.pop_back();
   for (glm::dvec3& point : mesh.points) point = point * 1e-8 + glm::dvec3(1e12, -1e12, 0);

@@ -170,7 +170,7 @@ TEST_CASE("the hull of differences and intersections equals OpenSCAD's") {
   CHECK(check_union(expected, {*piece}) > 200);
 }
 
-TEST_CASE("the vertices of a union are those of its facets") {
+TEST_CASE("a union's vertices include all vertices of both operands") {
   const auto vertices = solids::evaluate_vertices(
       read::read_csg_text("union(){cube(size=[1,2,3],center=false);sphere($fn=8,$fa=12,$fs=2,r=1);}", "m.csg"));
   CHECK(vertices.size() == 8 + 8 * 4);
@@ -228,7 +228,7 @@ TEST_CASE("a projected solid keeps its through holes and has no seams between pi
   }
 }
 
-TEST_CASE("a cut at z = 0 includes a face in the plane and nothing above or below") {
+TEST_CASE("a cut at z = 0 includes solids within 1e-6 of the plane and no others") {
   for (const double z : {0.0, -1.0, -0.5, 9e-7, -1 - 9e-7}) {
     const flat::Area area = projection(moved({0, 0, z}, box(1, 1, 1)), true);
     REQUIRE(area.outlines.size() == 1);

@@ -62,7 +62,7 @@ TEST_CASE("the sign of a determinant of differences equals rational arithmetic's
   CHECK(zeros < 10'000);
 }
 
-TEST_CASE("a value near 0 that doubles might not represent has no sign") {
+TEST_CASE("sign_of_determinant() has no result for 0 if doubles may under- or overflow") {
   const glm::dvec3 origin(0);
   for (const double size : {1e-80, 1e100}) {
     const glm::dvec3 along(size, 0, 0);

@@ -170,7 +170,7 @@ Mesh extruded(const std::vector<glm::dvec2>& points, const std::vector<std::uint
 
 }  // namespace
 
-TEST_CASE("faces of a mesh are cut at reflex corners where necessary") {
+TEST_CASE("an L is split into two pieces and a star of five points into four to six") {
   const Mesh mesh = extruded({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}, {0, 1, 2, 3, 4, 5});
   const auto pieces = convex_pieces(mesh);
   CHECK(pieces.size() == 2);
@@ -210,7 +210,7 @@ TEST_CASE("a shell within a shell is a void and one in the void is a solid") {
   CHECK(testing::check_pieces(mesh, pieces, 0) > 10);
 }
 
-TEST_CASE("faces bent by single precision yield no more pieces than flat ones") {
+TEST_CASE("faces bent by single precision yield at most four pieces more than flat ones") {
   const Mesh mesh = testing::load_off("gear");
   std::mt19937_64 random(5);
   const std::size_t flat = convex_pieces(mesh).size();
@@ -233,7 +233,7 @@ TEST_CASE("a face bent by more than rounding is cut into triangles") {
   CHECK((std::abs(volume - 5.0 / 6) < 1e-12 || std::abs(volume - 11.0 / 12) < 1e-12));
 }
 
-TEST_CASE("a spring with nearly touching turns in six digits stays whole") {
+TEST_CASE("pieces cover a spring whose turns nearly touch and have six-digit coordinates") {
   constexpr std::uint32_t sides = 8;
   constexpr std::uint32_t steps = 40;  // a turn takes 16
   Mesh mesh;
@@ -291,7 +291,7 @@ TEST_CASE("more pieces or parts of faces than the limits allow are rejected") {
 TEST_CASE("gathering the faces of a mesh by planes counts as work") {
   const Mesh mesh = testing::load_off("gear");
   solids::Limits limits;
-  // One or more steps per face.
+  // Gathering takes at least one step per face.
   limits.work = Work(mesh.faces.size());
   CHECK(testing::error_of([&] { convex_pieces(mesh, limits); }).starts_with("gathering the faces of a plane needs"));
 }

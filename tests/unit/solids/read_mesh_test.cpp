@@ -66,7 +66,7 @@ TEST_CASE("every mesh format yields the same solid") {
   }
 }
 
-TEST_CASE("a binary STL file may start with 'solid' and has single precision") {
+TEST_CASE("a binary STL file may start with 'solid' and has single-precision coordinates") {
   const Mesh mesh = solids::parse_meshes(bytes_of("bite.off"), model_file("bite.off"))[0];
   std::string bytes = binary_stl(mesh);
   bytes.replace(0, 5, "solid");
@@ -134,7 +134,7 @@ TEST_CASE("an error in an OFF file is reported with its place") {
         "m.off:3:5: a coordinate must be a finite number, not the end of the file; correct it");
 }
 
-TEST_CASE("corners in an OBJ file count from either end and appearance is ignored") {
+TEST_CASE("OBJ indices count from either end and appearance statements are ignored") {
   const Mesh mesh = solids::parse_obj(
       "# a tetrahedron\nmtllib a.mtl\no one\nv 0 0 0 1\nv 1 0 0\nvn 0 0 1\nvt 0 0\nv 0 1 0\nusemtl red\ns off\n"
       "f 3/1/1 2//1 1\nv 0 0 1 0.5 0.5 0.5\nf -4 2 \\\n4\nf 2/1 3/1 4/1\r\nf 3 1 -1 # the last",

@@ -49,7 +49,7 @@ const char* const notched =
 
 }  // namespace
 
-TEST_CASE("a story identifies a plane one step too far by the depth that it decides") {
+TEST_CASE("a story names the deciding plane whose offset is wrong by one depth step") {
   CHECK(rc::check([] {
     const auto seed = *rc::gen::arbitrary<std::uint64_t>();
     testing::Compiled compiled = compile(testing::random_model(seed, 1 + static_cast<unsigned>(seed % 7)));
@@ -126,7 +126,7 @@ TEST_CASE("a story identifies a depth test with exchanged fields") {
   CHECK(cut->number == fault);
 }
 
-TEST_CASE("a story reports a width that is too small at its pixel") {
+TEST_CASE("a story reports an instruction's width that is too small for the pixel's value") {
   testing::Compiled compiled = compile("cube(size=[8,8,8],center=true);");
   const auto surface = seen_surface(explain_pixel(compiled.program, 10, 10));
   REQUIRE(surface.has_value());

@@ -213,7 +213,7 @@ TEST_CASE("explain --why-not gives the reason for each hidden or pruned primitiv
   CHECK(contains(answer(draw_case(big + beyond, 2, 2), 2), "nowhere in the picture"));
 }
 
-TEST_CASE("explain --why-not states that a pruned primitive has no instructions") {
+TEST_CASE("explain --why-not states that no instruction draws a pruned primitive") {
   // The wide box fills its rectangle and hides a smaller one behind it.
   const PixelCase pixel =
       draw_case(box_text({1, 1, -5.5}, {7.5, 1.5, -0.5}) + box_text({4.25, 2, -3.25}, {5.75, 3, -2.75}), 5, 2);
@@ -248,7 +248,7 @@ TEST_CASE("a story's JSON names the intersecting box whose facet is seen and its
   CHECK(contains(story::text_of(subject, pixel.story()), "drawn with p1 cube"));
 }
 
-TEST_CASE("the story of a pixel has the glass at its depth and the box seen through it") {
+TEST_CASE("the story of a pixel names the nearest glass and the box seen through it") {
   const std::string pane = box_text({3, 1, -4}, {7, 1.5, -2});
   const std::string behind = box_text({3, 1.75, -4}, {7, 1.8, -2});
   const PixelCase pixel = draw_case(big + glass(pane) + glass(behind), 4, 2);
@@ -359,7 +359,7 @@ TEST_CASE("a run of one pixel equals that of the whole array with effects") {
   }
 }
 
-TEST_CASE("a story's text and JSON start with the owner and its line and its plane") {
+TEST_CASE("a story's text names owner and line and plane and its JSON the owner and depth") {
   const PixelCase pixel = draw_case(big + near_box, 4, 2);
   const story::HalfspaceFinder finder(pixel.compiled.tree, pixel.compiled.scene, pixel.compiled.view);
   const story::Subject subject{pixel.compiled.program, &finder};

@@ -161,7 +161,7 @@ const Requirement every_wish[] = {Requirement::bits, Requirement::wrong_pixels, 
 
 }  // namespace
 
-TEST_CASE("advice tries each combination once and groups points that differ in ALU width") {
+TEST_CASE("advice tries each combination once with points of different ALU width adjacent") {
   const std::vector<DesignPoint> points = small_points();
   CHECK(points.size() == 2 * 2 * 2 * 2 * 4 * 2);
   CHECK(studies::point_cells<AdviceRow>(points[0]) == "12,2,24,rebroadcast,stack,0,1");
@@ -173,7 +173,7 @@ TEST_CASE("advice tries each combination once and groups points that differ in A
   CHECK(std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end());
 }
 
-TEST_CASE("advise's front has each choice that no other beats once") {
+TEST_CASE("advise's front has each unbeaten choice once") {
   const Rows rows{row(66, 0, 100),    row(62, 9, 100), row(66, 0, 100), row(66, 0, 90, 24, 2),
                   row(54, 0, 95, 12), row(66, 1, 100), row(70, 0, 110), row(62, 9, 100, 12)};
   const Rows front = studies::advice_front(rows);
@@ -190,7 +190,7 @@ TEST_CASE("a choice without a Program is neither on the front nor recommended") 
   CHECK(studies::nearest_choices(rows, requirements, 9) == Rows{rows[1]});
 }
 
-TEST_CASE("each recommendation is the best by one limit of the rows that meet the others") {
+TEST_CASE("each recommendation is the best in one limit of the rows that meet the others") {
   // 1e7 / 400,000 is 25 frames a second.
   const studies::Requirements requirements{64, 10, 25, 24};
   const Rows rows{row(60, 8, 390'000), row(64, 2, 400'000), row(64, 9, 300'000),    row(58, 11, 390'000),
@@ -364,7 +364,7 @@ TEST_CASE("fitting a Program to its memory does not depend on the first guess") 
                   InputError);
 }
 
-TEST_CASE("a timer that runs a Program once equals separate runs on every machine") {
+TEST_CASE("a timer that runs a Program once has the clocks of separate runs per machine") {
   const AdviceJobs job({"pixel-planes-4"});
   const view::View view =
       view::make_view(job.front().subject->scene, job.front().subject->tree, job.front().camera, job.front().sampling);

@@ -232,7 +232,7 @@ TEST_CASE("--vary rejects an unknown key and lists options and the nearest param
         "--vary: 'alu.bits' is given twice; list all its values once");
 }
 
-TEST_CASE("--vary rejects a value that is impossible alone and with the others' last values") {
+TEST_CASE("--vary rejects a value impossible both alone and with other keys' last values") {
   // The trees of pixel-planes-4 deliver one bit per clock, and its ALU takes one: neither may be 4 without the other.
   const Dimension alu{"alu.bits", {"1", "4"}};
   const Dimension trees{"evaluator.bits", {"1", "4"}};

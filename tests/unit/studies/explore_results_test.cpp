@@ -135,7 +135,7 @@ TEST_CASE("the knee's commands draw it on each model with all non-default option
   CHECK(commands(0) == Texts{expected});
 }
 
-TEST_CASE("a knee drawn with one of two models has a command for that model only") {
+TEST_CASE("a model's knee has a command for that model and the joint knee one per model") {
   const Explored explored({"m.csg", "n.csg", "--vary", "z-bits=20"});
   std::vector<ExploreRow> rows{made_row("m.csg", "a", 10, 60), made_row("m.csg", "b", 20, 50),
                                made_row("n.csg", "a", 10, 60), made_row("n.csg", "b", 5, 90)};

@@ -77,7 +77,7 @@ TEST_CASE("the front of designs equals that of pairwise comparison") {
   }));
 }
 
-TEST_CASE("the knee is nearest to each axis's best in stretched logarithms") {
+TEST_CASE("the knee is nearest to the best values on logarithmic axes scaled to one length") {
   const std::vector<studies::ExploreAxis> time_memory = studies::parse_axes("time,memory");
   // Logarithms to base 10: (0, 3), (1, 1), (3, 0), stretched to (0, 1), (1/3, 1/3), (1, 0).
   const std::vector<Values> candidates{{1, 1000}, {10, 10}, {1000, 1}, {1, 1e9}};

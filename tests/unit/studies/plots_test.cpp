@@ -196,7 +196,7 @@ TEST_CASE("facets and curves share a plot of clocks and pixels off the true surf
   CHECK(chart.series[3].points.front().y == 40);
 }
 
-TEST_CASE("a comparison's x axis shows machines or half-spaces or pixels as they vary") {
+TEST_CASE("a comparison has a plot each for varied machines and half-spaces and pixels") {
   std::vector<studies::ComparisonRow> rows(2);
   for (studies::ComparisonRow& one : rows) {
     one.point = {"scan-line", 64, 64, 0, {}};
@@ -265,7 +265,7 @@ TEST_CASE("a comparison shows the frame interval first and the drawing time next
   }
 }
 
-TEST_CASE("the plots of corpus show frame intervals first and clocks in the same colours") {
+TEST_CASE("the plots of corpus show frame intervals first and share the looks of series") {
   std::vector<studies::CorpusRow> rows(2);
   rows[0].point = {"a.csg", "pixel-planes-4"};
   rows[1].point = {"a.csg", "pixel-square"};

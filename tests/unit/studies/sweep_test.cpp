@@ -166,7 +166,7 @@ TEST_CASE("the name of a point lists only the parameters that vary") {
   CHECK(studies::PointNames(std::span(rows).first(3)).conditions(rows[0].point).empty());
 }
 
-TEST_CASE("a sweep compares pictures of equal model and size and z bits") {
+TEST_CASE("a sweep reports pictures that differ from others of equal model and z bits") {
   std::vector<studies::SweepRow> rows;
   for (const studies::DesignPoint& point : small_points())
     rows.push_back(row_of(point, point.model + std::to_string(point.z_bits)));

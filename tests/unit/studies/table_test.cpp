@@ -88,7 +88,7 @@ TEST_CASE("a table of another study is rejected and kept") {
   CHECK(content(path) == before);
 }
 
-TEST_CASE("a table with a broken line names it") {
+TEST_CASE("the error for a broken table line names its file and line and column") {
   for (const std::size_t before : {0U, 1U, 2U}) {
     CAPTURE(before);
     const fs::path path = fresh("table_broken.csv");
@@ -117,7 +117,7 @@ TEST_CASE("a table is plain CSV and a file beside it names its study") {
   CHECK(content(fs::path(path).replace_extension(".study")) == "one study\n");
   fs::remove(fs::path(path).replace_extension(".study"));
   CHECK_THROWS_AS(table_at(path, "one study"), InputError);  // the study of its rows is unknown
-  // If there are no rows nothing can be confused.
+  // A table without rows may be used by any study.
   std::ofstream(path) << plain_header;
   CHECK(table_at(path, "another study").rows().empty());
   CHECK(content(fs::path(path).replace_extension(".study")) == "another study\n");

@@ -36,7 +36,7 @@ TEST_CASE("segments of a B-spline equal the sum of its basis functions") {
   }));
 }
 
-TEST_CASE("an open curve joins its end points and a closed curve ends where it starts") {
+TEST_CASE("a curve's segments join and a closed curve ends where it starts") {
   CHECK(rc::check([] {
     const Curve curve = any_curve();
     const std::vector<Segment> segments = swept::bernstein_segments(curve);

@@ -291,7 +291,7 @@ TEST_CASE("the filter emits an element once no missing element touches it") {
   CHECK(repaired.counts.most_elements == 5);
 }
 
-TEST_CASE("the repair leaves no vertex off a side although many were") {
+TEST_CASE("the filter removes all cracks from random nets") {
   int before = 0;
   CHECK(rc::check([&] {
     const auto surface = swept::surface_of(random_net(4, 4, 40));
@@ -305,7 +305,7 @@ TEST_CASE("the repair leaves no vertex off a side although many were") {
   CHECK((!testing::draws_usual_cases() || before > 500));
 }
 
-TEST_CASE("a repaired mesh is closed within the patch") {
+TEST_CASE("unmatched edges of a repaired mesh are only on the patch's border") {
   CHECK(rc::check([] {
     const auto surface = swept::surface_of(random_net(4, 4, 40));
     Repaired repaired;
@@ -365,7 +365,7 @@ TEST_CASE("the quadtree repair makes the filter's mesh but holds all of it") {
   }));
 }
 
-TEST_CASE("no side between patches lacks a vertex after either repair") {
+TEST_CASE("patches share all vertices on their common sides after either repair") {
   CHECK(rc::check([] {
     const auto surface = swept::surface_of(random_net(5, 6, 40));
     const auto way = *rc::gen::element(swept::Repair::filter, swept::Repair::quadtree);

@@ -116,7 +116,7 @@ TEST_CASE("an element is flat if its middle and tip are within the tolerance of 
   }
 }
 
-TEST_CASE("a patch is divided for any bent side and by the thesis's test for none") {
+TEST_CASE("a bent side divides a patch by the side test but not by the thesis's plane test") {
   // Heights at the sides of v: control points v^2 - 1/3 - v/2 give v (v - 1/2), which is 1/2 in the south and 0 in the
   // north and in the middle. Times u^2 - 1/4, at most 1/4, the side is 1/8 of the factor off its line; the corners and
   // the middle are not.

@@ -12,7 +12,7 @@ using namespace csgsim::swept_test;
 namespace {
 
 double to_triangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-  // Distance to the nearest point of a lattice on it: coarse, but independent of the judged code.
+  // Distance to the nearest point of a lattice on the triangle: coarse, but independent of the judged code.
   constexpr int steps = 12;
   double nearest = glm::distance(p, a);
   for (int i = 0; i <= steps; ++i) {
@@ -48,7 +48,7 @@ TEST_CASE("corners of a patch's elements are points of the surface") {
   }));
 }
 
-TEST_CASE("the leaves of a net cover a patch from south-west to north-east") {
+TEST_CASE("a patch's leaves cover it in Morton order from south-west to north-east") {
   CHECK(rc::check([] {
     const auto surface = swept::surface_of(random_net(4, 4, 40));
     double covered = 0;
@@ -68,7 +68,7 @@ TEST_CASE("the leaves of a net cover a patch from south-west to north-east") {
   }));
 }
 
-TEST_CASE("points of a net's surface are within the tolerance of their element") {
+TEST_CASE("points of a net's surface are within 1.5 tolerances of their element") {
   CHECK(rc::check([] {
     const swept::Net net = random_net(4, 4, 20);
     const auto surface = swept::surface_of(net);

@@ -211,7 +211,7 @@ TEST_CASE("a larger patch gets the vertex of a smaller neighbour on its common s
   }
 }
 
-TEST_CASE("both repairs split patch edges into segments of the larger elements") {
+TEST_CASE("both repairs yield the same elements for neighbouring subdivided patches") {
   // Expressions divided in different corners, next to each other in both directions.
   const std::vector<std::string> kinds{"L",         "(LLLL",     "((LLLLLLL",    "(LL(LLLLL",
                                        "(L(LLLLLL", "(LLL(LLLL", "((LLLL(LLLLLL"};
@@ -268,7 +268,7 @@ TEST_CASE("vertices on nested lines and between patches move onto the larger lin
   }
 }
 
-TEST_CASE("one patch has no wire frame and several patches share one at their corners") {
+TEST_CASE("one patch has no wire frame and nine patches share one of 16 vertices") {
   for (const Repair repair : both_repairs) {
     const Patchwork alone = patchwork(1, {"(LLLL"}, repair);
     CHECK(alone.wire_vertices == 0);

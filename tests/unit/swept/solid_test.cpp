@@ -92,7 +92,7 @@ TEST_CASE("a twisted square keeps its volume") {
   CHECK(volume_of(sweep, 0.002) == doctest::Approx(16).epsilon(0.002));
 }
 
-TEST_CASE("whole turns within a segment and scales that return are drawn") {
+TEST_CASE("a sweep with full turns or several scale changes has its volume within 2 percent") {
   Sweep sweep{square(1), line({0, 0, 0}, {0, 0, 40})};
   sweep.rotation = {1, false, {{0, 0, 0}, {720, 0, 0}}};
   CHECK(swept::make_swept_solid(sweep, {0.1}).mesh.points.size() > 100);
@@ -179,7 +179,7 @@ TEST_CASE("the thesis's test leaves a ring's flat side undivided unlike the side
   CHECK(inside(swept::Flatness::sides) < 0.02);
 }
 
-TEST_CASE("a trajectory through the y axis direction is rotated there and stays solid") {
+TEST_CASE("a trajectory through the y axis direction yields a closed oriented mesh") {
   const Sweep sweep{{3, true, {{1, 0, 0}, {0, 0.4, 0}, {-1, 0, 0}, {0, -0.4, 0}}},
                     {3, false, {{-8, 0, 0}, {-8, 6, 0}, {0, 12, 0}, {8, 6, 1}, {8, 0, 0}}}};
   CHECK(fault_of(swept::make_swept_solid(sweep, {0.05})) == "");
@@ -194,7 +194,7 @@ TEST_CASE("an upright ring is rotated at both places along the y axis and keeps 
   CHECK(volume(solid.mesh) == doctest::Approx(2 * pi * 9 * pi * 0.5).epsilon(0.02));
 }
 
-TEST_CASE("any sweep is closed and oriented outwards and equals the quadtree's elements") {
+TEST_CASE("any sweep is closed and oriented outwards and both repairs have equal volumes") {
   CHECK(rc::check([] {
     Sweep sweep;
     sweep.contour = circle(1 + 0.01 * *rc::gen::inRange(0, 100), *rc::gen::inRange<std::size_t>(4, 9));

@@ -89,7 +89,7 @@ TEST_CASE("a path's tangent bisects joints and follows the only segment at open 
   CHECK(are_same(smooth({{3, {{{-1, 0, 0}, {1, 0, 0}, {-1, 0, 0}, {1, 0, 0}}}}}).tangent(0.5), {1, 0, 0}));
 }
 
-TEST_CASE("a trajectory turns back if its directions are opposite within 0.02") {
+TEST_CASE("a trajectory whose directions are opposite within 0.02 radians is rejected") {
   // Unit directions that are opposite except for an angle a sum to length 2 sin(a / 2).
   for (const bool is_near : {true, false}) {
     const double angle = is_near ? 0.0199 : 0.0201;
@@ -123,7 +123,7 @@ TEST_CASE("a contour's v points to -z along the rising y axis and to z if it fal
   CHECK(are_same(up_at(wave, 1), {0, 0, -1}));
 }
 
-TEST_CASE("v at an end along the y axis is that of the nearest place where it is defined") {
+TEST_CASE("v at an end along the y axis is that of the nearest place with a defined v") {
   // The plane of x and y: left of the tangent where it rises to the right or falls to the left.
   CHECK(are_same(up_at(smooth({{2, {{{0, 0, 0}, {0, 5, 0}, {5, 10, 0}}}}}), 0), {-1, 0, 0}));
   CHECK(are_same(up_at(smooth({{2, {{{0, 0, 0}, {0, 5, 0}, {-5, 10, 0}}}}}), 0), {1, 0, 0}));
@@ -266,7 +266,7 @@ TEST_CASE("a sweep's corners are mitred and sections between them lean evenly") 
   CHECK(are_same(straight.joint(1).u, {0, 0, -1}));
 }
 
-TEST_CASE("a smooth trajectory has no corner above a thousandth at repeated points") {
+TEST_CASE("a smooth trajectory with a corner above 0.001 rad at equal points is rejected") {
   // Two equal points of a curve of degree 2 form a corner: it arrives along x and leaves at an angle.
   const auto bent = [](double angle, bool is_closed) {
     const glm::dvec3 next(std::cos(angle), std::sin(angle), 0);
@@ -288,7 +288,7 @@ TEST_CASE("a smooth trajectory has no corner above a thousandth at repeated poin
   CHECK(making_spine(along(first)) == error_at(1));
 }
 
-TEST_CASE("a closed trajectory may rotate its contour by a full turn even at height 0") {
+TEST_CASE("a closed trajectory may rotate its contour by a full turn even if a scale is 0") {
   Curve ring{2, true, {}};
   for (int i = 0; i < 8; ++i) ring.points.emplace_back(9 * std::cos(i * pi / 4), 0, 9 * std::sin(i * pi / 4));
   swept::Sweep sweep = along(ring);

@@ -180,7 +180,7 @@ TEST_CASE("the ranges and blocks and extents of fast spheres contain their depth
   CHECK((!testing::draws_usual_cases() || out_blocks > 50));
 }
 
-TEST_CASE("rotations and reflections and uniform scales to 6 digits keep balls") {
+TEST_CASE("keeps_balls() accepts rotations and reflections and uniform scales to 6 digits") {
   CHECK(rc::check([] {
     glm::dmat4 place = glm::translate(glm::dmat4(1.0), vector(20));
     place = glm::rotate(place, real(0, 6.28), glm::normalize(vector(1) + glm::dvec3(1e-3)));
@@ -200,7 +200,7 @@ TEST_CASE("rotations and reflections and uniform scales to 6 digits keep balls")
   }));
 }
 
-TEST_CASE("only round balls in orthographic views become fast spheres") {
+TEST_CASE("only uniformly scaled spheres in orthographic views become fast spheres") {
   const glm::dmat4 longer = glm::scale(glm::dmat4(1.0), {1, 1, 2});
   CHECK(facet::make_geometry(sphere(1, glm::dmat4(1.0)), fast()).quadrics.quadrics().size() == 1);
   CHECK(facet::make_geometry(sphere(1, longer), fast()).quadrics.quadrics().empty());

@@ -27,7 +27,7 @@ std::vector<FixedLinear> functions(std::size_t count, const view::PixelRect& rec
       case 0: made.push_back({between(-slope, slope), between(-slope, slope), between(-20 * slope, 20 * slope)}); break;
       // Tangents of a bowl.
       case 1: made.push_back({2 * slope * x, 2 * slope * y, -slope * (x * x + y * y)}); break;
-      // All through one edge.
+      // Planes through one edge.
       case 2: made.push_back({base.a + times * edge.a, base.b + times * edge.b, base.c + times * edge.c}); break;
       case 3: made.push_back(base); break;
       case 4: made.push_back({0, 0, between(-slope, slope)}); break;
@@ -45,7 +45,7 @@ struct Drawn {
   unsigned shift = 0;
 };
 
-/// Moves backs and edges so that the solid exists at a pixel, possibly just so.
+/// Moves backs and edges so that the solid exists at a pixel, sometimes only just.
 void open_at(Drawn& drawn, std::int64_t x, std::int64_t y) {
   Boundary& boundary = drawn.boundary;
   const auto value = [&](const FixedLinear& one) { return one.a * x + one.b * y + one.c; };
@@ -202,7 +202,7 @@ TEST_CASE("rivals include each boundary at which a solid begins or ends in hard 
   CHECK(tally.left_out > 100'000);
 }
 
-TEST_CASE("few of many faces spread over the picture are rivals of each other") {
+TEST_CASE("faces spread over the picture have fewer than 60 rivals on average") {
   for (const std::int64_t side : {10, 50, 200}) {
     CAPTURE(side);
     const Boundary boundary = bowl(side, 1024);

@@ -196,7 +196,7 @@ TEST_CASE("an eye on a quadric and a cone seen along a generator are not represe
         view::ScreenQuadricKind::unfit);
 }
 
-TEST_CASE("a sphere's depths and pixels are its own and not its hull's") {
+TEST_CASE("a sphere's depth range and pixels are exact and not those of a larger hull") {
   const model::Tree tree = single(model::Sphere{10, {}}, glm::dmat4(1.0));
   const facet::Geometry scene = facet::make_geometry(tree, exact());
   const view::Camera camera{{0, 0, 100}, {0, 0, 0}, view::Projection::orthographic};

@@ -39,14 +39,14 @@ double meet(const view::Camera& camera, const view::Sampling& sampling, const fa
 
 }  // namespace
 
-TEST_CASE("a number becomes the nearest fixed-point integer") {
+TEST_CASE("to_fixed() rounds to the nearest fixed-point integer and halves away from zero") {
   CHECK(view::to_fixed(1.0, 12) == 4096);
   CHECK(view::to_fixed(-0.5, 1) == -1);
   CHECK(view::to_fixed(0.49, 0) == 0);
   CHECK(view::to_fixed(-2.5, 0) == -3);
 }
 
-TEST_CASE("a number that fits no integer is rejected") {
+TEST_CASE("to_fixed() has no result for a number that fits no integer") {
   CHECK_FALSE(view::to_fixed(1e30, 12).has_value());
   CHECK_FALSE(view::to_fixed(std::numeric_limits<double>::infinity(), 0).has_value());
   CHECK_FALSE(view::to_fixed(std::nan(""), 0).has_value());
@@ -156,7 +156,7 @@ TEST_CASE("a near plane behind the whole model is rejected") {
   CHECK_THROWS_AS(see(100, view::Projection::perspective), InputError);
 }
 
-TEST_CASE("depth steps and distances are inverse to each other") {
+TEST_CASE("depth_of() and distance_of() are inverse to each other") {
   for (const isa::DepthScale& scale : {isa::DepthScale{false, -3, 17}, isa::DepthScale{true, 0.5, 128}}) {
     for (const std::uint32_t step : {1U, 2U, 77U, 4000U, 65533U}) {
       CHECK(isa::depth_of(scale, 16, isa::distance_of(scale, 16, step)) == doctest::Approx(step).epsilon(1e-9));
@@ -167,7 +167,7 @@ TEST_CASE("depth steps and distances are inverse to each other") {
   }
 }
 
-TEST_CASE("faces seen edge-on become edge tests and opposite sides share their zeros") {
+TEST_CASE("faces seen edge-on become edge tests with a positive leading coefficient") {
   const model::Tree tree = box_at({0, 0, 0}, {2, 2, 2});
   const facet::Geometry scene = facet::make_geometry(tree);
   const view::View view = view::make_view(scene, tree, {{0, -9, 0}, {0, 0, 0}, view::Projection::orthographic}, {});
@@ -180,7 +180,7 @@ TEST_CASE("faces seen edge-on become edge tests and opposite sides share their z
   CHECK(edges == 4);
 }
 
-TEST_CASE("rounding hardly enlarges a thick solid's extent and planes bound a thin one's") {
+TEST_CASE("rounding hardly enlarges a thick solid's box but greatly enlarges a thin sheet's") {
   const view::Camera camera{{0, -40, 0}, {0, 0, 0}, view::Projection::orthographic};
   const auto extent_of = [&](const model::Tree& tree, const view::Sampling& sampling) {
     return view::make_view(facet::make_geometry(tree), tree, camera, sampling).extents[0];

@@ -1,4 +1,5 @@
-// Tests of a session's answers to each request that other files do not cover: by hand for a box, and the end of work.
+// Tests of a session's answers to the requests that other files do not cover: for a box, against figures calculated by
+// hand; and of cancellation and time limits.
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -58,7 +59,7 @@ viewer::SessionOptions recording(std::function<void()> does) {
 
 }  // namespace
 
-TEST_CASE("the answer with a picture has its size and camera and command and duration") {
+TEST_CASE("the answer to draw has the picture's size and camera and command and duration") {
   viewer::Session session({figure, {"--fraction-bits", "10"}, Json::object()});
   const Json answer = ask(session, "draw", box_request()).json;
   CHECK(answer["width"] == 33);
@@ -195,14 +196,14 @@ TEST_CASE("the first answer to the page has the model and its options and the ma
     viewer::Session begun({figure, {}, {{"machine", begun_with}}});
     return Json::parse(begun.answer({.method = "GET"}, "about").body)["machines"];
   };
-  // csgsim's own policy already has one; another one precedes it.
+  // A machine of csgsim's list is not repeated; any other machine precedes the list.
   CHECK(machines("scan-line") == about["machines"]);
   const Json more = machines("pixel-planes-4+alu.bits=2");
   CHECK(more.size() == 10);
   CHECK(more[0] == "pixel-planes-4+alu.bits=2");
 }
 
-TEST_CASE("the session's report is that of the last drawing") {
+TEST_CASE("the report shows the last drawing and is rejected before the first") {
   viewer::Session session = figure_session();
   CHECK(session.answer({.method = "GET"}, "report").status == 400);
   CHECK(ask(session, "tree", box_request()).status == 200);
@@ -279,7 +280,7 @@ TEST_CASE("the answer to a rejected request states its error") {
   CHECK(testing::error_of([] { const viewer::Session none({"/nosuch.csg", {}, Json::object()}); }) != "");
 }
 
-TEST_CASE("any request that is cancelled by its name reports the cancellation") {
+TEST_CASE("a wave request cancelled by its name reports the cancellation") {
   viewer::Session* running = nullptr;
   Json progress;
   viewer::Session session = figure_session(recording([&] {

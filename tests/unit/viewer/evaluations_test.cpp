@@ -24,7 +24,7 @@ bool is_interrupted() {
 
 }  // namespace
 
-TEST_CASE("cancelling an evaluation by name ends only its thread's work") {
+TEST_CASE("an evaluation is cancelled only by its own name and not if it has none") {
   viewer::Evaluations all(1h);
   viewer::Evaluation one(all, "one");
   all.cancel("two");
@@ -63,7 +63,7 @@ TEST_CASE("only evaluations have a time limit and each one restarts it") {
   CHECK(one.end_reason() == EndReason::overdue);
 }
 
-TEST_CASE("a closed session ends current and later work") {
+TEST_CASE("closing the evaluations interrupts current and later ones") {
   viewer::Evaluations all(1h);
   {
     const viewer::Evaluation before(all, "");

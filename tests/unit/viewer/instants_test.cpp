@@ -80,7 +80,7 @@ TEST_CASE("the fields of an instant equal the reference's in steps forwards and 
   }
 }
 
-TEST_CASE("the picture of an instant tints exactly the enabled pixels") {
+TEST_CASE("tinting changes the picture of an instant only if pixels are enabled") {
   const Subject of = subject("pixel-planes-4", "16x12");
   viewer::Instants instants(of.program, of.machine);
   const auto at = [&](bool is_tinted) { return instants.at({.number = 0, .field = {}, .is_tinted = is_tinted}); };

@@ -20,7 +20,7 @@ std::string error_of(const std::string& text, const session::JsonLimits& limits)
 
 }  // namespace
 
-TEST_CASE("the nesting of a JSON text is that of its arrays and objects") {
+TEST_CASE("a JSON text nested deeper than its limit is rejected") {
   for (const std::size_t depth : {1U, 2U, 5U}) {
     const session::JsonLimits limits{.depth = static_cast<int>(depth)};
     CHECK(error_of(nested(depth), limits) == "");
@@ -34,7 +34,7 @@ TEST_CASE("the nesting of a JSON text is that of its arrays and objects") {
   CHECK(error_of(std::string(1'000'000, '['), {}) != "");
 }
 
-TEST_CASE("the number of values in a JSON text counts keys and values and brackets") {
+TEST_CASE("keys and values and brackets of a JSON text count toward its limit of values") {
   CHECK(error_of(R"([1,2,3])", {.values = 4}) == "");
   CHECK(error_of(R"([1,2,3])", {.values = 3}) == "it has more than 3 values");
   CHECK(error_of(R"({"a":1,"b":{}})", {.values = 5}) == "");

@@ -47,7 +47,7 @@ std::uint64_t busy_clocks(const Json& stretch) { return stretch.at(stretch.size(
 
 }  // namespace
 
-TEST_CASE("a zoomed-in lane has its original stretches") {
+TEST_CASE("a zoomed-in lane keeps its stretches unmerged and clips them to the range") {
   const viewer::Lanes lanes(trace_of({10, {"a", "a", "", "b", "a"}}));
   CHECK(lanes.begin() == 10);
   CHECK(lanes.end() == 15);
@@ -100,7 +100,7 @@ TEST_CASE("a lane of many stretches is sent as few with their most frequent text
   }
 }
 
-TEST_CASE("two or more short stretches of a lane are merged and a single one is kept") {
+TEST_CASE("adjacent short stretches of a lane are merged and a single one is kept") {
   // Over 800 clocks, a stretch of 2 is shown alone, and one of 1 is too short.
   Clocks lane{0, std::vector<std::string>(800)};
   const auto show = [&](std::size_t clock, const char* text) { lane.texts[clock] = text; };

@@ -32,7 +32,7 @@ const Json& named_in(const Json& all, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("the first file of the page is the page and a file's type is by its extension") {
+TEST_CASE("an empty path returns the page and a file's type follows from its extension") {
   const std::optional<viewer::Reply> page = viewer::page_file("");
   REQUIRE(page);
   CHECK(page->status == 200);
@@ -62,7 +62,7 @@ TEST_CASE("the first file of the page is the page and a file's type is by its ex
     CHECK_FALSE(viewer::page_file(other));
 }
 
-TEST_CASE("the form has each key of each effect except colour tables") {
+TEST_CASE("the effects form has each key of each effect except colour tables") {
   const Json form = viewer::effects_form();
   const auto sections = effects::sections();
   REQUIRE(form.size() == sections.size());

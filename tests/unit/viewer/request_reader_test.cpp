@@ -166,7 +166,7 @@ TEST_CASE("an HTTP header may have 32 KiB and 100 fields by default") {
   CHECK(refusal(post("Content-Length: 4194304\r\n", std::string(4'194'304, 'x'))) == "");
 }
 
-TEST_CASE("the time of an HTTP request starts with its first byte even behind another one") {
+TEST_CASE("an HTTP request's time starts with its first byte even after another request") {
   RequestReader reader(limits, admit);
   CHECK_FALSE(reader.has_begun());
   reader.put("G");
@@ -187,7 +187,7 @@ TEST_CASE("the time of an HTTP request starts with its first byte even behind an
   CHECK(reader.has_begun());
 }
 
-TEST_CASE("the message for a rejected HTTP body says what to send") {
+TEST_CASE("the error message of each rejected HTTP request states the reason") {
   const auto error = [](std::string_view bytes) {
     return nlohmann::json::parse(read(bytes).refusal().body).at("error").get<std::string>();
   };

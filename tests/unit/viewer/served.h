@@ -57,7 +57,7 @@ class RunningServer {
   RunningServer& operator=(const RunningServer&) = delete;
 
   /// Whether the server ends within three seconds.
-  [[nodiscard]] bool is_left() const {
+  [[nodiscard]] bool ends_soon() const {
     for (int i = 0; i < 300 && !is_left_; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     return is_left_;
   }
@@ -130,7 +130,7 @@ class Client {
     }
     return is_at_end_;
   }
-  /// Whether it is open, without waiting.
+  /// Whether the connection is open; does not wait.
   [[nodiscard]] bool is_open() const {
     char byte = 0;
     return ::recv(socket_, &byte, 1, MSG_PEEK | MSG_DONTWAIT) < 0 && (errno == EAGAIN || errno == EWOULDBLOCK);

@@ -72,7 +72,7 @@ TEST_CASE("a connection has default time limits and a page a default event inter
   CHECK(viewer::RequestLimits{}.body_bytes == 4'194'304);
 }
 
-TEST_CASE("each reply has its exact status line and headers and body") {
+TEST_CASE("each kind of reply has its exact status line and headers and body") {
   const RunningServer server(serving());
   Client client(server.port);
   const auto reply = [&](const std::string& request) {
@@ -169,7 +169,7 @@ TEST_CASE("a server has separate time limits for slow requests and idle connecti
   }
 }
 
-TEST_CASE("an answer may take longer than a request") {
+TEST_CASE("a handler may take longer than the time limit of a request") {
   viewer::Serving one = serving({.request = 400ms, .reply = 2s});
   one.handler = [](const viewer::Request&) {
     std::this_thread::sleep_for(600ms);
@@ -226,7 +226,7 @@ TEST_CASE("an open page receives periodic events and the server ends after the l
   CHECK(second.bytes(3) == ":\n\n");
   CHECK(ends == 0);
   second.close();
-  CHECK(server.is_left());
+  CHECK(server.ends_soon());
   CHECK(ends == 1);
   CHECK(ticks > 1);
 }
@@ -259,7 +259,7 @@ TEST_CASE("a server announces its end before it waits for requests in progress")
   page.send(get("/stay"));
   page.until("\r\n\r\n");
   page.close();
-  CHECK(server.is_left());
+  CHECK(server.ends_soon());
   CHECK(was_announced);
 }
 
@@ -397,7 +397,7 @@ TEST_CASE("a port in use is rejected and one of an ended server is free at once"
   CHECK(client.until("/a ") == plain_reply("GET /a "));
 }
 
-TEST_CASE("pages count as left once all are closed and the patience has passed") {
+TEST_CASE("pages are left once all have been closed for longer than the given time") {
   viewer::Pages pages;
   CHECK_FALSE(pages.are_closed_for(0ms));
   pages.open();

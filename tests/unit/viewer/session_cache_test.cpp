@@ -77,7 +77,7 @@ Json fresh_answer(const Question& question, const Json& request) {
   return answer_to(session, question, request);
 }
 
-/// Replaces the machine's wires: its only lane shows the options of the request.
+/// Replaces the recording of waves: the only lane shows the options of the request.
 struct Recorder {
   int count = 0;
 
@@ -140,7 +140,7 @@ TEST_CASE("a rewritten model file is drawn again") {
   std::filesystem::remove(model);
 }
 
-TEST_CASE("a session keeps lanes of a pixel and of the frame separate") {
+TEST_CASE("a session records the frame's lanes once and a pixel's lanes for each request") {
   Recorder recorder;
   viewer::Session session({file, {}, Json::object()}, {.recorder = std::ref(recorder)});
   const Json frame{{"knobs", small}};

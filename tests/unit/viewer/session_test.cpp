@@ -87,7 +87,7 @@ TEST_CASE("an edited source replaces the file and errors have their place in it"
   CHECK(ask(drawing, "draw", Json::object()).json["stats"]["model"]["primitives"] > 1);
 }
 
-TEST_CASE("warnings are sent to the page line by line") {
+TEST_CASE("the answer to draw contains each warning about the model") {
   viewer::Session drawing = session();
   const Answer empty =
       ask(drawing, "draw", {{"source", "import(file=\"there_is_none.stl\");cube(size=[1,2,3],center=true);"}});
@@ -96,7 +96,7 @@ TEST_CASE("warnings are sent to the page line by line") {
   CHECK(empty.json["warnings"][0].get<std::string>().find("there_is_none.stl") != std::string::npos);
 }
 
-TEST_CASE("bad requests and undrawable models and unknown requests have different statuses") {
+TEST_CASE("malformed requests get 400 and undrawable models 422 and unknown requests 404") {
   viewer::Session drawing = session();
   for (const char* body : {"", "{", "[]", "3", R"({"knobs":[]})", R"({"knobs":{"size":3}})", R"({"knobs":{"set":"x"}})",
                            R"({"source":1})", R"({"knobs":{"scene":"x"}})", R"({"knobs":{"machine":"x.toml"}})"})

@@ -92,7 +92,7 @@ TEST_CASE("a surface's active tree has the Program's compared primitives on each
   CHECK(surfaces > 300);
 }
 
-TEST_CASE("the model's tree has each node of the file once with operands after operators") {
+TEST_CASE("a tree has each primitive once in order and deepens only after operators") {
   const Compiled one = compiled("carburettor", {"--size", "32x32", "--view-all"});
   const Json rows = viewer::tree_json(one.model.tree, *one.model.program.facts);
   std::vector<std::uint32_t> primitives;
@@ -109,7 +109,7 @@ TEST_CASE("the model's tree has each node of the file once with operands after o
   for (std::uint32_t i = 0; i < primitives.size(); ++i) CHECK(primitives[i] == i);
 }
 
-TEST_CASE("a primitive that is not drawn has no active tree") {
+TEST_CASE("a nonexistent piece has no active tree") {
   const Compiled one = compiled("thesis_fig_2_3", {"--size", "64x48", "--view-all"});
   viewer::ActiveTrees trees(one.model, one.machine);
   CHECK_FALSE(trees.of(1000, 0));
@@ -180,7 +180,7 @@ std::string rows_text(const Json& rows) {
 
 }  // namespace
 
-TEST_CASE("a tree has its operators' names with operands one level deeper in order") {
+TEST_CASE("a tree lists each operator with its operands one level deeper in order") {
   const auto tree = [](const std::string& text) {
     const Compiled one = small_compiled(text);
     return rows_text(viewer::tree_json(one.model.tree, *one.model.program.facts));
@@ -194,7 +194,7 @@ TEST_CASE("a tree has its operators' names with operands one level deeper in ord
   CHECK(viewer::tree_json({}, {}) == Json::array());
 }
 
-TEST_CASE("pieces of a node are named as the node and an unnamed primitive by its number") {
+TEST_CASE("pieces of one node are one row and an unnamed primitive is named by its number") {
   model::Tree tree;
   const model::Primitive cube;
   model::Node pieces;
@@ -218,7 +218,7 @@ TEST_CASE("pieces of a node are named as the node and an unnamed primitive by it
   CHECK(rows[2].at("text") == "p" + rows[2].at("primitive").dump());
 }
 
-TEST_CASE("a surface must be in intersected operands and outside subtracted ones") {
+TEST_CASE("an active tree has intersected operands and complements of subtracted ones") {
   const auto active = [](const std::string& text, std::uint32_t piece) {
     const Compiled one = small_compiled(text);
     viewer::ActiveTrees trees(one.model, one.machine);

@@ -30,7 +30,7 @@ std::vector<std::uint8_t> pixels_of(const std::string& file, std::uint32_t forma
 
 }  // namespace
 
-TEST_CASE("zlib inflates the web's compress_zlib data") {
+TEST_CASE("zlib inflates the output of web::compress_zlib() to the original bytes") {
   for (const std::size_t count : {0U, 1U, 5551U, 5553U, 65535U, 65536U, 200'000U}) {
     CAPTURE(count);
     const std::vector<std::uint8_t> random = random_bytes(count);
@@ -39,7 +39,7 @@ TEST_CASE("zlib inflates the web's compress_zlib data") {
   }
 }
 
-TEST_CASE("runs of every length survive the web's deflate and compress well") {
+TEST_CASE("web::compress_zlib() packs two runs of up to 1199 bytes into less than 40 bytes") {
   for (std::size_t length = 0; length < 1200; ++length) {
     CAPTURE(length);
     const std::string bytes = "a" + std::string(length, '\xC8') + "b" + std::string(length, '\0');
@@ -49,7 +49,7 @@ TEST_CASE("runs of every length survive the web's deflate and compress well") {
   }
 }
 
-TEST_CASE("libpng reads the web's grey and coloured pictures") {
+TEST_CASE("libpng reads the grey and colour PNG files that the web build encodes") {
   for (const int channels : {1, 3}) {
     CAPTURE(channels);
     const std::vector<std::uint8_t> bytes = random_bytes(std::size_t{301} * 97 * static_cast<std::size_t>(channels));

@@ -30,7 +30,7 @@ void check_same_numbers(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("the web reads numbers and invalid texts like std::from_chars") {
+TEST_CASE("web::read_number() accepts and rejects texts like std::from_chars()") {
   for (const char* const text : {"",
                                  "-",
                                  "+1",
@@ -66,7 +66,7 @@ TEST_CASE("the web reads numbers and invalid texts like std::from_chars") {
     check_same_numbers(text);
 }
 
-TEST_CASE("the web reads random texts of number characters like std::from_chars") {
+TEST_CASE("web::read_number() reads random number characters like std::from_chars()") {
   std::mt19937 generator(5);
   const std::string letters = "0123456789.eE+-";
   for (int round = 0; round < 20'000; ++round) {
@@ -76,7 +76,7 @@ TEST_CASE("the web reads random texts of number characters like std::from_chars"
   }
 }
 
-TEST_CASE("every double survives a round trip through the web's digits") {
+TEST_CASE("web::read_number() reads random doubles printed by std::to_chars() exactly") {
   std::mt19937_64 generator(9);
   for (int round = 0; round < 20'000; ++round) {
     const auto number = std::bit_cast<double>(generator());
