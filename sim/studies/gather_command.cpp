@@ -55,7 +55,7 @@ void refuse_missing(const Gathered& gathered, const std::vector<std::string>& fo
   const bool is_one = gathered.unfinished.size() == 1;
   throw InputError(fmt::format(
       "{}: {} of {} points are missing: {} {} of {} {}", folders.front(), gathered.missing, gathered.rows.size(),
-      is_one ? "shard" : "shards", compact(gathered.unfinished), gathered.shards,
+      is_one ? "shard" : "shards", to_ranges(gathered.unfinished), gathered.shards,
       is_one
           ? "is not complete; complete it by: " + shard_command(gathered, gathered.unfinished.front(), folders.front())
           : "are not complete; print the command of each by: " + missing_command(folders)));

@@ -106,11 +106,11 @@ class Crossings {
 
 }  // namespace
 
-bool end_at_crossings(std::span<const std::size_t> which, Outlines& outlines) {
+bool split_at_crossings(std::span<const std::size_t> which, Outlines& outlines) {
   Crossings crossings(outlines.points);
   for (const std::size_t one : which) crossings.find(outlines.outlines[one]);
   const Ends ends = crossings.taken();
-  for (Outline& outline : outlines.outlines) end_at(ends, outline.sides);
+  for (Outline& outline : outlines.outlines) split_at(ends, outline.sides);
   return !ends.empty();
 }
 

@@ -55,7 +55,7 @@ class Evaluation {
   }
 
   /// Returns and removes all fragments.
-  std::vector<Fragment> taken() { return std::exchange(found_, {}); }
+  std::vector<Fragment> release() { return std::exchange(found_, {}); }
 
  private:
   static Numbers numbers_below(std::size_t count) {
@@ -225,13 +225,8 @@ class Evaluation {
 class Sharing {
  public:
   Sharing(const Bodies& bodies, const csg::PositiveTree& tree, std::vector<std::uint32_t> numbers, const Work& work,
-          const TakeFragments& hand_on)
-      : bodies_(bodies),
-        tree_(tree),
-        numbers_(std::move(numbers)),
-        work_(work),
-        hand_on_(hand_on),
-        found_(numbers_.size()) {}
+          const FragmentSink& sink)
+      : bodies_(bodies), tree_(tree), numbers_(std::move(numbers)), work_(work), sink_(sink), found_(numbers_.size()) {}
 
   void operator()(std::size_t threads) {
     {
@@ -250,7 +245,7 @@ class Sharing {
       Evaluation evaluation(bodies_, tree_, work);
       for (std::size_t i = next_++; i < numbers_.size(); i = next_++) {
         evaluation.add(numbers_[i]);
-        add(i, evaluation.taken());
+        add(i, evaluation.release());
       }
     } catch (...) {
       const std::lock_guard guard(lock_);
@@ -266,7 +261,7 @@ class Sharing {
     const std::lock_guard guard(lock_);
     found_[number] = std::move(found);
     for (; handed_on_ < found_.size() && found_[handed_on_]; ++handed_on_) {
-      hand_on_(*found_[handed_on_]);
+      sink_(*found_[handed_on_]);
       found_[handed_on_].reset();
     }
   }
@@ -275,7 +270,7 @@ class Sharing {
   const csg::PositiveTree& tree_;
   std::vector<std::uint32_t> numbers_;
   const Work& work_;
-  const TakeFragments& hand_on_;
+  const FragmentSink& sink_;
   std::vector<std::optional<std::vector<Fragment>>> found_;  ///< one per body
   std::size_t handed_on_ = 0;
   std::atomic<std::size_t> next_ = 0;
@@ -303,13 +298,13 @@ Fragment fragment_of(const Sheet& sheet, const Region& region, bool is_front, st
 }
 
 void find_fragments(const Bodies& bodies, const csg::PositiveTree& tree, const std::vector<bool>& whole,
-                    const TakeFragments& take, const Work& work, unsigned threads) {
+                    const FragmentSink& sink, const Work& work, unsigned threads) {
   if (tree.root == model::no_index) return;
   std::vector<std::uint32_t> numbers;
   for (std::uint32_t i = 0; i < bodies.bodies.size(); ++i)
     if (!whole[i]) numbers.push_back(i);
   if (numbers.empty()) return;
-  Sharing(bodies, tree, numbers, work, take)(std::min<std::size_t>(threads, numbers.size()));
+  Sharing(bodies, tree, numbers, work, sink)(std::min<std::size_t>(threads, numbers.size()));
 }
 
 }  // namespace csgsim::software::convert

@@ -233,7 +233,7 @@ std::size_t Polygons::piece_count() const {
   return sum;
 }
 
-std::size_t Polygons::filled() const {
+std::size_t Polygons::filled_cells() const {
   return static_cast<std::size_t>(
       std::ranges::count_if(cells, [](const PolygonCell& cell) { return !cell.bucket.empty(); }));
 }

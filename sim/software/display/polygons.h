@@ -48,7 +48,7 @@ struct Polygons {
   /// Number of pieces with an area in all cells.
   [[nodiscard]] std::size_t piece_count() const;
   /// Number of cells with a non-empty bucket.
-  [[nodiscard]] std::size_t filled() const;
+  [[nodiscard]] std::size_t filled_cells() const;
 };
 
 /// How polygons are distributed to cells.

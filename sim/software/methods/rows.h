@@ -76,7 +76,7 @@ Choice choice_of(const std::string& text);
 /// Name in the form that choice_of parses.
 std::string name_of(const Choice& choice);
 
-std::unique_ptr<Method> made(const Choice& choice, const Subject& subject, bool counts);
+std::unique_ptr<Method> make_method(const Choice& choice, const Subject& subject, bool counts);
 
 /// A row of the table of prunings.
 struct PruningRow {

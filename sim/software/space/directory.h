@@ -152,7 +152,7 @@ std::vector<std::string> halving_directories();
 const DirectoryRow& directory_of(const std::string& name);
 
 template <class Own>
-std::unique_ptr<Directory> made_directory(const FacetShapes& shapes, const SpaceOptions& options) {
+std::unique_ptr<Directory> make_directory(const FacetShapes& shapes, const SpaceOptions& options) {
   return std::make_unique<Own>(shapes, options);
 }
 

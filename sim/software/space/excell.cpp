@@ -215,9 +215,9 @@ class RecursiveExcell final : public DirectoryOf<RecursiveExcell> {
 
 extern const DirectoryRow excell_row{
     "excell", "halved cells found by address computation, visited from query point to query point",
-    "Tamminen 1981; Jansen 1987, 5.1.3, algorithm 5.3", made_directory<Excell>, true};
+    "Tamminen 1981; Jansen 1987, 5.1.3, algorithm 5.3", make_directory<Excell>, true};
 extern const DirectoryRow recursive_excell_row{"excell-recursive",
                                                "halved cells, visited by clipping the ray to halves of the array",
-                                               "Jansen 1987, algorithm 5.4", made_directory<RecursiveExcell>};
+                                               "Jansen 1987, algorithm 5.4", make_directory<RecursiveExcell>};
 
 }  // namespace csgsim::software

@@ -289,7 +289,7 @@ TEST_CASE("fragments are returned by body with back faces reversed") {
         // The side to the next corner lies on a second plane that contains both corners.
         for (const convert::FragmentCorner* const end : {&fragment.corners[i], &fragment.corners[next]}) {
           const std::array on{fragment.plane, fragment.corners[i].along};
-          CHECK(bodies.planes.are_on(end->planes, on));
+          CHECK(bodies.planes.is_on_all(end->planes, on));
         }
         const std::uint32_t vertex = fragment.corners[i].vertex;
         if (vertex != convert::no_vertex) CHECK(glm::distance(bodies.bodies[body].vertices[vertex], places[i]) < 1e-9);

@@ -186,9 +186,9 @@ TEST_CASE("cells without pieces are not drawn and pieces without area are not co
   }
   polygons.cells[3].bucket.push_back({0, Places(3), {}, {}});
   CHECK(polygons.piece_count() == 3);
-  CHECK(polygons.filled() == 4);
+  CHECK(polygons.filled_cells() == 4);
   CHECK(Polygons{}.piece_count() == 0);
-  CHECK(Polygons{}.filled() == 0);
+  CHECK(Polygons{}.filled_cells() == 0);
   polygons.cells = {polygons.cells[2]};
   CHECK(software::front_to_back(polygons, plain_eye(false), glm::dvec3{0}, 8, 4).cells.empty());
 }

@@ -48,7 +48,7 @@ TEST_CASE("expensive points at every tenth place are spread over ten shards") {
 }
 
 TEST_CASE("shard numbers are printed as ranges") {
-  CHECK(studies::compact({}).empty());
-  CHECK(studies::compact({3}) == "3");
-  CHECK(studies::compact({1, 3, 4, 5, 9, 10}) == "1,3-5,9-10");
+  CHECK(studies::to_ranges({}).empty());
+  CHECK(studies::to_ranges({3}) == "3");
+  CHECK(studies::to_ranges({1, 3, 4, 5, 9, 10}) == "1,3-5,9-10");
 }
