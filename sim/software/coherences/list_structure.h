@@ -53,8 +53,8 @@ class ListElements {
     return child;
   }
 
-  /// Whether the points after an element are inside; if unknown, `evaluate()` computes it. `is_first`: after one
-  /// surface only.
+  /// Whether the points after an element are inside; if unknown, `evaluate()` computes it. `is_first`: whether
+  /// they are behind one surface only.
   template <class Evaluate>
   bool is_in(std::uint32_t element, bool is_first, const Evaluate& evaluate, Count& count) {
     count(Operation::load);

@@ -60,7 +60,8 @@ class Sequences {
     return owners_.seen(before, at, count);
   }
 
-  /// The primitives that contain the point after an element: those that occur an odd number of times on the way back.
+  /// The primitives that contain the point after an element: those that occur an odd number of times from
+  /// the element back to the first surface.
   std::vector<std::uint32_t> held_at(std::uint32_t element, Count& count) {
     std::vector<std::uint32_t> met;
     for (std::uint32_t at = element; at != none; at = elements_.parent_of(at))

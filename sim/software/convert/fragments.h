@@ -34,7 +34,7 @@ struct Fragment {
 Fragment fragment_of(const Sheet& sheet, const Region& region, bool is_front, std::uint32_t body,
                      std::span<const BodySide> sides);
 
-/// Receives the fragments of one body.
+/// Called with the fragments of one body.
 using FragmentSink = std::function<void(std::span<const Fragment>)>;
 
 /// Computes the boundary of the solid exactly, in convex parts that do not overlap, body by body in order; `sink` is

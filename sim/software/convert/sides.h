@@ -12,7 +12,8 @@
 
 namespace csgsim::software::convert {
 
-/// Splits sides of these outlines (ascending) at each point within the tolerance. Returns the outlines that changed.
+/// Splits the sides of the outlines with these ascending indices at each point within the tolerance, in model units.
+/// Returns the indices of the outlines that changed.
 std::vector<std::size_t> split_at_points(std::span<const std::size_t> which, const NearPoints& near, double tolerance,
                                          Outlines& outlines);
 

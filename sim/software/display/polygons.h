@@ -15,7 +15,7 @@
 
 namespace csgsim::software {
 
-/// A remaining part of a facet.
+/// A part of a facet that remains after clipping.
 struct Piece {
   std::uint32_t facet = 0;          ///< index into Facets::facets
   std::vector<glm::dvec3> corners;  ///< convex, relative to PlaneTable::centre(); fewer than three have no area

@@ -23,7 +23,7 @@
 
 namespace csgsim::software {
 
-/// Index after the last event at the same depth as event `begin`.
+/// Index after the last event at the depth of event `begin`.
 template <class Count>
 std::size_t end_of_point(std::span<const Event> events, std::size_t begin, Count& count) {
   std::size_t end = begin + 1;

@@ -14,7 +14,7 @@
 
 namespace csgsim::software {
 
-/// Data kept from one point to the next.
+/// Data kept from one point to the next (see the help of coherences()).
 enum class Coherent : std::uint8_t { all_points, first_point, one_list, list_structure, joined_lists, csg_buffer };
 
 /// A row of the table of coherences.

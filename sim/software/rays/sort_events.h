@@ -38,6 +38,7 @@ void insertion_sort(std::span<Event> events, Count& count) {
   }
 }
 
+/// std::sort, with each comparison counted.
 template <class Count>
 void standard_sort(std::span<Event> events, Count& count) {
   std::ranges::sort(events, [&](const Event& a, const Event& b) {

@@ -86,7 +86,6 @@ std::uint32_t ExcellCells::add_part(const Range& range, std::uint32_t bucket) {
   return added;
 }
 
-/// Splits the bucket of a cell, after doubling the directory if necessary.
 void ExcellCells::halve(const Range& range) {
   Part& part = parts_[range.directory];
   if (range.level == part.base + part.level) {

@@ -107,7 +107,7 @@ void count_projected_test(const ScreenFacets& facets, const ScreenFacet& facet, 
 }
 
 /// Traces the rays of pixels through a directory. The cells determine which facets are tested; the tests use the
-/// integers of the machines, so that the picture is identical to that of the machines.
+/// integers of the machines, so that the picture equals theirs.
 template <class Count>
 class PrimaryRays final : public CellVisitor {
  public:
