@@ -26,7 +26,7 @@ struct PointRequest {
   Inputs inputs;
 };
 
-/// Whether a row of the point with this number, measured from the same inputs, has everything that is requested now.
+/// Whether a row of the point with this number, measured from the same inputs, has all results that are requested now.
 using Serves = std::function<bool(std::size_t point, const std::string& row)>;
 
 inline bool serves_all(std::size_t /*point*/, const std::string& /*row*/) { return true; }
