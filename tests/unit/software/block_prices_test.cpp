@@ -250,7 +250,7 @@ TEST_CASE("scan lines over one block take the hand-calculated clocks") {
   CHECK(static_cast<double>(counts.words.pixels) == 2 * pixels);
   CHECK(counts.words.sequences == words_of_sequences);
 }
-TEST_CASE("rays of one block transform its six half-spaces") {
+TEST_CASE("rays of one block are charged for transforming its six half-spaces") {
   const Block block;
   const software::DisplayCounts counts = block.counts("rays");
   CHECK(clocks(counts, Phase::preprocessing) == 0);

@@ -318,7 +318,7 @@ TEST_CASE("a facet's piece has exactly one bound per side in the picture") {
   CHECK(pieces.pieces.farthest == seen.farthest);
   CHECK(pieces.pieces.fraction_bits == seen.fraction_bits);
 }
-TEST_CASE("pieces of facets are counter-clockwise from outside and cover large primitives") {
+TEST_CASE("pieces of a box's facets are counter-clockwise from outside and keep its area") {
   // Large primitives with small remainders.
   for (const char* const csg :
        {"cube(size=[6,5,4],center=true);multmatrix([[1,0,0,2],[0,1,0,2],[0,0,1,2],[0,0,0,1]]){cube(size=[6,5,4],center="

@@ -332,7 +332,7 @@ TEST_CASE("every directory reports each facet on a ray before settling the ray b
   if (!testing::draws_usual_cases()) return;
   CHECK(tally.hits > tally.rays);
 }
-TEST_CASE("EXCELL has the cells of its rule and both walks report a ray's facets") {
+TEST_CASE("EXCELL has the cells of a plain recount and both walks report a ray's facets") {
   RaysInCells rays;
   const auto seeds = testing::cases<std::uint64_t>(24, 4);
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {

@@ -134,7 +134,7 @@ TEST_CASE("a line through an edge or corner enters one face and leaves one or mi
   CHECK(within > 1000);
   CHECK(beside > 1000);
 }
-TEST_CASE("a line pierces the cube faces that it meets with the right direction") {
+TEST_CASE("a line pierces a cube's face with -1 if it enters there and 1 if it leaves") {
   const Faces faces = cube_faces();  // low x, high x, low y, high y, low z, high z
   const auto sides = [&](const glm::dvec3& origin, const glm::dvec3& direction) {
     const software::Piercing piercing({origin, direction, 0, 1});
@@ -325,7 +325,7 @@ TEST_CASE("a camera ray that starts in a solid has no facet or light or mirror")
     CHECK(traced.counts.mirror.rays == 0);
   }
 }
-TEST_CASE("new counts of ray tracing are zero") {
+TEST_CASE("counts of ray tracing start at zero and its options have defaults") {
   const software::TraceCounts counts;
   for (const software::RaysMet& met : {counts.primary, counts.shadow, counts.mirror}) {
     CHECK(met.rays + met.cells + met.tested + met.loose + met.met + met.repeats + met.hits == 0);

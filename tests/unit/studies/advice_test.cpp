@@ -173,7 +173,7 @@ TEST_CASE("advice tries each combination once and groups points that differ in A
   CHECK(std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end());
 }
 
-TEST_CASE("advise's front has each choice that no other beats once") {
+TEST_CASE("advise's front lists each choice that no other beats exactly once") {
   const Rows rows{row(66, 0, 100),    row(62, 9, 100), row(66, 0, 100), row(66, 0, 90, 24, 2),
                   row(54, 0, 95, 12), row(66, 1, 100), row(70, 0, 110), row(62, 9, 100, 12)};
   const Rows front = studies::advice_front(rows);

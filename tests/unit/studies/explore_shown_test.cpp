@@ -72,7 +72,7 @@ std::vector<ExploreRow> two_models() {
 
 }  // namespace
 
-TEST_CASE("the column names of each study are those of its rows") {
+TEST_CASE("the column names of sweep and accuracy and advise and explore match their rows") {
   const auto visited = []<class Row>(Row row) {
     std::string names;
     Row::columns(

@@ -11,7 +11,7 @@
 using namespace csgsim;
 using studies::Shard;
 
-TEST_CASE("a shard is read and printed as k/n") {
+TEST_CASE("a shard is parsed and printed as k/n and other forms are rejected") {
   CHECK(studies::parse_shard("1/1") == Shard{1, 1});
   CHECK(studies::parse_shard("3/16") == Shard{3, 16});
   CHECK(studies::to_text({3, 16}) == "3/16");
