@@ -228,7 +228,7 @@ TEST_CASE("a ray visits its cells in order from each entry to each exit") {
         cells += expected->size();
         const std::vector<ReportedCell> reported = cells_along(*directory, ray);
         check_cells(reported, *expected);
-        // A visitor that has enough receives no more cells.
+        // A visitor that returns false receives no more cells.
         if (reported.size() < 2) continue;
         Listener listener(reported.size() - 1);
         software::Counting counting;
@@ -303,8 +303,8 @@ TEST_CASE("a grid has four cells per bucket and 1 to 128 along an axis") {
   CHECK(cells({low, high}, 1) == 2 * 2 * 2);
   CHECK(cells({low, high}, 8) == 1);
   CHECK(cells({low, high}, 100) == 1);
-  CHECK(cells({low, low, low, high, high, high, high}, 1) == 3 * 3 * 3);  // 28 wanted
-  // Twice as long along one axis: of 16 wanted, 4 by 2 by 2.
+  CHECK(cells({low, low, low, high, high, high, high}, 1) == 3 * 3 * 3);  // at most 4 * 7
+  // The box is twice as long along one axis: 4 * 4 facets give 4 x 2 x 2 cells.
   for (int turn = 0; turn < 3; ++turn) {
     std::vector<Corners> polygons{low, low, high, high};
     for (Corners& corners : polygons) {
@@ -332,20 +332,20 @@ TEST_CASE("each facet is enlarged by the reach and the total box by twice the re
         std::vector<std::uint32_t>{0, 2, 3});
   CHECK(std::vector<std::uint32_t>(shapes.unplaced().begin(), shapes.unplaced().end()) ==
         std::vector<std::uint32_t>{1});
-  // The default is 2^-14 of the diagonal, here of 3, 4 and 12: 13.
+  // The default is 2^-14 of the diagonal, which is 13 for extents of 3, 4 and 12.
   const software::Facets others = facets_with({{{1, 1, 1}, {4, 5, 13}, {4, 1, 1}}});
   CHECK(software::FacetShapes(others).reach() == 13 * 0x1p-14);
   const software::Facets none;
   CHECK(software::FacetShapes(none).box().empty());
 }
 TEST_CASE("a facet touches a box within the reach along every axis to the last bit") {
-  // The reach is 1/4. The nearest point is at `at` or slightly farther.
+  // The reach is 1/4. Each box is exactly at the reach, and then beyond it by `away`.
   struct Row {
     const char* what;
     Corners corners;
     facet::Box box;  ///< touches exactly
     int axis;        ///< axis of the displacement
-    double away;
+    double away;     ///< displacement after which it does not touch
   };
   const double little = 0x1p-40;
   const Corners square{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
@@ -358,7 +358,7 @@ TEST_CASE("a facet touches a box within the reach along every axis to the last b
       {"beside a corner", square, {{1.25, 1.25, -1}, {3, 3, 1}}, 1, little},
       {"beyond a slanting side", corner_off, {{3, 1.5, -1}, {4, 3, 1}}, 1, little},
       {"beyond a slanting side", corner_off, {{2.5, 2, -1}, {4, 3, 1}}, 0, little},
-      // The plane x = z: where x is from 1/4, z is up to there.
+      // The plane x = z, moved by the reach along x and z: x - 1/4 = z + 1/4 holds at the corner (1/2, 0).
       {"before a slanting face",
        {{-1, -1, -1}, {-1, 1, -1}, {1, 1, 1}, {1, -1, 1}},
        {{0.5, -1, -1}, {1, 1, 0}},
@@ -380,7 +380,7 @@ TEST_CASE("a facet touches a box within the reach along every axis to the last b
         const software::FacetShapes shapes(facets, 0.25);
         facet::Box box = row.box;
         software::Counting count;
-        // Rounding may only add contacts; for the slanted plane it may do so.
+        // Rounding may only add contacts, and does for the slanting plane, whose `away` is therefore larger.
         CHECK(shapes.touches(0, {turned(box.low, turn), turned(box.high, turn)}, count));
         box.low[row.axis] += row.away;
         box.high[row.axis] += row.away;

@@ -33,9 +33,9 @@ class PlainTree {
   [[nodiscard]] std::uint64_t nodes() const { return nodes_.size(); }
   [[nodiscard]] std::uint64_t levels() const { return levels(root_); }
   [[nodiscard]] bool holds(const Held& held) const { return holds(root_, held); }
-  /// Nodes that are left by table 4.1 when absent primitives are out.
+  /// Number of nodes that remain by table 4.1 of the thesis if the primitives not in `there` are outside.
   [[nodiscard]] std::uint64_t nodes_with(const Held& there) const { return nodes_with(root_, there); }
-  /// Whether the node is on the right of an odd number of differences.
+  /// Whether the primitive's leaf is in the right operand of an odd number of differences.
   [[nodiscard]] bool is_taken_away(std::uint32_t primitive) const;
 
   /// Table 4.3: skips the right operand if the left one decides.
@@ -44,7 +44,7 @@ class PlainTree {
   [[nodiscard]] TreeVisits positional(const Held& held) const;
   /// Table 4.5: walks from the primitive's leaf upwards to the first node whose status does not change.
   [[nodiscard]] TreeVisits change(Held& held, std::uint32_t primitive) const;
-  /// Walks from the primitive's leaf upwards to an operator that hides it.
+  /// Whether no operator above the primitive's leaf removes its surface; `tally` receives the visited nodes.
   [[nodiscard]] bool shows(const Held& held, std::uint32_t primitive, TreeVisits& tally) const;
 
  private:

@@ -14,7 +14,7 @@ using testing::Random;
 
 namespace {
 
-/// Visits cells until it has enough of them.
+/// Counts the visited cells and stops the ray at a given number of them.
 class LimitedVisitor final : public software::CellVisitor {
  public:
   explicit LimitedVisitor(std::size_t enough) : enough_(enough) {}

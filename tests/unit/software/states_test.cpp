@@ -73,7 +73,8 @@ class Walker {
   CountingMethod count_;
 };
 
-/// All states consistent with the known ones, each by one step from the previous; then some from the start.
+/// Whether the traversal is right in all states consistent with the known ones, each reached from the previous one by
+/// one flip, and then after random flips from the start.
 template <template <class> class Traversal>
 bool is_right_in_all_states(const Tree& tree, const Question& question, Random& random) {
   const std::vector<std::uint32_t> open = question.open();

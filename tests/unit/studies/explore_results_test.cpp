@@ -86,7 +86,7 @@ TEST_CASE("explore rejects rows without drawings or with unexplained wrong pixel
   const std::string fault = "the errors of a picture exceed the bounds of docs/numbers.md";
   CHECK_THROWS_WITH_AS(refusal_of(rows), fault.c_str(), std::logic_error);
   CHECK(refusal_of(rows, true).starts_with(fault + "; "));
-  // If one of two models is not drawn it is named; if neither is, both are named.
+  // The error names each model that no design draws, whether one or both.
   rows = {made_row("m.csg", "a", 10, 60), made_row("n.csg", "a", 10, 60)};
   rows[1].reason = "no";
   CHECK(refusal_of(rows).find("n.csg") != std::string::npos);
@@ -184,7 +184,7 @@ TEST_CASE("a page has a table of each front with its knee and a table of command
   CHECK(commands[3][0] == "all");
   CHECK(commands[3][1] == data["fronts"][2]["knee"]["commands"][1]);
   CHECK(table(3).is_list);
-  // If nothing is drawn there are no fronts.
+  // Without a drawn design there are no fronts.
   for (ExploreRow& row : rows) row.reason = "no";
   explored.study().take(lines_of(rows), false);
   data = Json::parse(explored.study().json("t"));

@@ -168,7 +168,7 @@ TEST_CASE("a row has the figures and wrong pixels of a machine with just enough 
   for (std::size_t i = 0; i < 2; ++i) {
     const ExploreRow row = row_in(rows[i]);
     REQUIRE(row.is_compiled());
-    // The same measured by render's own code.
+    // The expected values are measured by the code of csgsim render.
     Texts render = words;
     render.insert(render.end(), {"--machine", row.point.machine, "--memory-bits", std::to_string(row.used_bits)});
     const session::ModelRequest options = session::model_request_in(render);
@@ -220,7 +220,7 @@ TEST_CASE("without a process a machine has its described clock and no silicon co
     CHECK_FALSE(row.machine_mm2);
     CHECK_FALSE(row.frame_joules);
     CHECK(row.halfspaces == 6);
-    // The given memory; less is used.
+    // The machine has the requested memory, although the Program uses less.
     CHECK(row.machine_memory_bits == std::uint64_t{16 * 12} * (i == 0 ? 100 : 120));
     CHECK(row.used_bits < 100);
   }
@@ -310,7 +310,7 @@ TEST_CASE("a search requests neighbours of the front until its limit or until no
   CHECK(std::accumulate(three.begin(), three.end(), std::size_t{0}) == 1 + 3);
   CHECK(std::set<std::string>(cells.begin(), cells.end()).size() == cells.size());
   CHECK(first == Texts{cells[0], cells[1]});
-  // All 15 designs or fewer; the search also ends without --search's limit.
+  // A search with a high limit ends when all neighbours of the front, at most 15 designs, have been tried.
   const auto [all, of_all] = counts("100");
   const std::size_t total = std::accumulate(all.begin(), all.end(), std::size_t{0});
   CHECK(total > 4);

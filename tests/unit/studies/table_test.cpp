@@ -94,7 +94,7 @@ TEST_CASE("an invalid line of a table is rejected with its number and cell") {
     const fs::path path = fresh("table_broken.csv");
     table_at(path).add(Rows(before, row("10/2", 1)));
     std::ofstream(path, std::ios::app) << "a,12/2,model,machine,0.1.0,many\n";
-    // Lines after the header.
+    // The invalid line follows the header and `before` valid lines.
     const std::string place = "table_broken.csv:" + std::to_string(2 + before) + ":1: 'many'";
     CHECK(testing::error_of([&] { table_at(path); }).find(place) != std::string::npos);
   }
@@ -116,8 +116,8 @@ TEST_CASE("a table is plain CSV and a file beside it names its study") {
   CHECK(content(path) == plain_header + row("10/2", 1) + "\n");
   CHECK(content(fs::path(path).replace_extension(".study")) == "one study\n");
   fs::remove(fs::path(path).replace_extension(".study"));
-  CHECK_THROWS_AS(table_at(path, "one study"), InputError);  // the study of its rows is unknown
-  // If there are no rows nothing can be confused.
+  CHECK_THROWS_AS(table_at(path, "one study"), InputError);  // the file that names the study is missing
+  // A table without rows may be used by any study.
   std::ofstream(path) << plain_header;
   CHECK(table_at(path, "another study").rows().empty());
   CHECK(content(fs::path(path).replace_extension(".study")) == "another study\n");
@@ -145,7 +145,7 @@ TEST_CASE("a point is missing unless a row with equal inputs serves the request"
   table.add(Rows{row("x", 2)});
   CHECK(table.missing(point).empty());
   CHECK(table.in_order(point) == Rows{row("x", 2)});
-  CHECK(table.rows() == Rows{row("x", 2)});  // the row that serves no point is deleted
+  CHECK(table.rows() == Rows{row("x", 2)});  // the row that does not serve the request is deleted
   for (std::string studies::Inputs::*const input :
        {&studies::Inputs::model_hash, &studies::Inputs::machine_hash, &studies::Inputs::csgsim}) {
     studies::Inputs others = TestRow().inputs;
