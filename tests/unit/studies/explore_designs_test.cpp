@@ -295,7 +295,7 @@ TEST_CASE("neighbours of a design follow key order with the lower value first") 
     CHECK(listed(grid) == expected);
     grid.add_neighbours(first, 100);
     CHECK(listed(grid) == expected);
-    // Of the neighbours of the second design, the first design is already known.
+    // The first design, a neighbour of the second, is already known.
     const std::size_t before = expected.size();
     const std::array<std::size_t, 1> second{1};
     grid.add_neighbours(second, 1);
