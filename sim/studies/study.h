@@ -82,10 +82,10 @@ class Study {
 
   /// Receives the rows of the requested points in their order; the functions below show these. `are_read`: some rows
   /// were not measured by this process.
-  virtual void take(std::span<const std::string> rows, bool are_read) = 0;
+  virtual void set_rows(std::span<const std::string> rows, bool are_read) = 0;
   /// Further points to measure, given all rows taken until now; their numbers follow those of the earlier points.
-  virtual std::vector<PointRequest> more() { return {}; }
-  /// Whether more() may return points, so that the study cannot be sharded.
+  virtual std::vector<PointRequest> more_points() { return {}; }
+  /// Whether more_points() may return points, so that the study cannot be sharded.
   [[nodiscard]] virtual bool is_adaptive() const { return false; }
   virtual void print() const = 0;
   [[nodiscard]] virtual std::string json(const std::string& title) const = 0;
@@ -128,7 +128,7 @@ class RowsOf : public Study {
  public:
   [[nodiscard]] RowFormat format() const final { return row_format<Row>(); }
 
-  void take(std::span<const std::string> rows, bool are_read) final {
+  void set_rows(std::span<const std::string> rows, bool are_read) final {
     rows_.clear();
     rows_.reserve(rows.size());
     for (const std::string& row : rows) rows_.push_back(from_line<Row>(row));

@@ -66,7 +66,7 @@ class Table {
   [[nodiscard]] bool has_inputs(const std::string& row, const PointRequest& requested) const;
   /// The row with the results of the requested point of that index; null if there is none.
   [[nodiscard]] const std::string* find(std::span<const PointRequest> requested, std::size_t point) const;
-  void take(std::vector<std::string> rows);
+  void store(std::vector<std::string> rows);
 
   RowFormat format_;
   Serves serves_;

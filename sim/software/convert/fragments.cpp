@@ -231,15 +231,15 @@ class Sharing {
   void operator()(std::size_t threads) {
     {
       std::vector<std::jthread> others;
-      for (std::size_t i = 1; i < threads; ++i) others.emplace_back([this] { take(); });
-      take();
+      for (std::size_t i = 1; i < threads; ++i) others.emplace_back([this] { process_bodies(); });
+      process_bodies();
     }
     if (failure_) std::rethrow_exception(failure_);
     work_.charge(done_, converting);
   }
 
  private:
-  void take() {
+  void process_bodies() {
     const Work work = work_.afresh();  // counts of all threads are added up at the end
     try {
       Evaluation evaluation(bodies_, tree_, work);

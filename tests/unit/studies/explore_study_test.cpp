@@ -294,7 +294,7 @@ TEST_CASE("a search requests neighbours of the front until its limit or until no
     std::vector<std::size_t> rounds{explored.ask().size()};
     explored.measure();
     for (int i = 0; i < 20; ++i) {
-      const std::vector<studies::PointRequest> more = explored.study().more();
+      const std::vector<studies::PointRequest> more = explored.study().more_points();
       if (more.empty()) break;
       rounds.push_back(more.size());
       explored.asked.insert(explored.asked.end(), more.begin(), more.end());
@@ -325,7 +325,7 @@ TEST_CASE("a search requests neighbours of the joint front for each model") {
                      "1", "--search", "9", "--axes", "time"});
   REQUIRE(explored.ask().size() == 2);
   explored.measure();
-  const std::vector<studies::PointRequest> more = explored.study().more();
+  const std::vector<studies::PointRequest> more = explored.study().more_points();
   // One or two adjacent z bits of either model.
   CHECK(more.size() % 2 == 0);
   CHECK(more.size() >= 2);
