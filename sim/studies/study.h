@@ -83,7 +83,7 @@ class Study {
   /// Receives the rows of the requested points in their order; the functions below show these. `are_read`: some rows
   /// were not measured by this process.
   virtual void set_rows(std::span<const std::string> rows, bool are_read) = 0;
-  /// Further points to measure, given all rows taken until now; their numbers follow those of the earlier points.
+  /// Further points to measure, given all rows received until now; their numbers follow those of the earlier points.
   virtual std::vector<PointRequest> more_points() { return {}; }
   /// Whether more_points() may return points, so that the study cannot be sharded.
   [[nodiscard]] virtual bool is_adaptive() const { return false; }

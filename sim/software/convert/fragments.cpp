@@ -27,7 +27,7 @@ struct Ball {
   double radius = 0;
 };
 
-/// Processes the faces of bodies one after another.
+/// Computes the fragments of one body after another.
 class Evaluation {
  public:
   Evaluation(const Bodies& bodies, const csg::PositiveTree& tree, const Work& work)
@@ -256,13 +256,13 @@ class Sharing {
     done_ += work.done();
   }
 
-  /// Passes on the fragments of a body once those of all earlier bodies were passed on.
+  /// Delivers the fragments of a body to the sink once those of all earlier bodies were delivered.
   void add(std::size_t number, std::vector<Fragment> found) {
     const std::lock_guard guard(lock_);
     found_[number] = std::move(found);
-    for (; handed_on_ < found_.size() && found_[handed_on_]; ++handed_on_) {
-      sink_(*found_[handed_on_]);
-      found_[handed_on_].reset();
+    for (; delivered_ < found_.size() && found_[delivered_]; ++delivered_) {
+      sink_(*found_[delivered_]);
+      found_[delivered_].reset();
     }
   }
 
@@ -272,7 +272,7 @@ class Sharing {
   const Work& work_;
   const FragmentSink& sink_;
   std::vector<std::optional<std::vector<Fragment>>> found_;  ///< one per body
-  std::size_t handed_on_ = 0;
+  std::size_t delivered_ = 0;
   std::atomic<std::size_t> next_ = 0;
   std::mutex lock_;
   std::exception_ptr failure_;

@@ -191,7 +191,8 @@ class ListPriority {
     if constexpr (Count::counts) drawn_[static_cast<std::size_t>(&pixel - pixels_.data())].push_back(event);
   }
 
-  /// Sets or resets a pixel according to the point behind the last surfaces, `at` of them at its depth.
+  /// Sets the pixel if the point behind its last surfaces is inside, and otherwise clears it. The last `at` surfaces
+  /// are at the pixel's depth.
   void classify(PriorityPixel& pixel, Seen& seen, std::uint32_t primitive, std::size_t at) {
     Count& count = ledger_[Phase::scan_conversion];
     count.point();
