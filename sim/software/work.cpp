@@ -25,7 +25,7 @@ Work work_of(const Choice& choice, const Subject& subject, const RayCaster& rays
   return work;
 }
 
-Priced priced(const std::string& name) {
+Priced load_priced(const std::string& name) {
   if (name == processors::this_computer) return {name, std::nullopt};
   processors::Processor processor = processors::load_processor(name);
   return {escaped(processor.name), std::move(processor)};

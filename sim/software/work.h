@@ -31,7 +31,7 @@ struct Priced {
 };
 
 /// Loads a processor by name or file, or `this-computer`. Throws as load_processor does.
-Priced priced(const std::string& name);
+Priced load_priced(const std::string& name);
 
 /// Hash of the processor's name and all its parameters; for this computer, of the name only.
 std::string hash_of(const Priced& processor);

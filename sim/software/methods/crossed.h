@@ -128,7 +128,7 @@ class Crossed : public Method {
 
 /// Combines a traversal with each coherence, in the order of coherences().
 template <template <class> class Traversal, class Count>
-std::unique_ptr<Method> crossed_with(Coherent coherence, const Subject& subject) {
+std::unique_ptr<Method> make_crossed_with(Coherent coherence, const Subject& subject) {
   using T = Traversal<Count>;
   switch (coherence) {
     case Coherent::all_points: return std::make_unique<Crossed<T, AllPoints<Count>, Count>>(subject);
@@ -142,9 +142,9 @@ std::unique_ptr<Method> crossed_with(Coherent coherence, const Subject& subject)
 }
 
 template <template <class> class Traversal>
-std::unique_ptr<Method> crossed(Coherent coherence, const Subject& subject, bool counts) {
-  return counts ? crossed_with<Traversal, CountingMethod>(coherence, subject)
-                : crossed_with<Traversal, UncountedMethod>(coherence, subject);
+std::unique_ptr<Method> make_crossed(Coherent coherence, const Subject& subject, bool counts) {
+  return counts ? make_crossed_with<Traversal, CountingMethod>(coherence, subject)
+                : make_crossed_with<Traversal, UncountedMethod>(coherence, subject);
 }
 
 }  // namespace csgsim::software
