@@ -191,7 +191,7 @@ TEST_CASE("a page has a table of each front with its knee and a table of command
   CHECK(explored.study().sections(data).empty());
 }
 
-TEST_CASE("explore rejects contradictory options by name") {
+TEST_CASE("explore rejects contradictory options and names them") {
   const Models models;
   const std::string cube = models / "cube.csg";
   CHECK(usage_error({cube, "--vary", "alu.bits=1,2", "--set", "alu.bits=4"}) ==

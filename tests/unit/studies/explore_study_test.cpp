@@ -208,7 +208,7 @@ TEST_CASE("a row has the figures and wrong pixels of a machine with just enough 
   CHECK(narrow.pixel_transistors < wide.pixel_transistors);
 }
 
-TEST_CASE("without a process a machine has its described clock and no silicon cost") {
+TEST_CASE("without a process a machine has the clock of its description and no area") {
   const Models models;
   Explored explored({models / "cube.csg", "--size", "16x12", "--vary", "memory-bits=100,120"});
   explored.ask();

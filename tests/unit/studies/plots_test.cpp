@@ -70,7 +70,7 @@ TEST_CASE("a sweep's x axis is its most varied parameter with numbers before nam
   CHECK(studies::SweepAxis(both).axis().title == "stack bits (m)");
 }
 
-TEST_CASE("a sweep's plot shows its machines side by side with their names") {
+TEST_CASE("a sweep over machines has their names on the x axis of its plot") {
   studies::DesignPoint other = point("stack", 0);
   other.machine = "alu-4.toml";
   const std::vector<studies::SweepRow> rows{row(point("stack", 0), 100), row(other, 50)};
@@ -196,7 +196,7 @@ TEST_CASE("facets and curves share a plot of clocks and pixels off the true surf
   CHECK(chart.series[3].points.front().y == 40);
 }
 
-TEST_CASE("a comparison's x axis shows machines or half-spaces or pixels as they vary") {
+TEST_CASE("a comparison has plots by machine and half-spaces and pixels if these vary") {
   std::vector<studies::ComparisonRow> rows(2);
   for (studies::ComparisonRow& one : rows) {
     one.point = {"scan-line", 64, 64, 0, {}};
