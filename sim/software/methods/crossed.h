@@ -126,7 +126,7 @@ class Crossed : public Method {
   Owners<Count> owners_;
 };
 
-/// Combines a traversal with each coherence, in the order of coherences().
+/// Creates the method that combines a traversal with the given coherence.
 template <template <class> class Traversal, class Count>
 std::unique_ptr<Method> make_crossed_with(Coherent coherence, const Subject& subject) {
   using T = Traversal<Count>;
@@ -141,6 +141,7 @@ std::unique_ptr<Method> make_crossed_with(Coherent coherence, const Subject& sub
   return nullptr;
 }
 
+/// Creates the method that combines a traversal with the given coherence; with `counts`, it counts operations.
 template <template <class> class Traversal>
 std::unique_ptr<Method> make_crossed(Coherent coherence, const Subject& subject, bool counts) {
   return counts ? make_crossed_with<Traversal, CountingMethod>(coherence, subject)
