@@ -126,7 +126,7 @@ TEST_CASE("points within the tolerance in each coordinate merge with the first")
         CHECK(table.add(centre + far) == added);
       }
     }
-    // A point between the first and another merges with the first.
+    // A point within the tolerance of two points merges with the earlier one.
     CHECK(table.add(centre + glm::dvec3(0.07, 0, 0)) == 0);
     CHECK(table.points().size() == 7);
     CHECK(table.points().front() == centre);
@@ -322,9 +322,9 @@ TEST_CASE("sides are split at ends on them but not at common ends") {
     CHECK(!joined.any);
     CHECK(joined.points.size() == 3);
   }
-  // One side twice, and one in both directions.
+  // Equal and opposite sides do not cross.
   CHECK(!ended({{0, 0, 0}, {4, 0, 0}}, {{0, 1}, {0, 1}, {1, 0}}, z).any);
-  // Side by side, and one in front of the other.
+  // Sides next to each other or one before the other do not cross.
   CHECK(!ended({{0, 0, 0}, {4, 4, 0}, {1, 0, 0}, {5, 4, 0}}, {{0, 1}, {2, 3}}, z).any);
   CHECK(!ended({{0, 0, 0}, {4, 4, 0}, {3, 2, 0}, {3, -2, 0}}, {{0, 1}, {2, 3}}, z).any);
   CHECK(!ended({{0, 0, 0}, {1, 1, 0}, {0, 4, 0}, {4, 0, 0}}, {{0, 1}, {2, 3}}, z).any);
