@@ -16,13 +16,13 @@ namespace csgsim::software {
 /// it enters the solid, or all of them if it never does.
 struct Survey {
   std::uint64_t rays = 0;
-  std::uint64_t met = 0;        ///< rays with at least one event; the thesis's rays with points
-  std::uint64_t hits = 0;       ///< rays that enter the solid
-  std::uint64_t points = 0;     ///< until a ray enters the solid; events at the same depth are one point
-  std::uint64_t sequences = 0;  ///< rays whose sequence differs from that of the previous ray with events
-  std::uint64_t different_sequences = 0;
-  std::uint64_t combinations = 0;  ///< distinct sets of primitives in sequences
-  std::uint64_t max_points = 0;    ///< maximum per ray
+  std::uint64_t met = 0;                  ///< rays with at least one event; the thesis's rays with points
+  std::uint64_t hits = 0;                 ///< rays that enter the solid
+  std::uint64_t points = 0;               ///< until a ray enters the solid; events at the same depth are one point
+  std::uint64_t sequences = 0;            ///< rays whose sequence differs from that of the previous ray with events
+  std::uint64_t different_sequences = 0;  ///< distinct sequences
+  std::uint64_t combinations = 0;         ///< distinct sets of primitives, regardless of their order in the sequence
+  std::uint64_t max_points = 0;           ///< maximum per ray
 };
 
 /// Collects statistics of rays in the order of pixels.

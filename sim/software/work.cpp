@@ -10,10 +10,10 @@ namespace csgsim::software {
 
 Work work_of(const Choice& choice, const Subject& subject, const RayCaster& rays) {
   Work work;
-  const std::unique_ptr<Method> method = made(choice, subject, true);
+  const std::unique_ptr<Method> method = make_method(choice, subject, true);
   work.picture = draw(rays, *method, &work.rays);
   work.counts = method->counts();
-  work.measured = timed(rays, [&] { return made(choice, subject, false); });
+  work.measured = timed(rays, [&] { return make_method(choice, subject, false); });
   switch (choice.method->takes) {
     case Takes::events: break;
     case Takes::intervals: work.rays.sorting = {}; break;
@@ -25,7 +25,7 @@ Work work_of(const Choice& choice, const Subject& subject, const RayCaster& rays
   return work;
 }
 
-Priced priced(const std::string& name) {
+Priced load_priced(const std::string& name) {
   if (name == processors::this_computer) return {name, std::nullopt};
   processors::Processor processor = processors::load_processor(name);
   return {escaped(processor.name), std::move(processor)};

@@ -20,7 +20,8 @@ struct Work {
   Seconds measured;  ///< wall time
 };
 
-/// Draws the picture once to count operations, then measures the time. Throws InputError as the method does.
+/// Draws the picture once to count operations, then measures the time. Throws InputError if the
+/// method cannot draw it, for instance because the tree has too many levels.
 Work work_of(const Choice& choice, const Subject& subject, const RayCaster& rays);
 
 /// A processor for which costs are computed.
@@ -30,9 +31,9 @@ struct Priced {
 };
 
 /// Loads a processor by name or file, or `this-computer`. Throws as load_processor does.
-Priced priced(const std::string& name);
+Priced load_priced(const std::string& name);
 
-/// Hash of all parameters, like that of a machine; of the name for this computer.
+/// Hash of the processor's name and all its parameters; for this computer, of the name only.
 std::string hash_of(const Priced& processor);
 
 /// Seconds of classification alone, as given in the thesis, and of the whole picture.

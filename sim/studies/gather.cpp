@@ -90,7 +90,8 @@ Gathered gather(std::span<const fs::path> studies) {
     }
   }
   if (files.empty())
-    throw InputError(fmt::format("{}: contains no shard of a study yet", shards_folder(studies.front()).native()));
+    throw InputError(
+        fmt::format("{}: contains no shard of a study; run the shards first", shards_folder(studies.front()).native()));
   const ShardHeader& header = files.front().header;
   Gathered gathered;
   gathered.shards = header.shard.count;

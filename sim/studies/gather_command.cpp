@@ -55,7 +55,7 @@ void refuse_missing(const Gathered& gathered, const std::vector<std::string>& fo
   const bool is_one = gathered.unfinished.size() == 1;
   throw InputError(fmt::format(
       "{}: {} of {} points are missing: {} {} of {} {}", folders.front(), gathered.missing, gathered.rows.size(),
-      is_one ? "shard" : "shards", compact(gathered.unfinished), gathered.shards,
+      is_one ? "shard" : "shards", to_ranges(gathered.unfinished), gathered.shards,
       is_one
           ? "is not complete; complete it by: " + shard_command(gathered, gathered.unfinished.front(), folders.front())
           : "are not complete; print the command of each by: " + missing_command(folders)));
@@ -145,7 +145,7 @@ void warn_other_version(const Gathered& gathered, const std::string& output) {
 }  // namespace
 
 void GatherRequest::add_to(session::OptionList& list) {
-  list.option("FOLDER", folders, "The -o of each shard").required();
+  list.option("FOLDER", folders, "Output folder (-o) of each shard").required();
   list.option("-o,--output", output, "Folder for the results; default: FOLDER if there is only one").folder();
   list.option("--report", page, "Write the study's page, for a browser").check(session::not_empty);
   list.flag("--no-plots", no_plots, "Omit plots (drawn by gnuplot)");

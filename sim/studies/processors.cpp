@@ -14,7 +14,7 @@ namespace csgsim::studies {
 
 std::vector<software::Priced> parse_processors(const std::string& list) {
   std::vector<software::Priced> processors;
-  for (const std::string& name : session::parse_words(list)) processors.push_back(software::priced(name));
+  for (const std::string& name : session::parse_words(list)) processors.push_back(software::load_priced(name));
   return processors;
 }
 

@@ -12,7 +12,7 @@
 
 namespace csgsim::studies {
 
-/// Parses names and files separated by commas. Throws as software::priced does.
+/// Parses names and files separated by commas. Throws as software::load_priced does.
 std::vector<software::Priced> parse_processors(const std::string& list);
 
 /// Adds the option --processors.

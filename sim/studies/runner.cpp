@@ -202,8 +202,8 @@ void measure_all(StudyCommand& request, std::vector<PointRequest> more, const Pl
     points.insert(points.end(), more.begin(), more.end());
     const std::set<std::string> changed = table.drop_stale(points, study.is_of_one_machine());
     if (places.folder) warn_stale(places.file(request, ".csv"), changed);
-    study.take(complete(request, points, table), are_read);
-    more = study.more();
+    study.set_rows(complete(request, points, table), are_read);
+    more = study.more_points();
   } while (!more.empty());
 }
 
@@ -281,7 +281,7 @@ void run_study(StudyCommand& request) {
 void show_gathered(StudyCommand& request, const Gathered& gathered) {
   Places places(request, request.study->inputs());
   Table table = table_of(request, places);
-  request.study->take(table.put(gathered), true);
+  request.study->set_rows(table.put(gathered), true);
   show(request, places);
 }
 

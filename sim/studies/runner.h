@@ -34,7 +34,7 @@ struct StudyCommand {
   Folder folder = Folder::usual;  ///< optional for library callers
 };
 
-/// Adds the study's options to the list.
+/// Adds the study's options to the list. Returns the command that the options fill.
 std::shared_ptr<StudyCommand> describe(session::OptionList& list, const StudyRow& row);
 
 /// Adds the study's options to the list for a library caller, who receives the results: they are written only if a
@@ -52,7 +52,7 @@ void run_study(StudyCommand& request);
 /// Shows the results of shards. The study's options must have been read.
 void show_gathered(StudyCommand& request, const Gathered& gathered);
 
-/// Inserts these words after the command's name, before its other words.
+/// Inserts the words `more` after the command's name, before its other words.
 std::vector<std::string> with_words(const std::vector<std::string>& command, const std::vector<std::string>& more);
 
 }  // namespace csgsim::studies

@@ -50,7 +50,7 @@ Shard parse_shard(std::string_view text) {
 
 std::string to_text(const Shard& shard) { return fmt::format("{}/{}", shard.number, shard.count); }
 
-std::string compact(const std::vector<unsigned>& ascending) {
+std::string to_ranges(const std::vector<unsigned>& ascending) {
   std::string text;
   for (std::size_t first = 0; first < ascending.size();) {
     std::size_t last = first;

@@ -25,7 +25,7 @@ Shard parse_shard(std::string_view text);
 std::string to_text(const Shard& shard);
 
 /// Ascending numbers of points in the form `1,4-7`.
-std::string compact(const std::vector<unsigned>& ascending);
+std::string to_ranges(const std::vector<unsigned>& ascending);
 
 /// The number of the shard of each point. The points are shuffled in an order that depends only on their number, and
 /// dealt out in turn: shard sizes differ by at most one point, and regularities of a study do not concentrate expensive

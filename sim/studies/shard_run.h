@@ -24,6 +24,7 @@ class ShardRun {
   /// Number of points of the shard.
   [[nodiscard]] std::size_t points() const { return points_; }
 
+  /// Writes the row of a measured point. Throws InputError on failure.
   void add(std::size_t point, std::string row) { writer_.add({point, std::move(row)}); }
 
   /// Prints the state of the shard on standard output.

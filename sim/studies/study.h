@@ -64,7 +64,7 @@ class Study {
   [[nodiscard]] virtual std::set<std::string> varied() const { return {}; }
   /// The model if a table holds points of one model only: its file name is part of the table's title.
   [[nodiscard]] virtual std::string table_model() const { return {}; }
-  /// Whether the whole table belongs to that model on one machine, which its points also depend on.
+  /// Whether all points of the table belong to that model on one machine: if either changes, all rows are outdated.
   [[nodiscard]] virtual bool is_of_one_machine() const { return false; }
   /// The model, or folder of models, that the output folder is named after if -o is not given: the first input.
   [[nodiscard]] virtual std::filesystem::path named_after() const { return inputs().front(); }
@@ -75,17 +75,17 @@ class Study {
   using Finished = std::function<void(std::size_t point, std::string row)>;
   /// Measures the points with these numbers on `threads` threads; rows are passed on one at a time, in any order.
   virtual void measure(std::span<const std::size_t> points, unsigned threads, const Finished& finished) = 0;
-  /// Whether a row of the point, measured from the same inputs, has everything that is requested now.
+  /// Whether a row of the point, measured from the same inputs, has all results that are requested now.
   [[nodiscard]] virtual bool serves(std::size_t /*point*/, const std::string& /*row*/) const { return true; }
 
   [[nodiscard]] virtual RowFormat format() const = 0;
 
-  /// Receives the rows of the requested points in their order; the functions below refer to them. `are_read`: some rows
+  /// Receives the rows of the requested points in their order; the functions below show these. `are_read`: some rows
   /// were not measured by this process.
-  virtual void take(std::span<const std::string> rows, bool are_read) = 0;
-  /// Further points to measure, given all rows taken until now; their numbers follow those of the earlier points.
-  virtual std::vector<PointRequest> more() { return {}; }
-  /// Whether more() may return points, so that the study cannot be sharded.
+  virtual void set_rows(std::span<const std::string> rows, bool are_read) = 0;
+  /// Further points to measure, given all rows received until now; their numbers follow those of the earlier points.
+  virtual std::vector<PointRequest> more_points() { return {}; }
+  /// Whether more_points() may return points, so that the study cannot be sharded.
   [[nodiscard]] virtual bool is_adaptive() const { return false; }
   virtual void print() const = 0;
   [[nodiscard]] virtual std::string json(const std::string& title) const = 0;
@@ -128,7 +128,7 @@ class RowsOf : public Study {
  public:
   [[nodiscard]] RowFormat format() const final { return row_format<Row>(); }
 
-  void take(std::span<const std::string> rows, bool are_read) final {
+  void set_rows(std::span<const std::string> rows, bool are_read) final {
     rows_.clear();
     rows_.reserve(rows.size());
     for (const std::string& row : rows) rows_.push_back(from_line<Row>(row));

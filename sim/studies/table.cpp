@@ -30,7 +30,7 @@ Table::Table(const std::filesystem::path& path, const std::string& title, RowFor
       file_->refuse(i, error.what());
     }
   }
-  take(file_->found());
+  store(file_->found());
 }
 
 std::string Table::point_of(const std::string& row) const {
@@ -41,7 +41,7 @@ bool Table::has_inputs(const std::string& row, const PointRequest& requested) co
   return row.starts_with(requested.cells + "," + to_line(requested.inputs) + ",");
 }
 
-void Table::take(std::vector<std::string> rows) {
+void Table::store(std::vector<std::string> rows) {
   rows_ = std::move(rows);
   places_.clear();
   for (std::size_t i = 0; i < rows_.size(); ++i) places_.emplace(point_of(rows_[i]), i);
@@ -65,7 +65,7 @@ std::set<std::string> Table::drop_stale(std::span<const PointRequest> requested,
   }
   if (kept.size() == rows_.size()) return changed;
   if (file_) file_->replace(kept);
-  take(std::move(kept));
+  store(std::move(kept));
   return changed;
 }
 
@@ -111,7 +111,7 @@ std::vector<std::string> Table::in_order(std::span<const PointRequest> requested
   }
   if (all != rows_) {
     file_->replace(all);
-    take(std::move(all));
+    store(std::move(all));
   }
   return rows;
 }
@@ -137,7 +137,7 @@ std::vector<std::string> Table::put(const Gathered& gathered) {
       throw InputError(path_.native() + ": has points that the shards lack; choose another folder with -o");
   }
   if (file_) file_->replace(gathered.rows);
-  take(gathered.rows);
+  store(gathered.rows);
   return gathered.rows;
 }
 

@@ -26,7 +26,7 @@ struct PointRequest {
   Inputs inputs;
 };
 
-/// Whether a row of the point with this number, measured from the same inputs, has everything that is requested now.
+/// Whether a row of the point with this number, measured from the same inputs, has all results that are requested now.
 using Serves = std::function<bool(std::size_t point, const std::string& row)>;
 
 inline bool serves_all(std::size_t /*point*/, const std::string& /*row*/) { return true; }
@@ -66,7 +66,7 @@ class Table {
   [[nodiscard]] bool has_inputs(const std::string& row, const PointRequest& requested) const;
   /// The row with the results of the requested point of that index; null if there is none.
   [[nodiscard]] const std::string* find(std::span<const PointRequest> requested, std::size_t point) const;
-  void take(std::vector<std::string> rows);
+  void store(std::vector<std::string> rows);
 
   RowFormat format_;
   Serves serves_;

@@ -80,7 +80,7 @@ TEST_CASE("classify sees the same surfaces with every supported tree shape") {
   CHECK(one_line(alone.err));
 }
 
-TEST_CASE("gathering shards of classify gives the table of a single run") {
+TEST_CASE("gathering two shards of classify gives all points") {
   const Folder folder;
   const std::string common = few + " --no-plots --progress none -o ";
   succeeded(run(classify(common + (folder / "s") + " --shard 1/2")));

@@ -69,7 +69,7 @@ TEST_CASE("display counts the wrong pixels of list priority for coincident faces
   CHECK(outcome.out.find("coincident faces") != std::string::npos);
 }
 
-TEST_CASE("gathering shards of display gives the table of a single run") {
+TEST_CASE("gathering two shards of display gives all points and bad options are rejected") {
   const Folder folder;
   const std::string common = " --methods scan-line,depth-lists --no-plots --progress none -o " + (folder / "s");
   succeeded(run(display(common + " --shard 1/2")));

@@ -174,7 +174,7 @@ TEST_CASE("studies reject empty ranges and unknown names before they measure") {
   CHECK(folder.files() == 0);
 }
 
-TEST_CASE("render can report wrong pixels and choose the cheapest settings with few of them") {
+TEST_CASE("render --max-wrong-pixels 40 has at most 40 wrong pixels and fewer clocks") {
   const Folder folder;
   const std::string options =
       "render " + model("old_example002") + " --size 100x80 --check --stats " + (folder / "s.json");
@@ -189,7 +189,7 @@ TEST_CASE("render can report wrong pixels and choose the cheapest settings with 
   CHECK(coarse["machine"]["z_bits"] < 20);
 }
 
-TEST_CASE("levels runs a model at every level and finds them equal") {
+TEST_CASE("levels runs a model at every level and reports no difference") {
   const Outcome outcome = succeeded(run("levels " + model("old_example011") + " --size 40x30"));
   for (const std::string level : {"functional", "cycle", "reference"})
     CHECK(outcome.out.find(level) != std::string::npos);

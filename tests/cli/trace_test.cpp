@@ -68,7 +68,7 @@ TEST_CASE("trace varies buckets and tolerances and plots each") {
   CHECK(fs::exists(folder / "t/trace_polygons.svg"));
 }
 
-TEST_CASE("gathering shards of trace gives the table of a single run") {
+TEST_CASE("gathering two shards of trace gives all points") {
   const Folder folder;
   const std::string common = " --directories excell,grid --cast primary --processors mc68000 --no-plots -o ";
   succeeded(run(trace(common + (folder / "s") + " --shard 1/2")));

@@ -88,7 +88,7 @@ TEST_CASE("a new study writes a table and JSON and plots and a report") {
   CHECK(place.content("out/collatz.study") == "csgsim collatz\n");
   const nlohmann::json points = place.points("out/collatz.json");
   REQUIRE(points.size() == 8);
-  CHECK(points[0]["clocks"] == 111);  // the well-known value for 27
+  CHECK(points[0]["clocks"] == 111);  // published number of steps for 27
   CHECK(points[0]["highest"] == 9232);
   CHECK(points[2]["number"] == "6");
   CHECK(points[2]["clocks"] == 8);

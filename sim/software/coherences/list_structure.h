@@ -32,7 +32,7 @@ class ListElements {
       count(Operation::load_long);
       count(Operation::compare_long);
       count(Operation::branch);
-      if (roots_[primitive] == none) roots_[primitive] = made(primitive, none, none, count);
+      if (roots_[primitive] == none) roots_[primitive] = add_element(primitive, none, none, count);
       count.list_step();
       return roots_[primitive];
     }
@@ -48,13 +48,13 @@ class ListElements {
       count(Operation::branch_taken);
     }
     // A new branch becomes the first.
-    const std::uint32_t child = made(primitive, parent, elements_[parent].child, count);
+    const std::uint32_t child = add_element(primitive, parent, elements_[parent].child, count);
     elements_[parent].child = child;
     return child;
   }
 
-  /// Whether the points after an element are inside; if unknown, `evaluate()` computes it. `is_first`: after one
-  /// surface only.
+  /// Whether the points after an element are inside; if unknown, `evaluate()` computes it. `is_first`: whether
+  /// they are behind one surface only.
   template <class Evaluate>
   bool is_in(std::uint32_t element, bool is_first, const Evaluate& evaluate, Count& count) {
     count(Operation::load);
@@ -88,7 +88,7 @@ class ListElements {
     Class kept;
   };
 
-  std::uint32_t made(std::uint32_t primitive, std::uint32_t parent, std::uint32_t sibling, Count& count) {
+  std::uint32_t add_element(std::uint32_t primitive, std::uint32_t parent, std::uint32_t sibling, Count& count) {
     elements_.push_back({primitive, parent, sibling, none, Class::unknown});
     count.list_element();
     count(Operation::call);

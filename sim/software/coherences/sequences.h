@@ -39,20 +39,20 @@ class Sequences {
   /// The sequence without its last surface.
   [[nodiscard]] std::uint32_t before(std::uint32_t element) const { return elements_.parent_of(element); }
 
-  /// Whether the points behind the last surface of a sequence are inside; its last `at` surfaces have equal depths.
-  bool is_in(std::uint32_t element, std::size_t at, Count& count) {
-    const bool is_first = at == 1 && elements_.parent_of(element) == none;
+  /// Whether the points behind the last surface of a sequence are inside; its last `tied` surfaces have equal depths.
+  bool is_in(std::uint32_t element, std::size_t tied, Count& count) {
+    const bool is_first = tied == 1 && elements_.parent_of(element) == none;
     return elements_.is_in(
         element, is_first, [&] { return evaluated(element, count); }, count);
   }
 
-  /// The owner of the visible surface if the last `at` surfaces, in any order, are at the same depth and enter the
+  /// The owner of the visible surface if the last `tied` surfaces, in any order, are at the same depth and enter the
   /// solid.
-  std::uint32_t owner(std::uint32_t element, std::size_t at, Count& count) {
+  std::uint32_t owner(std::uint32_t element, std::size_t tied, Count& count) {
     follow_back(element);
-    std::sort(events_.end() - static_cast<std::ptrdiff_t>(at), events_.end());
+    std::sort(events_.end() - static_cast<std::ptrdiff_t>(tied), events_.end());
     const std::span<const Event> events(events_);
-    return owners_.seen(events.first(events.size() - at), events.last(at), count);
+    return owners_.seen(events.first(events.size() - tied), events.last(tied), count);
   }
 
   /// The owner of the visible surface of a ray, from its events before the surface and those at the surface's depth.
@@ -60,7 +60,8 @@ class Sequences {
     return owners_.seen(before, at, count);
   }
 
-  /// The primitives that contain the point after an element: those that occur an odd number of times on the way back.
+  /// The primitives that contain the point after an element: those that occur an odd number of times from
+  /// the element back to the first surface.
   std::vector<std::uint32_t> held_at(std::uint32_t element, Count& count) {
     std::vector<std::uint32_t> met;
     for (std::uint32_t at = element; at != none; at = elements_.parent_of(at))
@@ -75,9 +76,9 @@ class Sequences {
     return held;
   }
 
-  /// The first visible event of a ray; `farthest` if there is none. `seen_by` receives the number of events up to the
-  /// last one at that depth, or of all events.
-  Seen along(std::span<const Event> events, std::uint32_t farthest, Count& count, std::size_t* seen_by = nullptr) {
+  /// The first visible event of a ray; `farthest` if there is none. `event_count` receives the number of events up to
+  /// the last one at that depth, or of all events.
+  Seen along(std::span<const Event> events, std::uint32_t farthest, Count& count, std::size_t* event_count = nullptr) {
     std::uint32_t element = none;
     for (std::size_t begin = 0; begin < events.size();) {
       std::size_t end = begin;
@@ -88,12 +89,12 @@ class Sequences {
       count(Operation::compare_long, end - begin);
       count(Operation::branch, end - begin);
       if (is_in(element, end - begin, count)) {
-        if (seen_by != nullptr) *seen_by = end;
+        if (event_count != nullptr) *event_count = end;
         return {events[begin].depth, owners_.seen(events.first(begin), events.subspan(begin, end - begin), count)};
       }
       begin = end;
     }
-    if (seen_by != nullptr) *seen_by = events.size();
+    if (event_count != nullptr) *event_count = events.size();
     return {farthest, Seen::nothing_seen};
   }
 

@@ -227,7 +227,7 @@ Bintree read_bintree(std::string_view text, std::string_view name) {
   for (std::string_view word = words.next(); !word.empty(); word = words.next()) bintree.code += word;
   const bool is_code = bintree.code.find_first_not_of("(01") == std::string::npos &&
                        visit_leaves(bintree.code, bintree.resolution, [](const Block&, bool) {});
-  if (!is_code) words.fail("the code is not exactly one tree");
+  if (!is_code) words.fail("the code is not one complete tree");
   return bintree;
 }
 

@@ -56,7 +56,7 @@ std::string code_of(const std::vector<bool>& cells, std::uint32_t resolution);
 /// Text form: a line `bintree 1`, one with the resolution, one with the lowest corner and the side, and the code.
 std::string text_of(const Bintree& bintree);
 
-/// Parses the text form. Throws InputError with the name if the text is invalid.
+/// Parses the text form. If the text is invalid, throws InputError whose message begins with `name`.
 Bintree read_bintree(std::string_view text, std::string_view name);
 
 }  // namespace csgsim::software::convert

@@ -57,7 +57,7 @@ double inner_radius(const facet::Solid& solid, const glm::dvec3& middle) {
   return std::max(0.0, inner);
 }
 
-/// Size of a model, needed before its planes are created.
+/// The size of a model, which its planes depend on.
 struct Size {
   facet::Box box;
   double min_body_width = std::numeric_limits<double>::infinity();  ///< minimum over nodes of the file

@@ -19,8 +19,8 @@ Outlines boundary(const model::Tree& tree, const facet::Faceting& faceting, cons
   const Bodies bodies = make_bodies(tree, faceting, work);
   const auto joined = [&](const std::vector<bool>& whole) {
     ExactOutlines exact(bodies);
-    const TakeFragments take = [&](std::span<const Fragment> found) { exact.add(found); };
-    find_fragments(bodies, positive, whole, take, work, threads);
+    const FragmentSink sink = [&](std::span<const Fragment> found) { exact.add(found); };
+    find_fragments(bodies, positive, whole, sink, work, threads);
     exact.close();
     exact.add_whole(whole);
     return join(bodies, std::move(exact));

@@ -39,7 +39,7 @@ class Crossings {
   }
 
   /// The points on each line, sorted along it; lines run from the lower to the higher point index.
-  [[nodiscard]] std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> taken() {
+  [[nodiscard]] std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> points_by_line() {
     std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> lines;
     for (auto& [key, found] : found_) {
       std::sort(found.begin(), found.end());
@@ -106,11 +106,11 @@ class Crossings {
 
 }  // namespace
 
-bool end_at_crossings(std::span<const std::size_t> which, Outlines& outlines) {
+bool split_at_crossings(std::span<const std::size_t> which, Outlines& outlines) {
   Crossings crossings(outlines.points);
   for (const std::size_t one : which) crossings.find(outlines.outlines[one]);
-  const Ends ends = crossings.taken();
-  for (Outline& outline : outlines.outlines) end_at(ends, outline.sides);
+  const Ends ends = crossings.points_by_line();
+  for (Outline& outline : outlines.outlines) split_at(ends, outline.sides);
   return !ends.empty();
 }
 

@@ -42,7 +42,8 @@ class Division {
                   std::vector<Operand> operands);
 
  private:
-  /// Outcome for a region.
+  /// The side of the boundary that a region is on: none; `front`, the solid is behind the plane; `back`, the solid is
+  /// in front of it; or `mixed`, different ones in parts of the region.
   enum class Fate : std::uint8_t { none, front, back, mixed };
   struct Part {
     Region region;

@@ -71,7 +71,7 @@ std::uint32_t ExactFaces::vertex_at(std::uint32_t corner, const Outline& outline
   return found;
 }
 
-void ExactFaces::take(const Region& region, const Outline& outline, BodyFace& face, Body& body) const {
+void ExactFaces::store(const Region& region, const Outline& outline, BodyFace& face, Body& body) const {
   face.first_side = static_cast<std::uint32_t>(body.sides.size());
   face.sides = static_cast<std::uint32_t>(region.planes.size());
   face.box = {};
@@ -94,7 +94,7 @@ void ExactFaces::cut(std::span<const Outline> outlines, Body& body) {
       work_.charge(1 + region.corners.size() / 4, converting);
       region = sheet_.clip(region, body.faces[neighbour].halfspace);
     }
-    take(region, outlines[i], face, body);
+    store(region, outlines[i], face, body);
   }
 }
 
@@ -116,7 +116,7 @@ void ExactFaces::cut_by_all(std::span<const Outline> outlines, Body& body) {
       if (region.empty()) break;
       bounds = sheet_.bounds(region);
     }
-    take(region, i < outlines.size() ? outlines[i] : none, face, body);
+    store(region, i < outlines.size() ? outlines[i] : none, face, body);
   }
 }
 

@@ -36,7 +36,7 @@ class ExactFaces {
                                                         std::span<const std::uint32_t> face_of, std::size_t faces);
   void cut(std::span<const Outline> outlines, Body& body);
   void cut_by_all(std::span<const Outline> outlines, Body& body);
-  void take(const Region& region, const Outline& outline, BodyFace& face, Body& body) const;
+  void store(const Region& region, const Outline& outline, BodyFace& face, Body& body) const;
   [[nodiscard]] std::uint32_t vertex_at(std::uint32_t corner, const Outline& outline, const Body& body) const;
   [[nodiscard]] bool is_closed(const Body& body) const;
   [[nodiscard]] bool ends_at(const Body& body, const BodyFace& face, std::uint32_t along, const Meeting& start,

@@ -42,14 +42,14 @@ void ExactOutlines::close() {
   for (std::vector<PlaneSide>& sides : plane_sides_) cancel_plane_sides(sides);
   OnLines found;
   for (std::size_t i = 0; i < outlines_.size(); ++i) find_within(i, found);
-  end_at_points(found);
+  split_at_points(found);
   found.clear();
   std::vector<Side> open;
   for (const std::vector<PlaneSide>& sides : plane_sides_)
     for (const PlaneSide& one : sides) open.push_back(one.side);
   cancel(open);
   find_on_open(open, found);
-  end_at_points(found);
+  split_at_points(found);
   for (std::size_t i = 0; i < outlines_.size(); ++i) {
     outlines_[i].sides.reserve(plane_sides_[i].size());
     for (const PlaneSide& one : plane_sides_[i]) outlines_[i].sides.push_back(one.side);
@@ -62,7 +62,7 @@ void ExactOutlines::cancel_plane_sides(std::vector<PlaneSide>& sides) {
 }
 
 /// Splits sides at those points that lie on them exactly.
-void ExactOutlines::end_at_points(OnLines& found) {
+void ExactOutlines::split_at_points(OnLines& found) {
   Ends ends;
   for (auto& [key, one] : found) {
     std::ranges::sort(one.points);
@@ -77,7 +77,7 @@ void ExactOutlines::end_at_points(OnLines& found) {
     std::vector<PlaneSide> ended;
     for (const PlaneSide& one : sides) {
       std::vector<Side> parts{one.side};
-      end_at(ends, parts);
+      split_at(ends, parts);
       for (const Side& part : parts) ended.push_back({part, one.along});
     }
     cancel_plane_sides(ended);

@@ -79,7 +79,7 @@ class ExactOutlines {
   void add(const Fragment& fragment);
   [[nodiscard]] std::size_t outline_of(std::uint32_t plane, Facing facing);
   static void cancel_plane_sides(std::vector<PlaneSide>& sides);
-  void end_at_points(OnLines& found);
+  void split_at_points(OnLines& found);
   void find_within(std::size_t outline, OnLines& found) const;
   void find_on_open(const std::vector<Side>& open, OnLines& found) const;
   void find_beside(std::size_t outline, const PlaneSide& one, const NearPoints& near, OnLines& found) const;

@@ -77,7 +77,7 @@ std::uint32_t ExactPoints::add(const Triple& planes) {
   for_cells_near(place, [&](std::uint64_t cell) {
     const auto [begin, end] = at_.equal_range(cell);
     for (auto one = begin; one != end && found == added; ++one)
-      if (planes_.are_on(triples_[one->second], planes)) found = one->second;
+      if (planes_.is_on_all(triples_[one->second], planes)) found = one->second;
   });
   entry->second = found;
   if (found != added) return found;
@@ -100,7 +100,7 @@ std::vector<std::uint32_t> points_between(const WholePlanes& planes, const Exact
   const Beyond before_end = beyond(planes, end, start);
   std::vector<Found> found;
   for (const std::uint32_t candidate : candidates) {
-    if (!planes.are_on(points.planes(candidate), line)) continue;
+    if (!planes.is_on_all(points.planes(candidate), line)) continue;
     const Meeting at = points.meeting(candidate);
     const bool is_between =
         planes.side(at, after_start.plane) == after_start.side && planes.side(at, before_end.plane) == before_end.side;

@@ -27,7 +27,7 @@ struct Ball {
   double radius = 0;
 };
 
-/// Processes the faces of bodies one after another.
+/// Computes the fragments of one body after another.
 class Evaluation {
  public:
   Evaluation(const Bodies& bodies, const csg::PositiveTree& tree, const Work& work)
@@ -55,7 +55,7 @@ class Evaluation {
   }
 
   /// Returns and removes all fragments.
-  std::vector<Fragment> taken() { return std::exchange(found_, {}); }
+  std::vector<Fragment> release() { return std::exchange(found_, {}); }
 
  private:
   static Numbers numbers_below(std::size_t count) {
@@ -225,32 +225,27 @@ class Evaluation {
 class Sharing {
  public:
   Sharing(const Bodies& bodies, const csg::PositiveTree& tree, std::vector<std::uint32_t> numbers, const Work& work,
-          const TakeFragments& hand_on)
-      : bodies_(bodies),
-        tree_(tree),
-        numbers_(std::move(numbers)),
-        work_(work),
-        hand_on_(hand_on),
-        found_(numbers_.size()) {}
+          const FragmentSink& sink)
+      : bodies_(bodies), tree_(tree), numbers_(std::move(numbers)), work_(work), sink_(sink), found_(numbers_.size()) {}
 
   void operator()(std::size_t threads) {
     {
       std::vector<std::jthread> others;
-      for (std::size_t i = 1; i < threads; ++i) others.emplace_back([this] { take(); });
-      take();
+      for (std::size_t i = 1; i < threads; ++i) others.emplace_back([this] { process_bodies(); });
+      process_bodies();
     }
     if (failure_) std::rethrow_exception(failure_);
     work_.charge(done_, converting);
   }
 
  private:
-  void take() {
+  void process_bodies() {
     const Work work = work_.with_zero_count();  // counts of all threads are added up at the end
     try {
       Evaluation evaluation(bodies_, tree_, work);
       for (std::size_t i = next_++; i < numbers_.size(); i = next_++) {
         evaluation.add(numbers_[i]);
-        add(i, evaluation.taken());
+        add(i, evaluation.release());
       }
     } catch (...) {
       const std::lock_guard guard(lock_);
@@ -261,13 +256,13 @@ class Sharing {
     done_ += work.done();
   }
 
-  /// Passes on the fragments of a body once those of all earlier bodies were passed on.
+  /// Delivers the fragments of a body to the sink once those of all earlier bodies were delivered.
   void add(std::size_t number, std::vector<Fragment> found) {
     const std::lock_guard guard(lock_);
     found_[number] = std::move(found);
-    for (; handed_on_ < found_.size() && found_[handed_on_]; ++handed_on_) {
-      hand_on_(*found_[handed_on_]);
-      found_[handed_on_].reset();
+    for (; delivered_ < found_.size() && found_[delivered_]; ++delivered_) {
+      sink_(*found_[delivered_]);
+      found_[delivered_].reset();
     }
   }
 
@@ -275,9 +270,9 @@ class Sharing {
   const csg::PositiveTree& tree_;
   std::vector<std::uint32_t> numbers_;
   const Work& work_;
-  const TakeFragments& hand_on_;
+  const FragmentSink& sink_;
   std::vector<std::optional<std::vector<Fragment>>> found_;  ///< one per body
-  std::size_t handed_on_ = 0;
+  std::size_t delivered_ = 0;
   std::atomic<std::size_t> next_ = 0;
   std::mutex lock_;
   std::exception_ptr failure_;
@@ -303,13 +298,13 @@ Fragment fragment_of(const Sheet& sheet, const Region& region, bool is_front, st
 }
 
 void find_fragments(const Bodies& bodies, const csg::PositiveTree& tree, const std::vector<bool>& whole,
-                    const TakeFragments& take, const Work& work, unsigned threads) {
+                    const FragmentSink& sink, const Work& work, unsigned threads) {
   if (tree.root == model::no_index) return;
   std::vector<std::uint32_t> numbers;
   for (std::uint32_t i = 0; i < bodies.bodies.size(); ++i)
     if (!whole[i]) numbers.push_back(i);
   if (numbers.empty()) return;
-  Sharing(bodies, tree, numbers, work, take)(std::min<std::size_t>(threads, numbers.size()));
+  Sharing(bodies, tree, numbers, work, sink)(std::min<std::size_t>(threads, numbers.size()));
 }
 
 }  // namespace csgsim::software::convert

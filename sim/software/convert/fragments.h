@@ -34,15 +34,15 @@ struct Fragment {
 Fragment fragment_of(const Sheet& sheet, const Region& region, bool is_front, std::uint32_t body,
                      std::span<const BodySide> sides);
 
-/// Receives the fragments of one body.
-using TakeFragments = std::function<void(std::span<const Fragment>)>;
+/// Called with the fragments of one body.
+using FragmentSink = std::function<void(std::span<const Fragment>)>;
 
-/// Computes the boundary of the solid exactly, in convex parts that do not overlap, body by body in order; `take` is
+/// Computes the boundary of the solid exactly, in convex parts that do not overlap, body by body in order; `sink` is
 /// called by one thread at a time. A face is divided only by those bodies that intersect it and that affect the tree
 /// there; for coplanar faces, the sides behind and in front of the plane are evaluated together. Throws WorkError
 /// beyond the work limit. Bodies that are `whole` yield no fragments and must not touch others. The result does not
 /// depend on the number of threads.
 void find_fragments(const Bodies& bodies, const csg::PositiveTree& tree, const std::vector<bool>& whole,
-                    const TakeFragments& take, const Work& work, unsigned threads = 1);
+                    const FragmentSink& sink, const Work& work, unsigned threads = 1);
 
 }  // namespace csgsim::software::convert

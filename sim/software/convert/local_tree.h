@@ -19,7 +19,7 @@ struct Both {
   bool operator==(const Both&) const = default;
 };
 
-/// Knowledge about an operand.
+/// The value of an operand or of a tree on both sides of a plane, if known.
 struct Known {
   bool is_known = false;
   Both value{};

@@ -113,20 +113,20 @@ NearPoints used_points(const Outlines& outlines) {
 }
 
 /// Splits sides at points that lie on them.
-void end_at_all_points(double tolerance, Outlines& outlines) {
+void split_at_all_points(double tolerance, Outlines& outlines) {
   constexpr int max_rounds = 10;
   const NearPoints near = used_points(outlines);
   std::vector<std::size_t> changed = all_of(outlines);
   for (int round = 0; round < max_rounds && !changed.empty(); ++round)
-    changed = end_at_points(changed, near, tolerance, outlines);
+    changed = split_at_points(changed, near, tolerance, outlines);
 }
 
 /// Splits sides at points that lie on them, and at intersections of sides of the sums.
 void end_everywhere(std::span<const std::size_t> sums, double tolerance, Outlines& outlines) {
   constexpr int max_crossing_rounds = 3;
-  end_at_all_points(tolerance, outlines);
-  for (int round = 0; round < max_crossing_rounds && end_at_crossings(sums, outlines); ++round)
-    end_at_all_points(tolerance, outlines);
+  split_at_all_points(tolerance, outlines);
+  for (int round = 0; round < max_crossing_rounds && split_at_crossings(sums, outlines); ++round)
+    split_at_all_points(tolerance, outlines);
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ class PointTable {
   double scale_;
   std::vector<glm::dvec3> points_;
   std::vector<facet::Key<3>> keys_;
-  std::unordered_multimap<std::uint64_t, std::uint32_t> at_;  ///< indexed by the hash of the cell
+  std::unordered_multimap<std::uint64_t, std::uint32_t> at_;  ///< indices of points by the hash of their cell
 };
 
 }  // namespace csgsim::software::convert

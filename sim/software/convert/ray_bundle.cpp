@@ -54,7 +54,7 @@ class Row {
   }
 
   /// Returns and removes the events of the row, sorted by column and depth.
-  std::vector<Crossing> take() {
+  std::vector<Crossing> release() {
     std::ranges::sort(events_, {}, [](const Crossing& one) { return std::tuple(one.x, one.z, one.body); });
     return std::exchange(events_, {});
   }
@@ -107,7 +107,7 @@ RayBundle::RayBundle(const model::Tree& tree, const Bodies& bodies, const CellGr
       work.charge(bodies.bodies[body].faces.size() * grid.resolution, "converting the model to blocks");
       row.add(body, y);
     }
-    const std::vector<Crossing> events = row.take();
+    const std::vector<Crossing> events = row.release();
     std::size_t at = 0;
     for (std::uint32_t x = 0; x < grid.resolution; ++x) {
       bool is_in = false;

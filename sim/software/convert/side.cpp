@@ -7,7 +7,7 @@ namespace csgsim::software::convert {
 namespace {
 
 /// Appends the parts of a side that is split at these points.
-void end_at(const Side& side, std::span<const std::uint32_t> points, std::vector<Side>& sides) {
+void split_at(const Side& side, std::span<const std::uint32_t> points, std::vector<Side>& sides) {
   const bool is_forward = side[0] < side[1];
   std::uint32_t at = side[0];
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -28,14 +28,14 @@ std::vector<std::uint32_t> ends_of(std::span<const Side> sides) {
   return ends;
 }
 
-bool end_at(const Ends& ends, std::vector<Side>& sides) {
+bool split_at(const Ends& ends, std::vector<Side>& sides) {
   const auto is_ended = [&](const Side& side) { return ends.contains(key_of(side)); };
   if (std::ranges::none_of(sides, is_ended)) return false;
   std::vector<Side> ended;
   ended.reserve(sides.size());
   for (const Side& side : sides) {
     const auto found = ends.find(key_of(side));
-    end_at(side, found == ends.end() ? std::span<const std::uint32_t>{} : found->second, ended);
+    split_at(side, found == ends.end() ? std::span<const std::uint32_t>{} : found->second, ended);
   }
   cancel(ended);
   sides = std::move(ended);

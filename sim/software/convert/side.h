@@ -57,6 +57,6 @@ std::vector<std::uint32_t> ends_of(std::span<const Side> sides);
 using Ends = std::unordered_map<std::uint64_t, std::vector<std::uint32_t>>;
 
 /// Splits each side at the points that `ends` has for it. Returns whether any was split.
-bool end_at(const Ends& ends, std::vector<Side>& sides);
+bool split_at(const Ends& ends, std::vector<Side>& sides);
 
 }  // namespace csgsim::software::convert

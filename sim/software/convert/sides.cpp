@@ -50,8 +50,8 @@ std::vector<Side> straight_neighbours(const Outlines& outlines, double tolerance
 
 }  // namespace
 
-std::vector<std::size_t> end_at_points(std::span<const std::size_t> which, const NearPoints& near, double tolerance,
-                                       Outlines& outlines) {
+std::vector<std::size_t> split_at_points(std::span<const std::size_t> which, const NearPoints& near, double tolerance,
+                                         Outlines& outlines) {
   std::vector<Side> lines;
   for (const std::size_t one : which)
     for (const Side& side : outlines.outlines[one].sides) lines.push_back(ordered(side));
@@ -64,7 +64,7 @@ std::vector<std::size_t> end_at_points(std::span<const std::size_t> which, const
   std::vector<std::size_t> changed;
   if (ends.empty()) return changed;
   for (const std::size_t one : which)
-    if (end_at(ends, outlines.outlines[one].sides)) changed.push_back(one);
+    if (split_at(ends, outlines.outlines[one].sides)) changed.push_back(one);
   return changed;
 }
 

@@ -25,7 +25,7 @@ Surface make_surface(const Outlines& outlines);
 
 /// Measured properties of a surface.
 struct Measures {
-  double volume = 0;         ///< cubic model units; enclosed outside volume is subtracted
+  double volume = 0;         ///< cubic model units; enclosed cavities are subtracted
   double volume_error = 0;   ///< upper bound of the change due to rounding of coordinates to doubles
   double area = 0;           ///< square model units
   std::int64_t euler = 0;    ///< points - edges + triangles

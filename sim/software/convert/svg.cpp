@@ -12,7 +12,7 @@ namespace csgsim::software::convert {
 
 namespace {
 
-/// In SVG y points down.
+/// The y axis of SVG points down.
 glm::dvec2 turned(const glm::dvec2& point) { return {point.x, 0 - point.y}; }
 
 /// As OpenSCAD writes it: a path in millimetres, in a view box of whole numbers. OpenSCAD's import() moves the corner

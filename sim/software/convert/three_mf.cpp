@@ -68,7 +68,7 @@ class Archive {
     check(zipCloseFileInZip(file_));
   }
 
-  std::string finished() {
+  std::string finish() {
     check(zipClose(std::exchange(file_, nullptr), nullptr));
     return std::move(stream_.bytes);
   }
@@ -144,7 +144,7 @@ std::string write(const Surface& surface, const Writing&) {
   archive.add("[Content_Types].xml", content_types);
   archive.add("_rels/.rels", relationships);
   archive.add("3D/3dmodel.model", model);
-  return archive.finished();
+  return archive.finish();
 }
 
 }  // namespace

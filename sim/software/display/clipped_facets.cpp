@@ -16,7 +16,7 @@ namespace csgsim::software {
 
 namespace {
 
-/// A remaining part of a facet.
+/// A part of a facet that remains after clipping.
 struct Part {
   Region region;
   std::vector<Cut> cuts;

@@ -76,9 +76,9 @@ void draw_by_lists(const DisplaySubject& subject, const ScreenFacets& seen, Ledg
     Count& sorting = ledger[Phase::sorting];
     lists.gather(pixel, events, sorting);
     if (events.size() > max_inserted) {
-      sort_by_halves(std::span(events), sorting);
+      standard_sort(std::span(events), sorting);
     } else {
-      insert_in_order(std::span(events), sorting);
+      insertion_sort(std::span(events), sorting);
     }
     result.picture.seen[pixel] = sequences.along(events, subject.farthest(), scanning);
     scanning(Operation::store_long, 2);

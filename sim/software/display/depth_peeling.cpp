@@ -30,7 +30,7 @@ class Peeling {
   void draw() {
     do {
       for_each_event([&](Pixel& pixel, const Event& event) { find_nearest(pixel, event); });
-      for_each_event([&](Pixel& pixel, const Event& event) { take(pixel, event); });
+      for_each_event([&](Pixel& pixel, const Event& event) { add_event(pixel, event); });
     } while (end_layer());
     result_.counts.words.pixels += 4 * pixels_.size();
     result_.counts.words.sequences = sequences_.words();
@@ -69,7 +69,7 @@ class Peeling {
     count(Operation::store_long);
   }
 
-  void take(Pixel& pixel, const Event& event) {
+  void add_event(Pixel& pixel, const Event& event) {
     ledger_[Phase::depth_test](Operation::load_long);
     ledger_[Phase::depth_test](Operation::compare_long);
     ledger_[Phase::depth_test](Operation::branch);

@@ -18,7 +18,7 @@ struct Surface {
   double depth;
 };
 
-/// Cause for a surface that ties with others, or was drawn before surfaces with smaller integer depths.
+/// Cause of the fault of a surface that ties with others, or was drawn before surfaces with smaller integer depths.
 Fault fault_near(const WrongRay& ray, const Surface& surface) {
   const auto coinciding =
       std::ranges::count_if(ray.depths, [&](double other) { return std::abs(other - surface.depth) <= coincidence; });

@@ -38,9 +38,9 @@ struct WrongRay {
   bool has_lost = false;           ///< some events were not drawn, because rounding moved them far from their cells
 };
 
-/// `drawn`: the surfaces in drawing order. A surface is at fault if it was drawn before one with a smaller integer
-/// depth, or if it is the last and shares its depth. If there are several causes, the last one in Fault is returned; if
-/// there is none, the fault lies with surfaces that were not drawn.
+/// The cause of a wrong pixel. `drawn`: the surfaces in drawing order. A surface is at fault if it was drawn before one
+/// with a smaller integer depth, or if it is the last and shares its depth. Of several causes, the last one in Fault is
+/// returned. If no drawn surface is at fault, the cause is depth_bits if the ray has lost events, and otherwise order.
 Fault fault_of(const WrongRay& ray, std::span<const Event> drawn);
 
 }  // namespace csgsim::software

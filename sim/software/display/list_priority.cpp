@@ -140,7 +140,7 @@ class ListPriority {
     counts.crossing_tests = polygons.crossing_tests;
     counts.overlap_tests = polygons.overlap_tests;
     counts.drawn_polygons = screen.pieces.facets.size();
-    counts.cells = polygons.filled();
+    counts.cells = polygons.filled_cells();
     counts.drawn_cells = order.cells.size();
     counts.looked_parts = order.looked_at;
     std::uint64_t corners = 0;
@@ -191,7 +191,8 @@ class ListPriority {
     if constexpr (Count::counts) drawn_[static_cast<std::size_t>(&pixel - pixels_.data())].push_back(event);
   }
 
-  /// Sets or resets a pixel according to the point behind the last surfaces, `at` of them at its depth.
+  /// Sets the pixel if the point behind its last surfaces is inside, and otherwise clears it. The last `at` surfaces
+  /// are at the pixel's depth.
   void classify(PriorityPixel& pixel, Seen& seen, std::uint32_t primitive, std::size_t at) {
     Count& count = ledger_[Phase::scan_conversion];
     count.point();
@@ -230,7 +231,7 @@ class ListPriority {
   /// Swaps a surface with the last one, which is behind it.
   void exchange(PriorityPixel& pixel, Seen& seen, const Event& event) {
     Count& count = ledger_[Phase::scan_conversion];
-    const Event last = take_back(pixel);
+    const Event last = pop_surface(pixel);
     pixel.element = sequences_.before(pixel.element);
     count(Operation::load_long);
     count(Operation::load);
@@ -242,7 +243,7 @@ class ListPriority {
   }
 
   /// Removes and returns the last surface of a pixel. Without counting, only its depth and primitive are exact.
-  Event take_back(const PriorityPixel& pixel) {
+  Event pop_surface(const PriorityPixel& pixel) {
     Event last{pixel.depth, 2 * sequences_.primitive(pixel.element)};
     if constexpr (Count::counts) {
       std::vector<Event>& drawn = drawn_[static_cast<std::size_t>(&pixel - pixels_.data())];

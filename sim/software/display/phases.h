@@ -16,7 +16,7 @@ enum class Phase : std::uint8_t {
   preprocessing,    ///< clipping of polygons, once per model
   transformation,   ///< transformation of polygons into the picture
   sorting,          ///< depth order of buckets and polygons, or an equivalent step
-  scan_conversion,  /// scan conversion of polygons, and the CSG test
+  scan_conversion,  ///< scan conversion of polygons, and the CSG test
   depth_test,
   initialisation,  ///< initialization of pixel data
 };
@@ -56,11 +56,11 @@ struct DisplayCounts {
   std::uint64_t overlap_tests = 0;   ///< tests of a polygon against a cell
   std::uint64_t drawn_polygons = 0;  ///< polygons with pixels
   std::uint64_t pixel_events = 0;    ///< surfaces found at pixels, counted each time
-  std::uint64_t passes = 0;          ///< over all facets
+  std::uint64_t passes = 0;          ///< passes over all facets
   std::uint64_t spans = 0;           ///< spans of rows evaluated at their ends
   std::uint64_t splits = 0;          ///< spans split because the order of surfaces may change
   std::uint64_t cells = 0;           ///< cells with polygons
-  std::uint64_t drawn_cells = 0;     ///< such cells in the viewing cone
+  std::uint64_t drawn_cells = 0;     ///< cells with polygons in the viewing cone
   std::uint64_t looked_parts = 0;    ///< parts of space, including cells, visited to determine their order
   std::uint64_t overfull_cells = 0;  ///< cells with more polygons than the bucket size
   std::uint64_t conflicts = 0;       ///< polygons drawn before others that may hide them, because no order exists

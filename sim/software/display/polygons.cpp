@@ -93,7 +93,7 @@ class CellFiller {
     fill(0, std::move(entries));
   }
 
-  Polygons made() { return std::move(made_); }
+  Polygons release() { return std::move(made_); }
 
  private:
   struct Entry {
@@ -233,7 +233,7 @@ std::size_t Polygons::piece_count() const {
   return sum;
 }
 
-std::size_t Polygons::filled() const {
+std::size_t Polygons::filled_cells() const {
   return static_cast<std::size_t>(
       std::ranges::count_if(cells, [](const PolygonCell& cell) { return !cell.bucket.empty(); }));
 }
@@ -245,7 +245,7 @@ Polygons clipped(const Facets& facets, const facet::Geometry& geometry, const Po
   const std::unique_ptr<Directory> directory = options.directory.make(shapes, {options.bucket_size});
   const std::vector<SpacePart> space = directory->parts();
   if (space.empty()) throw std::logic_error("this directory does not halve space");
-  Polygons polygons = CellFiller<Count>(space, clipped, geometry, count).made();
+  Polygons polygons = CellFiller<Count>(space, clipped, geometry, count).release();
   const SpaceBuilt built = directory->built();
   count_built(count, built.operations);
   polygons.overlap_tests += built.overlap_tests;

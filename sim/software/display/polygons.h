@@ -15,7 +15,7 @@
 
 namespace csgsim::software {
 
-/// A remaining part of a facet.
+/// A part of a facet that remains after clipping.
 struct Piece {
   std::uint32_t facet = 0;          ///< index into Facets::facets
   std::vector<glm::dvec3> corners;  ///< convex, relative to PlaneTable::centre(); fewer than three have no area
@@ -48,7 +48,7 @@ struct Polygons {
   /// Number of pieces with an area in all cells.
   [[nodiscard]] std::size_t piece_count() const;
   /// Number of cells with a non-empty bucket.
-  [[nodiscard]] std::size_t filled() const;
+  [[nodiscard]] std::size_t filled_cells() const;
 };
 
 /// How polygons are distributed to cells.

@@ -32,7 +32,7 @@ Displayed run_rays(const DisplaySubject& subject, bool counts) {
   const auto begin = std::chrono::steady_clock::now();
   const RayCaster rays(subject.model, subject.geometry, subject.view);
   const Subject classified{subject.model, subject.geometry, subject.view, subject.tree};
-  const std::unique_ptr<Method> method = made(choice_of("status/list-structure"), classified, counts);
+  const std::unique_ptr<Method> method = make_method(choice_of("status/list-structure"), classified, counts);
   RayCounts of_rays;
   result.picture = draw(rays, *method, counts ? &of_rays : nullptr);
   result.drawing_seconds = seconds_since(begin);

@@ -29,7 +29,7 @@ void count_edges(Count& count, std::size_t bounds, std::uint64_t longs) {
 /// Counts stepping to the next row: column and remainder of each edge, the columns between them, and the depth at the
 /// first column.
 template <class Count>
-void count_row_further(Count& count, std::size_t bounds, std::uint64_t longs) {
+void count_next_row(Count& count, std::size_t bounds, std::uint64_t longs) {
   count(Operation::load_long, 4 * bounds + 2 * longs);
   count(Operation::add_long, 2 * bounds + longs);
   count(Operation::compare_long, bounds);
@@ -65,7 +65,7 @@ void scan(const ScreenFacets& facets, const ScreenFacet& facet, std::uint64_t lo
   const std::size_t bounds = facets.bounds_of(facet).size();
   count_edges(count, bounds, longs);
   for (std::int32_t row = facet.pixels.y0; row <= facet.pixels.y1; ++row) {
-    count_row_further(count, bounds, longs);
+    count_next_row(count, bounds, longs);
     const Span span =
         facets.for_row(facet, row, [&](std::int32_t column, const Event& event) { use(column, row, event); });
     const auto columns = static_cast<std::uint64_t>(std::max(0, span.columns()));

@@ -108,7 +108,7 @@ class ScanLines {
     active_.clear();
     limits_.clear();
     for (const ScreenFacet* const facet : active) {
-      count_row_further(scanning, facets_.bounds_of(*facet).size(), longs_);
+      count_next_row(scanning, facets_.bounds_of(*facet).size(), longs_);
       sorting(Operation::load_long);
       sorting(Operation::load);
       sorting(Operation::compare);

@@ -60,7 +60,7 @@ class PieceMaker {
     made_.pieces.facets.push_back(made);
   }
 
-  ScreenPieces made() {
+  ScreenPieces release() {
     begin_cell();
     return std::move(made_);
   }
@@ -103,7 +103,7 @@ ScreenPieces screen_pieces(const Polygons& polygons, std::span<const std::uint32
     maker.begin_cell();
     for (const Piece& piece : polygons.cells[cell].bucket) maker.add(piece);
   }
-  return maker.made();
+  return maker.release();
 }
 
 }  // namespace csgsim::software

@@ -63,7 +63,8 @@ view::Range bounds(const view::FixedLinear& plane, const view::PixelRect& pixels
   return view::range_over(plane, pixels);
 }
 
-/// Keeps the planes that may be maximal (or minimal, if not `greatest`) somewhere; returns bounds of that extreme.
+/// Appends to `kept` the planes that may be maximal (or minimal, if not `greatest`) somewhere over the pixels; returns
+/// bounds of that maximum (or minimum).
 template <class Count>
 view::Range keep_bounding(std::span<const view::FixedLinear> all, const view::PixelRect& pixels, bool greatest,
                           std::uint64_t longs, std::vector<view::FixedLinear>& kept, Count& count) {
@@ -88,8 +89,8 @@ view::Range keep_bounding(std::span<const view::FixedLinear> all, const view::Pi
   return extreme;
 }
 
-/// Classifies a primitive in a box as inside, outside or unknown; `narrowed` receives the planes that matter in the
-/// box.
+/// Classifies a primitive in a box as inside, outside or unknown; `narrowed` receives the planes that may bound
+/// it in the box.
 template <class Count>
 Known narrow(const Subject& subject, const Box& box, const BoxPrimitive& one, BoxPrimitive& narrowed, Count& count) {
   const view::PixelRect pixels = view::common(box.pixels, subject.view.extents[one.primitive].pixels);
@@ -115,7 +116,8 @@ Known narrow(const Subject& subject, const Box& box, const BoxPrimitive& one, Bo
   return is_whole && front.high <= box.z0 && back.low >= box.z1 ? Known::in : Known::nothing;
 }
 
-/// The intersection of a ray and a primitive, computed from the planes that matter in the box.
+/// The intersection of a ray and a primitive, computed from the planes that may bound it in the box; empty
+/// if there is none.
 template <class Count>
 std::optional<Interval> interval_at(const Subject& subject, const BoxPrimitive& one, std::int32_t x, std::int32_t y,
                                     Count& count) {

@@ -23,7 +23,7 @@
 
 namespace csgsim::software {
 
-/// Index after the last event at the same depth as event `begin`.
+/// Index after the last event at the depth of event `begin`.
 template <class Count>
 std::size_t end_of_point(std::span<const Event> events, std::size_t begin, Count& count) {
   std::size_t end = begin + 1;
@@ -126,9 +126,9 @@ class Crossed : public Method {
   Owners<Count> owners_;
 };
 
-/// Combines a traversal with each coherence, in the order of coherences().
+/// Creates the method that combines a traversal with the given coherence.
 template <template <class> class Traversal, class Count>
-std::unique_ptr<Method> crossed_with(Coherent coherence, const Subject& subject) {
+std::unique_ptr<Method> make_crossed_with(Coherent coherence, const Subject& subject) {
   using T = Traversal<Count>;
   switch (coherence) {
     case Coherent::all_points: return std::make_unique<Crossed<T, AllPoints<Count>, Count>>(subject);
@@ -141,10 +141,11 @@ std::unique_ptr<Method> crossed_with(Coherent coherence, const Subject& subject)
   return nullptr;
 }
 
+/// Creates the method that combines a traversal with the given coherence; with `counts`, it counts operations.
 template <template <class> class Traversal>
-std::unique_ptr<Method> crossed(Coherent coherence, const Subject& subject, bool counts) {
-  return counts ? crossed_with<Traversal, CountingMethod>(coherence, subject)
-                : crossed_with<Traversal, UncountedMethod>(coherence, subject);
+std::unique_ptr<Method> make_crossed(Coherent coherence, const Subject& subject, bool counts) {
+  return counts ? make_crossed_with<Traversal, CountingMethod>(coherence, subject)
+                : make_crossed_with<Traversal, UncountedMethod>(coherence, subject);
 }
 
 }  // namespace csgsim::software

@@ -9,6 +9,6 @@ extern const MethodRow interval_arithmetic_row{.name = "interval-arithmetic",
                                                .help = "boxes are halved recursively, with trees pruned for each box",
                                                .source = "Keeter 2020; fidget",
                                                .takes = Takes::planes,
-                                               .make = whole<IntervalArithmetic>};
+                                               .make = make_whole<IntervalArithmetic>};
 
 }  // namespace csgsim::software

@@ -9,6 +9,6 @@ extern const MethodRow interval_lists_row{.name = "interval-lists",
                                           .help = "each node merges its operands' intervals along the ray",
                                           .source = "Roth 1982; Jansen 1987, 4.1",
                                           .takes = Takes::intervals,
-                                          .make = whole<IntervalLists>};
+                                          .make = make_whole<IntervalLists>};
 
 }  // namespace csgsim::software

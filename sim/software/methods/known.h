@@ -1,4 +1,4 @@
-// Prior knowledge about primitives, for pruning.
+// Classes of primitives that are known before rays are cast, for pruning.
 // Used by evaluations.h and by interval arithmetic.
 #pragma once
 

@@ -10,7 +10,7 @@
 
 namespace csgsim::software {
 
-/// Reduces the tree by prior knowledge about primitives, visiting each node.
+/// Prunes the tree by the known classes of primitives (reduced()), and counts a visit of each node.
 template <class Count>
 Tree pruned(const Tree& tree, std::span<const Known> known, Count& count) {
   const std::size_t nodes = tree.nodes.size();

@@ -60,7 +60,7 @@ std::string name_of(const Choice& choice) {
   return name;
 }
 
-std::unique_ptr<Method> made(const Choice& choice, const Subject& subject, bool counts) {
+std::unique_ptr<Method> make_method(const Choice& choice, const Subject& subject, bool counts) {
   const Coherent coherence = choice.coherence == nullptr ? Coherent::all_points : choice.coherence->coherence;
   return choice.method->make(coherence, subject, counts);
 }

@@ -14,7 +14,7 @@
 
 namespace csgsim::software {
 
-/// Data kept from one point to the next.
+/// Data kept from one point to the next (see the help of coherences()).
 enum class Coherent : std::uint8_t { all_points, first_point, one_list, list_structure, joined_lists, csg_buffer };
 
 /// A row of the table of coherences.
@@ -76,7 +76,8 @@ Choice choice_of(const std::string& text);
 /// Name in the form that choice_of parses.
 std::string name_of(const Choice& choice);
 
-std::unique_ptr<Method> made(const Choice& choice, const Subject& subject, bool counts);
+/// Creates the chosen method (MethodRow::make).
+std::unique_ptr<Method> make_method(const Choice& choice, const Subject& subject, bool counts);
 
 /// A row of the table of prunings.
 struct PruningRow {
@@ -86,8 +87,9 @@ struct PruningRow {
 };
 std::span<const PruningRow> prunings();
 
-/// Finds a row by name. Throws InputError that lists the valid names.
+/// The pruning with this name. Throws InputError that lists the valid names.
 Pruning pruning_of(const std::string& name);
+/// The tree shape with this name. Throws InputError that lists the valid names.
 Shape shape_of(const std::string& name);
 
 }  // namespace csgsim::software

@@ -10,6 +10,6 @@ extern const MethodRow weave_row{
     .help = "inserts intervals into partitions of the ray and evaluates these from the front",
     .source = "BRL-CAD, src/librt/bool.c",
     .takes = Takes::intervals,
-    .make = whole<Weave>};
+    .make = make_whole<Weave>};
 
 }  // namespace csgsim::software

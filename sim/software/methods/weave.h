@@ -73,7 +73,7 @@ class Weave : public Method {
     return is_in;
   }
 
-  std::uint32_t made(std::uint32_t begin, std::uint32_t end, std::uint32_t next) {
+  std::uint32_t add_partition(std::uint32_t begin, std::uint32_t end, std::uint32_t next) {
     if (used_ == pool_.size()) pool_.emplace_back();
     Partition& partition = pool_[used_];
     partition.begin = begin;
@@ -100,7 +100,7 @@ class Weave : public Method {
 
   /// Splits a partition at a depth; the new rear part has the same primitives.
   void split(std::uint32_t at, std::uint32_t depth) {
-    const std::uint32_t behind = made(depth, pool_[at].end, pool_[at].next);
+    const std::uint32_t behind = add_partition(depth, pool_[at].end, pool_[at].next);
     pool_[behind].held_by = pool_[at].held_by;
     count_(Operation::load, pool_[at].held_by.size());
     count_(Operation::store, pool_[at].held_by.size());
@@ -131,7 +131,7 @@ class Weave : public Method {
       }
       if (at == none || pool_[at].begin > begin) {  // no primitive contains the ray here yet
         const std::uint32_t end = at == none ? interval.back : std::min(interval.back, pool_[at].begin);
-        const std::uint32_t fresh = made(begin, end, at);
+        const std::uint32_t fresh = add_partition(begin, end, at);
         link(before, fresh);
         add(fresh, interval.primitive);
         before = fresh;

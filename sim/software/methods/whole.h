@@ -11,7 +11,7 @@ namespace csgsim::software {
 
 /// Creates a method that takes no coherence and descends the tree recursively.
 template <template <class> class Whole>
-std::unique_ptr<Method> whole(Coherent /*coherence*/, const Subject& subject, bool counts) {
+std::unique_ptr<Method> make_whole(Coherent /*coherence*/, const Subject& subject, bool counts) {
   refuse_deep(subject.tree, max_calls);
   if (counts) return std::make_unique<Whole<CountingMethod>>(subject);
   return std::make_unique<Whole<UncountedMethod>>(subject);

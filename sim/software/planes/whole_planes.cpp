@@ -185,7 +185,7 @@ int WholePlanes::side(const Point& point, std::uint32_t plane) const {
   return height.sign();
 }
 
-bool WholePlanes::are_on(const Triple& point, std::span<const std::uint32_t> planes) const {
+bool WholePlanes::is_on_all(const Triple& point, std::span<const std::uint32_t> planes) const {
   const auto is_known = [&](std::uint32_t plane) { return std::ranges::find(point, plane) != point.end(); };
   if (std::ranges::all_of(planes, is_known)) return true;
   const Point exactly = exact(point);

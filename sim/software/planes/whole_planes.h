@@ -79,7 +79,7 @@ class WholePlanes {
   [[nodiscard]] Meeting meet(std::uint32_t one, std::uint32_t other, std::uint32_t third) const;
 
   /// Whether the point of three planes lies on all of these planes; exact.
-  [[nodiscard]] bool are_on(const Triple& point, std::span<const std::uint32_t> planes) const;
+  [[nodiscard]] bool is_on_all(const Triple& point, std::span<const std::uint32_t> planes) const;
 
   /// Position of the point of three planes, in units; the error of each coordinate is a few units in the last place.
   [[nodiscard]] glm::dvec3 exact_place(const Triple& planes) const;

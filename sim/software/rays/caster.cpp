@@ -94,7 +94,7 @@ class BandCaster {
     const std::int32_t y1 = std::min(pixels.y1, first_row + static_cast<std::int32_t>(band_.rows) - 1);
     for (std::int32_t x0 = pixels.x0; x0 <= pixels.x1; x0 += tile_columns) {
       const PixelRect tile{x0, y0, std::min(pixels.x1, x0 + tile_columns - 1), y1};
-      count_tile(leave_out_hidden(planes, tile, left_));
+      count_tile(select_bounding(planes, tile, left_));
       for (std::int32_t y = y0; y <= y1; ++y) add_row(primitive, planes.edges, {tile.x0, tile.x1}, y);
     }
   }

@@ -32,7 +32,7 @@ struct Event {
 };
 
 /// The rays of some rows of a picture, row by row from the top, with their intersections between the near plane and
-/// depth 2^n - 1, which means nothing.
+/// depth 2^n - 1, at which nothing is visible.
 struct RayBand {
   std::uint32_t width = 0;
   std::uint32_t first_row = 0;

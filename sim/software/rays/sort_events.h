@@ -17,7 +17,7 @@ inline constexpr std::size_t max_inserted = 32;
 
 /// Insertion sort: rays have few events, and primitives that are close in the tree are close in depth.
 template <class Count>
-void insert_in_order(std::span<Event> events, Count& count) {
+void insertion_sort(std::span<Event> events, Count& count) {
   for (std::size_t i = 1; i < events.size(); ++i) {
     const Event event = events[i];
     count(Operation::load_long, 2);
@@ -38,8 +38,9 @@ void insert_in_order(std::span<Event> events, Count& count) {
   }
 }
 
+/// std::sort, with each comparison counted.
 template <class Count>
-void sort_by_halves(std::span<Event> events, Count& count) {
+void standard_sort(std::span<Event> events, Count& count) {
   std::ranges::sort(events, [&](const Event& a, const Event& b) {
     count(Operation::load_long, 2);
     count(Operation::compare_long);
@@ -66,9 +67,9 @@ void sort_events(RayBand& band, std::uint32_t farthest, Count& count) {
     }
     const std::span<Event> events = std::span(band.events).subspan(begin);
     if (events.size() <= max_inserted) {
-      insert_in_order(events, count);
+      insertion_sort(events, count);
     } else {
-      sort_by_halves(events, count);
+      standard_sort(events, count);
     }
     band.event_begins.push_back(band.events.size());
   }

@@ -56,12 +56,12 @@ TilePlanes planes_of(const model::Tree& tree, const facet::Geometry& geometry, c
   return planes;
 }
 
-std::uint64_t leave_out_hidden(const TilePlanes& all, const view::PixelRect& tile, TilePlanes& left) {
+std::uint64_t select_bounding(const TilePlanes& all, const view::PixelRect& tile, TilePlanes& selected) {
   std::vector<Linear> nearness;  // negated back planes
   nearness.reserve(all.backs.size());
   for (const Linear& back : all.backs) nearness.push_back({-back.a, -back.b, -back.c});
-  left.fronts = bounding(all.fronts, all.fronts, tile);
-  left.backs = bounding(all.backs, nearness, tile);
+  selected.fronts = bounding(all.fronts, all.fronts, tile);
+  selected.backs = bounding(all.backs, nearness, tile);
   return all.fronts.size() + all.backs.size();
 }
 

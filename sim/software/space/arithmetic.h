@@ -8,8 +8,8 @@
 
 namespace csgsim::software {
 
-/// Counts of real arithmetic on a processor without floating point. Coordinates are fixed-point longs (an assumption;
-/// the thesis does not specify its numbers). A product keeps the middle of two longs' product: four word products,
+/// Counts products on a processor without floating point. Coordinates are fixed-point longs (an assumption; the thesis
+/// does not specify its numbers). A product keeps the middle of two longs' product: four word products,
 /// added up.
 template <class Count>
 void count_products(Count& count, std::uint64_t times) {

@@ -113,6 +113,6 @@ class Boxes final : public DirectoryOf<Boxes> {
 }  // namespace
 
 extern const DirectoryRow boxes_row{"boxes", "boxes around primitives, expanded to facets when a ray enters them",
-                                    "Rubin and Whitted 1980; Jansen 1987, 5.1.1", made_directory<Boxes>};
+                                    "Rubin and Whitted 1980; Jansen 1987, 5.1.1", make_directory<Boxes>};
 
 }  // namespace csgsim::software

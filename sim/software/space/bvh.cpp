@@ -128,6 +128,6 @@ class Bvh final : public DirectoryOf<Bvh> {
 }  // namespace
 
 extern const DirectoryRow bvh_row{"bvh", "boxes around facets, divided by the surface area heuristic", "Wald 2007",
-                                  made_directory<Bvh>};
+                                  make_directory<Bvh>};
 
 }  // namespace csgsim::software

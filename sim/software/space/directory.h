@@ -37,6 +37,7 @@ struct Cell {
   std::span<const std::uint32_t> facets;  ///< unordered indices into Facets::facets
 };
 
+/// Receives the cells along a ray.
 class CellVisitor {
  public:
   CellVisitor() = default;
@@ -44,7 +45,7 @@ class CellVisitor {
   CellVisitor(const CellVisitor&) = delete;
   CellVisitor& operator=(const CellVisitor&) = delete;
 
-  /// Returns whether to continue.
+  /// Returns whether the ray must visit further cells.
   virtual bool visit(const Cell& cell) = 0;
 };
 
@@ -152,7 +153,7 @@ std::vector<std::string> halving_directories();
 const DirectoryRow& directory_of(const std::string& name);
 
 template <class Own>
-std::unique_ptr<Directory> made_directory(const FacetShapes& shapes, const SpaceOptions& options) {
+std::unique_ptr<Directory> make_directory(const FacetShapes& shapes, const SpaceOptions& options) {
   return std::make_unique<Own>(shapes, options);
 }
 

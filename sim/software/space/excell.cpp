@@ -86,7 +86,6 @@ std::uint32_t ExcellCells::add_part(const Range& range, std::uint32_t bucket) {
   return added;
 }
 
-/// Splits the bucket of a cell, after doubling the directory if necessary.
 void ExcellCells::halve(const Range& range) {
   Part& part = parts_[range.directory];
   if (range.level == part.base + part.level) {
@@ -215,9 +214,9 @@ class RecursiveExcell final : public DirectoryOf<RecursiveExcell> {
 
 extern const DirectoryRow excell_row{
     "excell", "halved cells found by address computation, visited from query point to query point",
-    "Tamminen 1981; Jansen 1987, 5.1.3, algorithm 5.3", made_directory<Excell>, true};
+    "Tamminen 1981; Jansen 1987, 5.1.3, algorithm 5.3", make_directory<Excell>, true};
 extern const DirectoryRow recursive_excell_row{"excell-recursive",
                                                "halved cells, visited by clipping the ray to halves of the array",
-                                               "Jansen 1987, algorithm 5.4", made_directory<RecursiveExcell>};
+                                               "Jansen 1987, algorithm 5.4", make_directory<RecursiveExcell>};
 
 }  // namespace csgsim::software

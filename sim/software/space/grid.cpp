@@ -158,6 +158,6 @@ class Grid final : public DirectoryOf<Grid> {
 }  // namespace
 
 extern const DirectoryRow grid_row{"grid", "cells of equal size, with steps from cell to cell by additions",
-                                   "Fujimoto et al. 1986; Amanatides and Woo 1987", made_directory<Grid>};
+                                   "Fujimoto et al. 1986; Amanatides and Woo 1987", make_directory<Grid>};
 
 }  // namespace csgsim::software

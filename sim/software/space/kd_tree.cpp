@@ -157,6 +157,6 @@ class KdTree final : public DirectoryOf<KdTree> {
 
 extern const DirectoryRow kd_tree_row{
     "kd-tree", "cells divided by the surface area heuristic, visited by clipping the ray to halves",
-    "MacDonald and Booth 1990; Havran 2000", made_directory<KdTree>, true};
+    "MacDonald and Booth 1990; Havran 2000", make_directory<KdTree>, true};
 
 }  // namespace csgsim::software

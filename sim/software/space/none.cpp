@@ -29,6 +29,6 @@ class None final : public DirectoryOf<None> {
 
 }  // namespace
 
-extern const DirectoryRow none_row{"none", "tests every ray against all facets", "brute force", made_directory<None>};
+extern const DirectoryRow none_row{"none", "tests every ray against all facets", "brute force", make_directory<None>};
 
 }  // namespace csgsim::software

@@ -125,6 +125,6 @@ class Octree final : public DirectoryOf<Octree> {
 }  // namespace
 
 extern const DirectoryRow octree_row{"octree", "cells divided into eight, located from the root for each query point",
-                                     "Glassner 1984", made_directory<Octree>, true};
+                                     "Glassner 1984", make_directory<Octree>, true};
 
 }  // namespace csgsim::software

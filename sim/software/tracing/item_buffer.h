@@ -93,7 +93,7 @@ class ItemBuffer {
     for (std::size_t begin = 0; begin < met.size();) {
       std::size_t end = begin + 1;
       while (end < met.size() && met[end].event.depth == met[begin].event.depth) ++end;
-      if (points_.take(std::span(met).subspan(begin, end - begin))) break;
+      if (points_.add_point(std::span(met).subspan(begin, end - begin))) break;
       begin = end;
     }
     return points_.hit();

@@ -48,7 +48,7 @@ class PointsOfRay {
   }
 
   /// Adds all events at the next depth, in order; returns whether the ray enters the solid there.
-  bool take(std::span<const Met> point) {
+  bool add_point(std::span<const Met> point) {
     const std::uint32_t before = element_;
     const std::size_t begin = events_.size();
     count_.point();
@@ -107,7 +107,7 @@ void count_projected_test(const ScreenFacets& facets, const ScreenFacet& facet, 
 }
 
 /// Traces the rays of pixels through a directory. The cells determine which facets are tested; the tests use the
-/// integers of the machines, so that the picture is identical to that of the machines.
+/// integers of the machines, so that the picture equals theirs.
 template <class Count>
 class PrimaryRays final : public CellVisitor {
  public:
@@ -233,7 +233,7 @@ class PrimaryRays final : public CellVisitor {
       std::size_t end = begin + 1;
       while (end < pending_.size() && pending_[end].event.depth == pending_[begin].event.depth) ++end;
       settled_depth_ = pending_[begin].event.depth;
-      is_done_ = points_.take(std::span(pending_).subspan(begin, end - begin));
+      is_done_ = points_.add_point(std::span(pending_).subspan(begin, end - begin));
       begin = end;
     }
     pending_.erase(pending_.begin(), pending_.begin() + static_cast<std::ptrdiff_t>(begin));

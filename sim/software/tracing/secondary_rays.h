@@ -150,14 +150,14 @@ class SecondaryRays final : public CellVisitor {
     while (begin < pending_.size() && !is_done_ && pending_[begin].t + 2 * slack_ <= settled) {
       std::size_t end = begin + 1;
       while (end < pending_.size() && pending_[end].t <= pending_[begin].t + slack_) ++end;
-      take(std::span(pending_).subspan(begin, end - begin));
+      process_place(std::span(pending_).subspan(begin, end - begin));
       begin = end;
     }
     pending_.erase(pending_.begin(), pending_.begin() + static_cast<std::ptrdiff_t>(begin));
   }
 
   /// Ignores leaving a primitive that was not entered, which happens if rounding moves a place across a face.
-  void take(std::span<const RealEvent> place) {
+  void process_place(std::span<const RealEvent> place) {
     const std::uint32_t before = element_;
     const std::size_t begin = events_.size();
     meters_.classification.point();

@@ -33,14 +33,14 @@ enum class ItemPass : std::uint8_t {
   list_priority,  ///< as depth_lists, but counted at the cost given by TraceOptions::list_priority
 };
 
-/// Cost of drawing the same picture by list priority.
+/// Cost of drawing the picture by list priority, which fills the item buffer.
 struct PriorityPass {
   Operations operations;
   std::uint64_t events = 0;  ///< events drawn at pixels
   std::uint64_t words = 0;   ///< 32-bit words, without the items
 };
 
-/// Selects the rays to cast.
+/// Selects the rays to cast and how their facets are found.
 struct TraceOptions {
   ItemPass item_pass = ItemPass::none;
   PriorityPass list_priority{};

@@ -8,6 +8,6 @@ extern const MethodRow bit_parallel_row{.name = "bit-parallel",
                                         .help = "evaluates all nodes of a level at once, in words of 32 bits",
                                         .source = "Jansen 1987, 4.4.2, table 4.7",
                                         .compiled = processors::Compiled::bit_parallel,
-                                        .make = crossed<BitParallel>};
+                                        .make = make_crossed<BitParallel>};
 
 }  // namespace csgsim::software

@@ -9,6 +9,6 @@ extern const MethodRow bit_parallel_status_row{
     .help = "like bit-parallel, but evaluates only the words above a changed bit",
     .source = "Jansen 1987, named in table 4.10",
     .compiled = processors::Compiled::bit_parallel,
-    .make = crossed<BitParallelStatus>};
+    .make = make_crossed<BitParallelStatus>};
 
 }  // namespace csgsim::software

@@ -14,7 +14,7 @@ namespace csgsim::software {
 /// Number of bits in a word of a string.
 inline constexpr std::size_t word_bits = 32;
 
-/// Location of a bit string between two steps.
+/// Location of a bit string between two operations on it.
 enum class Kept : std::uint8_t {
   in_memory,
   in_register,  ///< only if it fits in one word

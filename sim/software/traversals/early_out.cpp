@@ -8,6 +8,6 @@ extern const MethodRow early_out_row{.name = "early-out",
                                      .help = "skips the right operand if the left one decides",
                                      .source = "Roth 1982; Jansen 1987, 4.3.2, table 4.3",
                                      .compiled = processors::Compiled::early_out,
-                                     .make = crossed<EarlyOut>};
+                                     .make = make_crossed<EarlyOut>};
 
 }  // namespace csgsim::software

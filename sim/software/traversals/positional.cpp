@@ -9,6 +9,6 @@ extern const MethodRow positional_row{
     .help = "visits only operands with a primitive that contains the point, found by codes",
     .source = "Jansen 1987, 4.3.3, table 4.4",
     .compiled = processors::Compiled::positional,
-    .make = crossed<Positional>};
+    .make = make_crossed<Positional>};
 
 }  // namespace csgsim::software

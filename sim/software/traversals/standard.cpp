@@ -8,6 +8,6 @@ extern const MethodRow standard_row{.name = "standard",
                                     .help = "evaluates the whole tree in postorder",
                                     .source = "Jansen 1987, 4.3.1, table 4.2",
                                     .compiled = processors::Compiled::standard,
-                                    .make = crossed<Standard>};
+                                    .make = make_crossed<Standard>};
 
 }  // namespace csgsim::software

@@ -12,7 +12,7 @@
 
 namespace csgsim::software {
 
-/// One word per primitive: whether it contains the point.
+/// A 16-bit word per primitive: whether it contains the point.
 template <class Count>
 class States {
  public:

@@ -9,7 +9,7 @@
 
 namespace csgsim::software {
 
-/// Flips each of these primitives by one call.
+/// Flips each of these primitives.
 template <class Traversal, class Count>
 void flip_all(Traversal& traversal, std::span<const std::uint32_t> primitives, Count& count) {
   count(Operation::call, primitives.size());

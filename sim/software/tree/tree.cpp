@@ -52,7 +52,7 @@ class Shaper {
  public:
   Shaper(const model::Tree& tree, Shape shape) : tree_(tree), shape_(shape), builder_(tree.primitives.size()) {}
 
-  Tree made() {
+  Tree build() {
     std::vector<std::vector<std::uint32_t>> operands(tree_.nodes.size());
     for (std::size_t i = 0; i < tree_.nodes.size(); ++i) operands[i] = operands_of(tree_.nodes[i], operands);
     const model::Node& root = tree_.nodes[tree_.root];
@@ -102,7 +102,7 @@ std::span<const ShapeRow> shapes() { return shape_rows; }
 
 Tree make_tree(const model::Tree& tree, Shape shape) {
   if (tree.root == model::no_index) return {};
-  return Shaper(tree, shape).made();
+  return Shaper(tree, shape).build();
 }
 
 }  // namespace csgsim::software

@@ -55,7 +55,7 @@ std::span<const ShapeRow> shapes();
 /// Converts the model's tree; the solid is the same for every shape.
 Tree make_tree(const model::Tree& tree, Shape shape);
 
-/// Prior knowledge about a primitive in the region where a tree is used.
+/// Whether a primitive contains all or nothing of the region where a tree is used.
 enum class Known : std::uint8_t { nothing, out, in };
 
 /// Prunes the tree by the rules of table 4.1 of the thesis. Complements, which arise from IN - TREE, are moved up to

@@ -27,7 +27,7 @@ struct Settings {
   view::Sampling sampling;
 };
 
-/// Data that determines which ways to draw curved surfaces are possible.
+/// Inputs that determine which ways to draw curved surfaces are possible.
 struct CurvesSubject {
   const model::Tree& tree;
   const view::Camera& camera;

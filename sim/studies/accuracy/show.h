@@ -23,7 +23,7 @@ std::vector<Measurement> pareto_front(std::span<const Measurement> measurements)
 struct Halving {
   Measurement from;
   Measurement to;
-  double more_clocks = 0;  ///< as a fraction of from's clocks
+  double more_clocks = 0;  ///< additional clocks, as a fraction of the clocks of `from`
 };
 
 /// Steps along a front from its cheapest point, each to the cheapest point with at most half the wrong pixels.

@@ -28,7 +28,7 @@ inline constexpr Requirement all_requirements[] = {Requirement::bits, Requiremen
 
 /// Description of a requirement.
 struct RequirementKind {
-  const char* best;   ///< name of the choice that is best by it
+  const char* best;   ///< name of the choice that is best by this requirement
   const char* key;    ///< key of the limit in JSON
   const char* title;  ///< title of the limit on a page
   bool is_minimum;    ///< whether the limit is a minimum
@@ -36,7 +36,7 @@ struct RequirementKind {
   double (*value)(const DesignRow& row);
   std::string (*limit_text)(const Requirements& requirements);
   std::string (*value_text)(const DesignRow& row);
-  std::string (*miss_text)(double by);
+  std::string (*miss_text)(double by);  ///< such as `6 bits too many`
 };
 
 const RequirementKind& kind_of(Requirement requirement);

@@ -72,7 +72,7 @@ std::string machine_name(const AdviseOptions& options, unsigned alu_bits) {
   return fmt::format("{}+{}={}", options.model.machine, alu_figure, alu_bits);
 }
 
-/// {0} if the machine's kind has no ALU width.
+/// The requested ALU widths; {0} if the machine's kind has no ALU width.
 std::vector<unsigned> alu_widths(const AdviseOptions& options, const machines::Machine& machine) {
   std::vector<unsigned> requested;
   for (const std::string& bits : parse_values("alu-bits", options.alu_bits))
@@ -212,7 +212,7 @@ void AdviseOptions::add_to(session::OptionList& command) {
   add("strategy", strategies,
       fmt::format("Searched: list of {}; default: all strategies of the machine",
                   fmt::join(fixed_names_of(emit::strategies), ", ")));
-  add("stack-bits", stack_bits, "Searched: numbers of stack bits of strategy bits");
+  add("stack-bits", stack_bits, "Searched: numbers of stack bits, for strategy bits");
   add("z-bits", z_bits, "Searched: numbers of depth bits");
   add("fraction-bits", fraction_bits, "Searched: numbers of fraction bits of the planes' coefficients");
   add("colour-bits", colour_bits, "Searched: numbers of colour bits");

@@ -100,7 +100,7 @@ std::vector<Step> steps_of(std::span<const AdviceRow> front, std::uint64_t max_w
   return steps;
 }
 
-/// A limit that gives the same frame rates as a stricter one has no line.
+/// The lines of the plot, one per limit of wrong pixels; a limit with the frame rates of a stricter one has no line.
 std::vector<Staircase> staircases_of(std::span<const AdviceRow> front, const Requirements& requirements) {
   std::vector<Staircase> all;
   for (const std::uint64_t limit : limits_of(requirements)) {

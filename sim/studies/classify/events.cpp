@@ -29,7 +29,7 @@ void put_rays(const Scene& scene, const JsonExport::Put& put) {
   const software::Subject subject{scene.tree, scene.geometry, scene.view, tree};
   const software::RayCaster rays(scene.tree, scene.geometry, scene.view);
   const std::unique_ptr<software::Method> method =
-      software::made(software::choice_of("status/list-structure"), subject, false);
+      software::make_method(software::choice_of("status/list-structure"), subject, false);
   software::RayBand band;
   std::vector<software::Seen> seen;
   for (std::uint32_t row = 0; row < rays.height(); row += software::band_rows) {

@@ -56,7 +56,7 @@ void print_rays(Rows rows) {
   fmt::print("{}", session::in_columns(lines, sides_of(lines)));
 }
 
-/// Prints other work of the methods next to the evaluations.
+/// Prints the methods' visits, list steps and other work next to their evaluations.
 void print_work(Rows rows) {
   Lines lines{{"", "evaluations", "visits", "early outs", "list steps", "elements", "words"}};
   for (const ClassifyRow& row : rows) {

@@ -77,7 +77,7 @@ std::vector<SoftwareChoice> software_choices(const std::string& list) {
       throw InputError("'" + word +
                        "' is not of the form PROCESSOR:METHOD or PROCESSOR:METHOD/COHERENCE, such as "
                        "mc68000:status");
-    SoftwareChoice one{{}, software::priced(word.substr(0, colon)), software::choice_of(word.substr(colon + 1))};
+    SoftwareChoice one{{}, software::load_priced(word.substr(0, colon)), software::choice_of(word.substr(colon + 1))};
     one.name = one.processor.name + ":" + software::name_of(one.choice);
     choices.push_back(std::move(one));
   }

@@ -50,7 +50,7 @@ struct CorpusRow {
   std::uint64_t merge = 0;
   std::uint64_t shade = 0;
   std::uint64_t effect = 0;
-  std::uint64_t latency = 0;           ///< until the last instruction reaches the pixels
+  std::uint64_t latency = 0;           ///< clocks until the last instruction reaches the pixels
   std::uint64_t instructions = 0;      ///< number of executed instructions
   std::uint64_t pixel_operations = 0;  ///< sum over instructions of clocks times pixels of the region
   std::uint64_t enabled = 0;           ///< pixel operations at enabled pixels
@@ -96,7 +96,7 @@ CorpusRow measure(const CorpusPoint& point, const Job& job);
 /// A column whose distribution over the models is shown.
 struct CorpusColumn {
   const char* name;     ///< name in the table
-  const char* heading;  ///< heading for people
+  const char* heading;  ///< heading in printed tables and pages
   double (*value)(const CorpusRow& row);
   bool adds_up = true;  ///< whether a total over models is meaningful
 };

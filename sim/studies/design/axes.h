@@ -25,9 +25,9 @@ struct Axis {
   std::string_view default_value;  ///< default value, omitted from commands
   /// Parses a list separated by commas. Throws InputError, or UsageError, for an invalid value.
   std::vector<std::string> (*values)(const std::string& list);
-  void (*put)(session::ModelRequest& options, const std::string& value);  ///< sets a value returned by `values`
-  void (*read)(const session::ModelRequest& options, DesignPoint& point);
-  std::string (*text)(const DesignPoint& point);  ///< empty if the point has no value
+  void (*put)(session::ModelRequest& options, const std::string& value);   ///< sets a value returned by `values`
+  void (*read)(const session::ModelRequest& options, DesignPoint& point);  ///< sets the point's value
+  std::string (*text)(const DesignPoint& point);                           ///< empty if the point has no value
 };
 
 /// All axes, in the order of help and of names of designs.
@@ -42,7 +42,7 @@ std::vector<std::string> axis_keys();
 /// accept it; parameters are checked when the machine is loaded.
 void vary(session::ModelRequest& options, const std::string& key, const std::string& value);
 
-/// Like vary, but without a check.
+/// Like vary(), but does not check the value.
 void put(session::ModelRequest& options, const std::string& key, const std::string& value);
 
 /// The point of a design, except its memory bits, which depend on the study.

@@ -21,7 +21,7 @@ struct ExploreAxis {
   std::optional<double> (*value)(const ExploreRow& row);
   bool is_of_picture;  ///< a value per frame, summed over models; otherwise a property of the hardware: the maximum
                        ///< over models
-  bool may_be_zero;
+  bool may_be_zero;    ///< whether knee_of() uses the logarithm of 1 + value
 };
 
 /// All axes.
@@ -29,7 +29,7 @@ std::span<const ExploreAxis> explore_axes();
 
 std::vector<std::string> explore_axis_names();
 
-/// Parses a list separated by commas and keeps its order. Throws InputError.
+/// Parses a list of names separated by commas and keeps its order. Throws InputError for an unknown name.
 std::vector<ExploreAxis> parse_axes(const std::string& text);
 
 /// Values of a candidate, one per axis; all candidates have the same number.

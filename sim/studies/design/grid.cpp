@@ -43,7 +43,8 @@ std::vector<std::string> parse_values(const std::string& word) {
   const unsigned first = number_of(word.substr(0, dots), 0, max_number);
   const unsigned last = number_of(word.substr(dots + 2), 0, max_number);
   if (last < first) throw InputError(fmt::format("range '{}' is reversed; use {}..{}", word, last, first));
-  if (last - first >= max_values) throw InputError(fmt::format("range '{}' has more than {} values", word, max_values));
+  if (last - first >= max_values)
+    throw InputError(fmt::format("range '{}' has more than {} values; use a shorter range", word, max_values));
   std::vector<std::string> values;
   for (unsigned number = first; number <= last; ++number) values.push_back(std::to_string(number));
   return values;
@@ -204,7 +205,7 @@ Dimension parse_dimension(const std::string& text) {
     }
   }
   if (dimension.values.size() > max_values)
-    throw InputError(fmt::format("{} has more than {} values", printable(dimension.key), max_values));
+    throw InputError(fmt::format("{} has more than {} values; list fewer", printable(dimension.key), max_values));
   return dimension;
 }
 

@@ -28,7 +28,8 @@ struct Dimension {
   bool operator==(const Dimension&) const = default;
 };
 
-/// Parses KEY=a,b,c, where a value may be a range of numbers such as 3..8. Throws InputError.
+/// Parses KEY=a,b,c, where a value may be a range of numbers such as 3..8. Throws InputError for another form,
+/// a reversed range, or too many values.
 Dimension parse_dimension(const std::string& text);
 
 /// Whether the parameter sets the memory bits per pixel.
@@ -53,7 +54,7 @@ class GridSequence {
   std::optional<std::vector<std::size_t>> next();
 
  private:
-  [[nodiscard]] std::uint64_t draw_cell();
+  [[nodiscard]] std::uint64_t draw_cell();  ///< number of a cell in grid order, possibly one drawn before
 
   std::vector<std::size_t> sizes_;
   std::vector<std::uint64_t> steps_;   ///< step of each axis, in units of 2^-64

@@ -76,7 +76,7 @@ struct DesignRow {
   double frames_per_second = 0;         ///< if the host keeps up
   double hosted_frames_per_second = 0;  ///< limited by the host too
   std::string picture{};      ///< hash of depth, owner and colour of every pixel, or `overflow`; empty if not drawn
-  std::uint64_t covered = 0;  ///< pixels
+  std::uint64_t covered = 0;  ///< pixels that show a surface
   std::uint64_t wrong = 0;    ///< pixels that differ from the exact picture of the same half-spaces
   std::uint64_t wrong_silhouette = 0;  ///< wrong pixels covered in only one of the pictures
   std::uint64_t wrong_owner = 0;       ///< wrong pixels that show another primitive

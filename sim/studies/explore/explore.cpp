@@ -99,7 +99,7 @@ class Explore : public StudyOf<ExploreRow> {
   [[nodiscard]] bool is_adaptive() const override { return options_.search > 0; }
 
   /// Neighbours of designs on the front of all models (or of the only model).
-  std::vector<PointRequest> more() override {
+  std::vector<PointRequest> more_points() override {
     const std::size_t before = grid_->designs().size();
     const std::size_t found = before - first_designs_;
     if (found >= options_.search || groups_.empty()) return {};

@@ -34,7 +34,7 @@ struct ExploreOptions {
   /// The axes of --axes, or the default axes.
   [[nodiscard]] std::string requested_axes() const;
 
-  /// Throws UsageError, or InputError if the file is invalid.
+  /// The process of --process; empty if there is none. Throws UsageError, or InputError if its file is invalid.
   [[nodiscard]] std::optional<process::Process> loaded_process() const;
 
   /// Whether the memory bits per pixel are specified.

@@ -112,7 +112,7 @@ struct Subdivided {
   const model::Tree& tree;
   const facet::Geometry& scene;
   const view::View& view;
-  const machines::Machine& machine;  ///< machine of a kind that draws square by square
+  const machines::Machine& machine;  ///< must be of a kind that draws square by square
   emit::Options options;
 };
 

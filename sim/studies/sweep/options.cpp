@@ -54,7 +54,8 @@ void SweepOptions::add_to(session::OptionList& command) {
       .required();
   command.option("--strategy", strategies, "Classification strategies, separated by commas")
       .list_of(names_of(emit::strategies), "strategy");
-  command.option("--stack-bits", stack_bits, "List of stack bits of strategy bits").check(is_axis_list("stack-bits"));
+  command.option("--stack-bits", stack_bits, "Numbers of stack bits, for strategy bits")
+      .check(is_axis_list("stack-bits"));
   command.option("--z-bits", z_bits, "List of depth bits").check(is_axis_list("z-bits"));
   command.option("--colouring", colourings, "Colouring methods, separated by commas")
       .list_of(names_of(emit::colourings), "colouring");

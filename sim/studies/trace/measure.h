@@ -74,14 +74,14 @@ struct TraceRow {
   std::uint64_t facets_met = 0;
   std::uint64_t repeats = 0;
   std::uint64_t items = 0;        ///< surfaces drawn at pixels by a projective pass
-  std::uint64_t item_faults = 0;  ///< pixels for which list priority gives another result
+  std::uint64_t item_faults = 0;  ///< pixels at which list priority differs from the machines
   std::uint64_t evaluations = 0;
   std::uint64_t list_elements = 0;
   OperationsCell build_operations;
   OperationsCell projection_operations;
   OperationsCell traversal_operations;
   OperationsCell intersection_operations;
-  OperationsCell operations;  ///< to classify
+  OperationsCell operations;  ///< to classify the intersections
   OperationsCell shade_operations;
   double wall_seconds_build = 0;
   double wall_seconds_trace = 0;

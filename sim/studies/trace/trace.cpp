@@ -221,7 +221,8 @@ class Trace : public StudyOf<TraceRow> {
     const auto found = std::ranges::find_if(
         points_, [&](const TracePoint& point) { return std::ranges::find(halving, point.directory) != halving.end(); });
     if (found == points_.end())
-      throw InputError("--json: needs one of --directories " + fmt::format("{}", fmt::join(halving, ", ")));
+      throw InputError("--json needs a directory that halves space; add one of these to --directories: " +
+                       fmt::format("{}", fmt::join(halving, ", ")));
     make_subject(found->tolerance);
     write_directory(json_, inputs(), *subject_, found->directory, found->bucket_size);
   }

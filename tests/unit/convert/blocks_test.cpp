@@ -109,7 +109,7 @@ TEST_CASE("rejects malformed bintrees") {
     return testing::error_of([&] { convert::read_bintree(text, "b.bintree"); });
   };
   const std::string head = "bintree 1\nresolution 2\ncube 0 0 0 1\n";
-  CHECK(refusal(head + "(((01(01((0101").find("b.bintree: the code is not exactly one tree") == 0);
+  CHECK(refusal(head + "(((01(01((0101").find("b.bintree: the code is not one complete tree") == 0);
   CHECK(refusal(head + "(((01(01((01(01") == "");
   CHECK(refusal(head + "(((01(01((01(01" + "1") != "");
   CHECK(refusal(head + "((((0001(01((01(01") != "");  // a cell is subdivided
@@ -204,7 +204,7 @@ TEST_CASE("rejects a bintree without a keyword or with an invalid resolution") {
         "b.bintree: 'resolution' is missing; create the bintree again");
   CHECK(refusal("bintree 1\nresolution 2\nbox 0 0 0 1\n0") == "b.bintree: 'cube' is missing; create the bintree again");
   CHECK(refusal("bintree 1\nresolution 2\ncube 0 0 0") == "b.bintree: '' is not a number; create the bintree again");
-  CHECK(refusal("bintree 1\nresolution 2\ncube 0 0 0 1\n").find("the code is not exactly one tree") !=
+  CHECK(refusal("bintree 1\nresolution 2\ncube 0 0 0 1\n").find("the code is not one complete tree") !=
         std::string::npos);
   CHECK(
       refusal("bintree 1\nresolution 2\ncube 0 -inf 0 1\n0").find("the position or the size of the cube is invalid") !=

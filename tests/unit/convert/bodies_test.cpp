@@ -110,7 +110,7 @@ TEST_CASE("the body of a block has the hand-calculated planes and points") {
 }
 
 TEST_CASE("the merge tolerance depends on the diagonal and the smallest node width") {
-  // It is 10^-10 of the diagonal or 10^-5 of the width, and at least 10^-24 of the diagonal.
+  // The tolerance is 10^-10 of the diagonal or 10^-5 of the width, and at least 10^-24 of the diagonal.
   const auto tolerance = [](const std::string& csg) { return bodies_of(csg).tolerance; };
   CHECK(tolerance("cube([3,4,12]);") == doctest::Approx(13e-10));
   CHECK(tolerance("cube([30000,40000,120000]);") == doctest::Approx(13e-6));
@@ -266,8 +266,8 @@ std::vector<std::vector<convert::Fragment>> fragments_of(const model::Tree& tree
 }  // namespace
 
 TEST_CASE("fragments are returned by body with back faces reversed") {
-  // The second cube removes a corner of the first: three faces of each are whole and three are cut; the fragments of
-  // the second face inwards.
+  // The second cube removes a corner of the first: three faces of each are whole and three are cut. The
+  // fragments of the second cube are reversed, so that they face its interior.
   const model::Tree tree =
       read::read_csg_text("difference(){cube([4,4,4]);" + moved_by(2, 2, 2, "cube([4,4,4]);") + "}", "m.csg");
   const Bodies bodies = convert::make_bodies(tree, {});
@@ -289,7 +289,7 @@ TEST_CASE("fragments are returned by body with back faces reversed") {
         // The side to the next corner lies on a second plane that contains both corners.
         for (const convert::FragmentCorner* const end : {&fragment.corners[i], &fragment.corners[next]}) {
           const std::array on{fragment.plane, fragment.corners[i].along};
-          CHECK(bodies.planes.are_on(end->planes, on));
+          CHECK(bodies.planes.is_on_all(end->planes, on));
         }
         const std::uint32_t vertex = fragment.corners[i].vertex;
         if (vertex != convert::no_vertex) CHECK(glm::distance(bodies.bodies[body].vertices[vertex], places[i]) < 1e-9);

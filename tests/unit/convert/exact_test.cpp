@@ -140,8 +140,8 @@ TEST_CASE("faces share a plane only within the tolerance for merging") {
 }
 
 TEST_CASE("slightly rotated planes are compared at the location of their solids") {
-  // Tilted by 1e-13 about its own location: within a cube the offset is equally small, but about the origin, a million
-  // away, it would be 1e-7.
+  // The second cube is tilted by 1e-13 about its own location, where its planes move by as little. A rotation about the
+  // origin, a million units away, would move them by 1e-7.
   const std::string beside = "multmatrix([[1,0,0,1],[0,1,0,1e6],[0,1e-13,1,0],[0,0,0,1]]){cube([1,1,1]);}";
   CHECK(planes_of(at("0", "1e6", "0", "cube([1,1,1]);") + beside) == 7);
 }
@@ -244,14 +244,14 @@ TEST_CASE("converting one cube and two takes the hand-calculated work") {
   const Work bodies(1'000'000);
   convert::make_bodies(cube, {}, bodies);
   CHECK(bodies.done() == 6 * 4 * 2);
-  // Search for adjacent bodies: a body is near itself.
+  // The search for adjacent bodies is charged once for the body itself.
   const Work alone(1'000'000);
   CHECK(unsplit_bodies("cube([1,1,1]);", alone) == std::vector<bool>{true});
   CHECK(alone.done() == 1);
   const Work both(1'000'000);
   convert::boundary(cube, {}, both);
   CHECK(both.done() == 48 + 1);
-  // Fragments: one near body; each face alone with one operand.
+  // Fragments are charged for one near body, and for each face once and with one operand.
   const Work parts(1'000'000);
   CHECK(parts_of(cube, parts).at(0).size() == 6);
   CHECK(parts.done() == 1 + 6 * (1 + 1));
@@ -259,7 +259,7 @@ TEST_CASE("converting one cube and two takes the hand-calculated work") {
   const Work two(1'000'000);
   unsplit_bodies("cube([1,1,1]);" + at("1", "0", "0", "cube([1,1,1]);"), two);
   CHECK(two.done() == 2 * 2 + 6);
-  // The faces in both directions, and twelve edges by twelve.
+  // The faces of each cube are tested against the other cube, and then all pairs of their twelve edges.
   const Work edges(1'000'000);
   unsplit_bodies(crossed_edges("1.05"), edges);
   CHECK(edges.done() == 2 * 2 + 6 + 6 + 12 * 12);

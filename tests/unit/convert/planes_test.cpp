@@ -83,7 +83,7 @@ TEST_CASE("sides and positions of plane intersections match rational arithmetic"
       if (abs(above) < 1e-15) ++near;
       CHECK(planes.side(point, k) == sign_of(above));
       CHECK(planes.side(point, k, kept) == sign_of(above));
-      CHECK(planes.are_on(point.planes, std::array{k}) == (above == 0));
+      CHECK(planes.is_on_all(point.planes, std::array{k}) == (above == 0));
     }
     const glm::dvec3 rounded = software::place_of(point);
     const glm::dvec3 fine = planes.exact_place(point.planes);

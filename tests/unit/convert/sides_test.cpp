@@ -48,7 +48,7 @@ struct Ended {
 Ended ended(const std::vector<glm::dvec3>& points, const std::vector<Side>& sides, const glm::dvec3& outward) {
   Outlines outlines{points, {{outward, sides}}};
   const std::vector<std::size_t> which{0};
-  const bool any = convert::end_at_crossings(which, outlines);
+  const bool any = convert::split_at_crossings(which, outlines);
   return {any, outlines.points, outlines.outlines[0].sides};
 }
 
@@ -78,18 +78,18 @@ TEST_CASE("the end points of sides are listed once in ascending order") {
 TEST_CASE("sides are split at their points in either direction") {
   const convert::Ends ends{{convert::key_of({1, 5}), {8, 7}}};
   std::vector<Side> sides{{1, 5}, {2, 3}};
-  CHECK(convert::end_at(ends, sides));
+  CHECK(convert::split_at(ends, sides));
   CHECK(sides == std::vector<Side>{{1, 8}, {2, 3}, {7, 5}, {8, 7}});
   sides = {{5, 1}};
-  CHECK(convert::end_at(ends, sides));
+  CHECK(convert::split_at(ends, sides));
   CHECK(sides == std::vector<Side>{{8, 1}, {5, 7}, {7, 8}});
   // Opposite sides cancel after the split.
   sides = {{5, 1}, {1, 8}};
-  CHECK(convert::end_at(ends, sides));
+  CHECK(convert::split_at(ends, sides));
   CHECK(sides == std::vector<Side>{{5, 7}, {7, 8}});
   // Nothing changes without points, including the order.
   sides = {{4, 5}, {1, 2}, {2, 1}};
-  CHECK(!convert::end_at(ends, sides));
+  CHECK(!convert::split_at(ends, sides));
   CHECK(sides == std::vector<Side>{{4, 5}, {1, 2}, {2, 1}});
 }
 
@@ -126,7 +126,7 @@ TEST_CASE("points within the tolerance in each coordinate merge with the first")
         CHECK(table.add(centre + far) == added);
       }
     }
-    // A point between the first and another merges with the first.
+    // A point within the tolerance of two points merges with the earlier one.
     CHECK(table.add(centre + glm::dvec3(0.07, 0, 0)) == 0);
     CHECK(table.points().size() == 7);
     CHECK(table.points().front() == centre);
@@ -209,14 +209,14 @@ TEST_CASE("sides of selected outlines are split at points within the tolerance")
                     {{{0, 0, 1}, {{0, 1}}}, {{0, 0, 1}, {{1, 0}}}, {{0, 0, 1}, {{9, 10}}}}};
   const convert::NearPoints near(outlines.points, all_numbers(outlines.points.size()));
   const std::vector<std::size_t> which{0, 2};
-  CHECK(convert::end_at_points(which, near, 0.1, outlines) == std::vector<std::size_t>{0});
+  CHECK(convert::split_at_points(which, near, 0.1, outlines) == std::vector<std::size_t>{0});
   CHECK(outlines.outlines[0].sides == std::vector<Side>{{0, 2}, {3, 1}, {2, 3}});
   CHECK(outlines.outlines[1].sides == std::vector<Side>{{1, 0}});
   CHECK(outlines.outlines[2].sides == std::vector<Side>{{9, 10}});
   const std::vector<std::size_t> last{2};
-  CHECK(convert::end_at_points(last, near, 0.1, outlines).empty());
+  CHECK(convert::split_at_points(last, near, 0.1, outlines).empty());
   const std::vector<std::size_t> second{1, 2};
-  CHECK(convert::end_at_points(second, near, 0.1, outlines) == std::vector<std::size_t>{1});
+  CHECK(convert::split_at_points(second, near, 0.1, outlines) == std::vector<std::size_t>{1});
   CHECK(outlines.outlines[1].sides == std::vector<Side>{{2, 0}, {1, 3}, {3, 2}});
 }
 
@@ -322,9 +322,9 @@ TEST_CASE("sides are split at ends on them but not at common ends") {
     CHECK(!joined.any);
     CHECK(joined.points.size() == 3);
   }
-  // One side twice, and one in both directions.
+  // Equal and opposite sides do not cross.
   CHECK(!ended({{0, 0, 0}, {4, 0, 0}}, {{0, 1}, {0, 1}, {1, 0}}, z).any);
-  // Side by side, and one in front of the other.
+  // Sides next to each other or one before the other do not cross.
   CHECK(!ended({{0, 0, 0}, {4, 4, 0}, {1, 0, 0}, {5, 4, 0}}, {{0, 1}, {2, 3}}, z).any);
   CHECK(!ended({{0, 0, 0}, {4, 4, 0}, {3, 2, 0}, {3, -2, 0}}, {{0, 1}, {2, 3}}, z).any);
   CHECK(!ended({{0, 0, 0}, {1, 1, 0}, {0, 4, 0}, {4, 0, 0}}, {{0, 1}, {2, 3}}, z).any);
@@ -335,10 +335,10 @@ TEST_CASE("a crossing side is split in all outlines and others are left alone") 
                     {{{0, 0, 1}, {{0, 1}, {2, 3}}}, {{0, 1, 0}, {{1, 0}}}}};
   Outlines other = outlines;
   const std::vector<std::size_t> first{0};
-  CHECK(convert::end_at_crossings(first, outlines));
+  CHECK(convert::split_at_crossings(first, outlines));
   CHECK(outlines.outlines[1].sides == std::vector<Side>{{4, 0}, {1, 4}});
   const std::vector<std::size_t> second{1};
-  CHECK(!convert::end_at_crossings(second, other));
+  CHECK(!convert::split_at_crossings(second, other));
   CHECK(other.points.size() == 4);
 }
 

@@ -122,7 +122,8 @@ TEST_CASE("triangles back to back on the same points cancel") {
     const std::uint32_t c = (turn + 2) % 3;
     CHECK(convert::make_surface({points, {{z, loop_of({a, b, c})}, {-z, loop_of({c, b, a})}}}).triangles.empty());
   }
-  // Two forward and one back are not closed. A tetrahedron next to a cancelling pair is unchanged.
+  // Two triangles in one direction and one in the other are not closed. A tetrahedron next to a pair that cancels is
+  // unchanged.
   CHECK_THROWS_AS(
       convert::make_surface({points, {{z, loop_of({0, 1, 2})}, {z, loop_of({0, 1, 2})}, {-z, loop_of({0, 2, 1})}}}),
       std::logic_error);

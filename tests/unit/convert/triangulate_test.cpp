@@ -108,7 +108,7 @@ TEST_CASE("triangles of outlines have the outlines' area for each direction of v
       CHECK(triangles.size() == (row.triangles == 12 ? triangles.size() : row.triangles));
       CHECK(area(points, triangles, seat.outward) == doctest::Approx(row.area));
       CHECK(min_area(points, triangles, seat.outward) > 0.4);
-      // Reversed, everything is on the back.
+      // The same outline with reversed sides has all triangles on the back.
       Outline back{seat.outward, {}};
       for (const Side& side : outline.sides) back.sides.push_back({side[1], side[0]});
       const std::optional<convert::TwoSides> two = convert::two_sides(points, back);
@@ -182,7 +182,7 @@ TEST_CASE("a star that winds twice is not convex although it always turns left")
   std::vector<glm::dvec3> points;
   for (int i = 0; i < 5; ++i)
     points.emplace_back(std::cos(i * 0.4 * std::numbers::pi), std::sin(i * 0.4 * std::numbers::pi), 0);
-  // Its sides cross, which the result reports.
+  // The result is empty, because sides of the star cross.
   const Outline star = outline_of({0, 0, 1}, {{0, 2, 4, 1, 3}});
   CHECK(convert::two_sides(points, star) == std::nullopt);
   CHECK(sides_left(convert::triangulate(points, star)) == sides_left(star));
@@ -199,7 +199,7 @@ TEST_CASE("sides are chained into loops") {
   CHECK(convert::rounds_of(outline_of({0, 0, 1}, {{1, 2, 3}, {1, 2, 3}})) == std::vector<Polygon>{{1, 2, 3, 1, 2, 3}});
   CHECK(convert::rounds_of(outline_of({0, 0, 1}, {{1, 2}})) == std::vector<Polygon>{{1, 2}});
   CHECK(convert::rounds_of(outline_of({0, 0, 1}, {})).empty());
-  // Twice through a corner: one loop of six.
+  // A path that passes twice through a corner is one loop of six sides.
   CHECK(convert::rounds_of(outline_of({0, 0, 1}, {{1, 2, 3}, {1, 4, 5}})) == std::vector<Polygon>{{1, 2, 3, 1, 4, 5}});
 }
 

@@ -332,7 +332,7 @@ TEST_CASE("each facet is enlarged by the reach and the total box by twice the re
         std::vector<std::uint32_t>{0, 2, 3});
   CHECK(std::vector<std::uint32_t>(shapes.unplaced().begin(), shapes.unplaced().end()) ==
         std::vector<std::uint32_t>{1});
-  // The default is 2^-14 of the diagonal, here of 3, 4 and 12: 13.
+  // The default is 2^-14 of the diagonal, which is 13 for extents of 3, 4 and 12.
   const software::Facets others = facets_with({{{1, 1, 1}, {4, 5, 13}, {4, 1, 1}}});
   CHECK(software::FacetShapes(others).reach() == 13 * 0x1p-14);
   const software::Facets none;
@@ -345,7 +345,7 @@ TEST_CASE("a facet touches a box exactly if they are within the reach along ever
     Corners corners;
     facet::Box box;  ///< touches exactly
     int axis;        ///< axis of the displacement
-    double away;
+    double away;     ///< displacement after which it does not touch
   };
   const double little = 0x1p-40;
   const Corners square{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
@@ -380,7 +380,7 @@ TEST_CASE("a facet touches a box exactly if they are within the reach along ever
         const software::FacetShapes shapes(facets, 0.25);
         facet::Box box = row.box;
         software::Counting count;
-        // Rounding may only add contacts; for the slanted plane it may do so.
+        // Rounding may only add contacts, and does for the slanting plane, whose `away` is therefore larger.
         CHECK(shapes.touches(0, {turned(box.low, turn), turned(box.high, turn)}, count));
         box.low[row.axis] += row.away;
         box.high[row.axis] += row.away;

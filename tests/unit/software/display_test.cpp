@@ -164,7 +164,7 @@ TEST_CASE("facet methods show a plate thinner than a depth step only where it sp
   }
   CHECK(opposites > 30);
 }
-TEST_CASE("facet methods evaluate each surface sequence once and peel each layer") {
+TEST_CASE("facet methods evaluate each sequence once and peel each layer in two passes") {
   std::uint64_t evaluations = 0;
   std::uint64_t scenes = 0;
   for (std::uint64_t seed = 1; scenes < 60; ++seed) {
@@ -211,7 +211,7 @@ TEST_CASE("each facet method is found by name and all but two are exact") {
   CHECK_THROWS_AS(software::display_method(""), InputError);
   CHECK_THROWS_AS(software::display_method("list-priorit"), InputError);
 }
-TEST_CASE("a new picture of a facet method has zero counts") {
+TEST_CASE("counts of a facet method start at zero and buckets hold 24 polygons") {
   const software::DisplayCounts counts;
   CHECK(counts.polygons + counts.pieces + counts.shared + counts.references + counts.crossing_tests +
             counts.overlap_tests + counts.drawn_polygons + counts.pixel_events + counts.passes + counts.spans +

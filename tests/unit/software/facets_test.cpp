@@ -152,7 +152,7 @@ TEST_CASE("a primitive's facets are its solid's faces counter-clockwise from out
     CHECK(glm::dot(normal, outward) > 0.0);
   }
 }
-TEST_CASE("rejects a primitive that stays curved with its place") {
+TEST_CASE("facets of a primitive that stays curved are rejected with its place") {
   const model::Tree tree = read::read_csg_text("\nsphere(r = 3);", "round.csg");
   facet::Faceting faceting;
   faceting.exact_curves = true;

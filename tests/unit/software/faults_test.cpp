@@ -51,7 +51,7 @@ TEST_CASE("a wrong pixel with surfaces in real depth order is attributed to dept
   CHECK(fault({10, 20.2, 20.7, 42.5, 42.4}, {{0, 2}, {0, 0}, {0, 4}, {0, 3}}) == software::Fault::order);
 }
 
-TEST_CASE("surfaces coincide within 2^-10 of a step and rounding faults have an exact limit") {
+TEST_CASE("surfaces coincide within 2^-10 of a step and an order fault exceeds rounding") {
   const std::vector<software::Event> exact{{10, 0}, {20, 2}, {20, 4}, {30, 1}};
   const auto tied = [&](double apart) {
     return software::fault_of({exact, std::vector<double>{10, 20, 20 + apart, 30}, 1},

@@ -334,8 +334,7 @@ TEST_CASE("boxes around primitives are halved along the first of their longest a
   }
 }
 TEST_CASE("boxes are halved at the middle primitive and expanded to facets on demand") {
-  // Counted from the right: primitive 0 at 40 has two facets; the others have three, one, two and one. The lower half
-  // of the five has two.
+  // Five primitives from x = 40 down to x = 0, with 2, 3, 1, 2 and 1 facets. The lower half has two primitives.
   const std::vector<std::size_t> sizes{2, 3, 1, 2, 1};
   std::vector<Polygons> primitives;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
@@ -354,13 +353,13 @@ TEST_CASE("boxes are halved at the middle primitive and expanded to facets on de
   CHECK(facets_below(boxes, boxes[boxes[0].low]) == List{6, 7, 8});
   CHECK(boxes[0].box == box_around(shapes, {0, 1, 2, 3, 4, 5, 6, 7, 8}));
   CHECK(boxes[boxes[0].low].box == box_around(shapes, {6, 7, 8}));
-  // A ray that meets only one facet's primitive: nothing is left to expand, and no further counts.
+  // A ray that meets only the primitive of one facet expands nothing, so the counts stay equal.
   const software::SpaceBuilt before = directory->built();
   send_ray(*directory, {20.5, -5, 0.5}, {0, 1, 0});
   send_ray(*directory, {20.5, -5, 0.5}, {0, 1, 0});
   CHECK(directory->built().operations == before.operations);
   CHECK(directory->built().entries == before.entries);
-  // The primitive of three facets is split into one and two: it is longest along z.
+  // The primitive of three facets is longest along z, and is split into one and two facets.
   send_ray(*directory, {30.5, -5, 0.5}, {0, 1, 0});
   CHECK(leaves_of(*directory) == Leaves{{8}, {6, 7}, {5}, {2}, {3}, {4}, {0, 1}});
   CHECK(directory->built().splits == 6);

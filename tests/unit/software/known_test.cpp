@@ -68,7 +68,7 @@ void check_scene(const Scene& scene, Tally& tally) {
 
 }  // namespace
 
-TEST_CASE("classifications of cells and primitives hold for all rays and often decide") {
+TEST_CASE("primitives classified before rays are cast have that class on every ray") {
   Tally tally;
   for (std::uint64_t seed = 7001; seed <= 7100; ++seed) {
     const std::optional<Scene> scene = testing::random_scene(seed);

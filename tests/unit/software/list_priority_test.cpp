@@ -126,7 +126,7 @@ TEST_CASE("list priority draws each event once and errs only near other surfaces
 }
 // Surfaces that rounding moves far from their cells, which are out of sight, are lost, and no depth buffer corrects
 // that: with few bits a whole face may be lost. The limit on wrong pixels therefore applies to these scenes only.
-TEST_CASE("with few bits list priority has faults that a depth buffer mostly avoids") {
+TEST_CASE("a depth buffer avoids all but a twentieth of list priority's wrong pixels") {
   Wrong wrong;
   const auto seeds = testing::cases<std::uint64_t>(240, 15);
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) CHECK(find_seed_fault(seed, wrong) == "");
@@ -150,7 +150,7 @@ TEST_CASE("a surface lost with its cell counts as a depth-bits fault and not as 
   CHECK(wrong.with_depth_buffer.depth_bits == 45);
   CHECK(wrong.faults.all() == 45);
 }
-TEST_CASE("list priority draws the thesis's objects except surfaces near each other") {
+TEST_CASE("list priority with a depth buffer draws the thesis's objects without an error") {
   Wrong wrong;
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
     for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {

@@ -70,7 +70,7 @@ const view::Camera aside{{18, -25, 21}, {0, 0, 0}, view::Projection::perspective
 
 }  // namespace
 
-TEST_CASE("software methods sampled at random draw random models as the rule-based judge") {
+TEST_CASE("a random sample of software methods draws random models as the judge does") {
   constexpr std::size_t scenes = 24;
   constexpr std::size_t ways = 8;
   Tally tally;
@@ -111,11 +111,11 @@ TEST_CASE("software methods draw nothing for objects behind the eye") {
                                   {{18, -25, 21}, {36, -50, 42}, view::Projection::perspective}, picture_of(20, 9));
   check_all_ways(scene);
 }
-TEST_CASE("software methods draw a picture of one pixel") {
+TEST_CASE("software methods draw one pixel as the rule-based judge does") {
   check_all_ways(
       build_scene("difference(){cube(size=[4,4,4],center=true);sphere($fn=12,r=2.5);}", aside, picture_of(1, 1)));
 }
-TEST_CASE("software methods draw a lone primitive and a union of two separate cubes") {
+TEST_CASE("software methods draw one cube and two separate cubes as the judge does") {
   check_all_ways(build_scene("cube(size=[4,4,4],center=true);", aside, picture_of(70, 50)));
   check_all_ways(
       build_scene("multmatrix([[1,0,0,-6],[0,1,0,-6],[0,0,1,0],[0,0,0,1]]){cube(size=[4,4,4],center=true);}"

@@ -103,7 +103,7 @@ testing::Scene two_cubes(double apart) {
       {{5, -60, 10}, {5, 0, 0}, view::Projection::orthographic});
 }
 
-/// Gives a facet other corners.
+/// Replaces the corners of a facet.
 void put_corners(software::Facets& facets, std::uint32_t facet, const Places& corners) {
   facets.facets[facet].begin = facets.corners.size();
   facets.corners.insert(facets.corners.end(), corners.begin(), corners.end());
@@ -115,7 +115,7 @@ void put_corners(software::Facets& facets, std::uint32_t facet, const Places& co
 TEST_CASE("a cell is out of sight if it is beyond one side of the picture or behind the eye") {
   struct Row {
     const char* where;
-    facet::Box box;  ///< at the limit
+    facet::Box box;  ///< just in sight
     int axis;        ///< a small step along it puts the cell out of sight
     double by;
   };
@@ -125,7 +125,7 @@ TEST_CASE("a cell is out of sight if it is beyond one side of the picture or beh
       {"above", {{-1, 1, 2.5}, {1, 2, 9}}, 2, little},
       {"below", {{-1, 1, -9}, {1, 2, -2.5}}, 2, -little},
   };
-  // The box is 2 to 4 away: the far end sets the limit.
+  // The boxes are 2 to 4 units from the eye; their far ends determine whether they are in sight.
   const std::vector<Row> deep{
       {"left", {{-30, 2, -1}, {-18, 4, 1}}, 0, -little}, {"right", {{18, 2, -1}, {30, 4, 1}}, 0, little},
       {"above", {{-1, 2, 10}, {1, 4, 30}}, 2, little},   {"below", {{-1, 2, -30}, {1, 4, -10}}, 2, -little},
@@ -160,7 +160,7 @@ TEST_CASE("the cell on the eye's side of a wall comes before the other") {
       eye.eye = {0, -3, 0};
       eye.eye[axis] = at;
       const Order order = order_of_two(axis, eye);
-      // Both are visible here.
+      // If both cells are in sight, the nearer one is first.
       if (order.size() == 2) CHECK(order == (at < 2 ? Order{1, 2} : Order{2, 1}));
       if (axis != 1) CHECK(order.size() == 2);
     }
@@ -186,9 +186,9 @@ TEST_CASE("cells without pieces are not drawn and pieces without area are not co
   }
   polygons.cells[3].bucket.push_back({0, Places(3), {}, {}});
   CHECK(polygons.piece_count() == 3);
-  CHECK(polygons.filled() == 4);
+  CHECK(polygons.filled_cells() == 4);
   CHECK(Polygons{}.piece_count() == 0);
-  CHECK(Polygons{}.filled() == 0);
+  CHECK(Polygons{}.filled_cells() == 0);
   polygons.cells = {polygons.cells[2]};
   CHECK(software::front_to_back(polygons, plain_eye(false), glm::dvec3{0}, 8, 4).cells.empty());
 }
@@ -318,7 +318,7 @@ TEST_CASE("a facet's piece has exactly one bound per side in the picture") {
   CHECK(pieces.pieces.farthest == seen.farthest);
   CHECK(pieces.pieces.fraction_bits == seen.fraction_bits);
 }
-TEST_CASE("pieces of facets are counter-clockwise from outside and cover large primitives") {
+TEST_CASE("pieces of a box's facets are counter-clockwise from outside and keep its area") {
   // Large primitives with small remainders.
   for (const char* const csg :
        {"cube(size=[6,5,4],center=true);multmatrix([[1,0,0,2],[0,1,0,2],[0,0,1,2],[0,0,0,1]]){cube(size=[6,5,4],center="

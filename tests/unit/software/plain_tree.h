@@ -44,7 +44,7 @@ class PlainTree {
   [[nodiscard]] TreeVisits positional(const Held& held) const;
   /// Table 4.5: walks from the primitive's leaf upwards to the first node whose status does not change.
   [[nodiscard]] TreeVisits change(Held& held, std::uint32_t primitive) const;
-  /// Walks from the primitive's leaf upwards to an operator that hides it.
+  /// Whether no operator above the primitive's leaf removes its surface; `tally` receives the visited nodes.
   [[nodiscard]] bool shows(const Held& held, std::uint32_t primitive, TreeVisits& tally) const;
 
  private:

@@ -169,7 +169,7 @@ TEST_CASE("parameters of a processor file accept exactly their documented ranges
   }
 }
 
-TEST_CASE("an inactive counter of operations counts nothing") {
+TEST_CASE("an Uncounted counter reports no operations and only Counting counts") {
   const software::Uncounted uncounted;
   uncounted(Operation::load);
   uncounted.shift(3);

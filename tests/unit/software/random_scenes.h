@@ -11,8 +11,8 @@
 
 namespace csgsim::testing {
 
-/// Whether `fault(scene, seed)` is empty for random scenes, eight per case. The tally counts them, and as refused those
-/// that are invalid or not `wanted(scene)`.
+/// Whether `fault(scene, seed)` is empty for random scenes, eight per case. The tally counts the scenes, and as refused
+/// those that are invalid or for which `wanted(scene)` is false.
 template <class Tally, class Wanted, class Fault>
 bool holds_in_random_scenes(Tally& tally, const Wanted& wanted, const Fault& fault) {
   return rc::check([&] {

@@ -39,7 +39,7 @@ software::Survey surveyed(const std::vector<RecordedRay>& rays);
 struct Evaluation {
   std::size_t ray = 0;
   std::size_t end = 0;
-  bool is_anew = true;  ///< earlier insertions are removed
+  bool is_anew = true;  ///< whether the primitives inserted before are removed first
 };
 
 /// Remaining evaluations of a coherence method, in order, and its own counts.

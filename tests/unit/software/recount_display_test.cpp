@@ -365,7 +365,7 @@ class PlanesRecount {
         (planes * longs_) * steps({{multiply, 2}, {load_long, 11}, {add_long, 6}, {compare_long, 8}, {store_long, 4}});
     sum() += steps({{branch, 8 * planes}});
     software::TilePlanes left;
-    software::leave_out_hidden(all_, tile, left);
+    software::select_bounding(all_, tile, left);
     for (std::int32_t row = tile.y0; row <= tile.y1; ++row) run_row(tile, row, left);
   }
 

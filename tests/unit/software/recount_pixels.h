@@ -58,7 +58,7 @@ struct Numbers {
 
 Numbers numbers_of(const Scene& scene);
 
-/// Scan conversion of a polygon: each edge is set up, each row steps each edge, each pixel takes a branch.
+/// Operations of scan-converting a polygon: setting up its edges, stepping each edge to each row, a branch per pixel.
 Operations edge_setups(std::uint64_t edges, const Numbers& numbers);
 Operations row_steps(std::uint64_t rows, std::uint64_t edges, const Numbers& numbers);
 Operations pixel_steps(std::uint64_t pixels);

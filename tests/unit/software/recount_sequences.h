@@ -32,7 +32,7 @@ class SequenceRecount {
 
   /// Adds a surface to a sequence.
   void follow(Sequence& sequence, std::uint32_t primitive, software::Counts& counts);
-  /// Whether points after a sequence are inside; its last `at` surfaces are at one depth.
+  /// Whether points after a sequence are inside; the last `at` surfaces of the sequence are at one depth.
   bool is_in(const Sequence& sequence, std::size_t at, software::Counts& counts);
   /// Owner of the visible surface among entering events `at`, after the events `before`.
   std::uint32_t owner(std::span<const software::Event> before, std::span<const software::Event> at,

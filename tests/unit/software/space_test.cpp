@@ -67,7 +67,7 @@ software::Facets any_facets(Random& random, std::uint64_t kind) {
   return facets;
 }
 
-/// A place of a halving wall.
+/// The position of a random wall that halving up to five times gives, or of an end of the range.
 double wall(Random& random, double low, double high) {
   const std::uint64_t cells = std::uint64_t{1} << (1 + random.below(5));
   return low + (high - low) * static_cast<double>(random.below(cells + 1)) / static_cast<double>(cells);
@@ -84,8 +84,8 @@ SpaceRay any_ray(Random& random, const software::Facets& facets, const facet::Bo
   SpaceRay ray{middle + somewhere(random, size), somewhere(random, 1), 0, std::numeric_limits<double>::infinity()};
   const glm::dvec3 inside = middle + somewhere(random, size / 4);
   switch (random.below(8)) {
-    case 0: break;                       // it may miss
-    case 1: ray.origin = inside; break;  // it starts inside
+    case 0: break;                       // may miss the box
+    case 1: ray.origin = inside; break;  // starts in the box
     case 2: ray.direction = inside - ray.origin; break;
     case 3:  // along walls
       ray.origin = crossing(random, box);
@@ -332,7 +332,7 @@ TEST_CASE("every directory reports each facet on a ray before settling the ray b
   if (!testing::draws_usual_cases()) return;
   CHECK(tally.hits > tally.rays);
 }
-TEST_CASE("EXCELL has the cells of its rule and both walks report a ray's facets") {
+TEST_CASE("EXCELL has the cells of a plain recount and both walks report a ray's facets") {
   RaysInCells rays;
   const auto seeds = testing::cases<std::uint64_t>(24, 4);
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {

@@ -194,7 +194,7 @@ model::Tree union_of(unsigned primitives) {
 
 }  // namespace
 
-TEST_CASE("every traversal obeys the rules in all states of random trees and shapes") {
+TEST_CASE("every traversal follows the CSG rules in all states of random trees") {
   Tally tally;
   CHECK(rc::check([&] {
     const auto seed = *rc::gen::arbitrary<std::uint64_t>();
@@ -215,7 +215,7 @@ TEST_CASE("every traversal obeys the rules in all states of random trees and sha
   CHECK(tally.complemented > 10);
   CHECK(tally.long_strings > 10);
 }
-TEST_CASE("every traversal obeys the rules in all states of a chain of 14 operators") {
+TEST_CASE("every traversal follows the CSG rules in all states of 14 chained operators") {
   Tally tally;
   Random random(7);
   const model::Tree model = testing::chain(15);

@@ -152,7 +152,7 @@ TEST_CASE("primary rays tested in the picture take the hand-calculated clocks") 
   CHECK(clocks(counts.intersection) == pixels * (mailbox_checks + 2 * rectangle) + values * value +
                                            shifts * (8 + 2 * 12) + hits * kept(block) + (pixels - hits) * none_kept);
 }
-TEST_CASE("an item buffer takes a pass over facets and leaves one plane per covered pixel") {
+TEST_CASE("an item buffer takes the hand-calculated clocks of its pass and of the pixels") {
   const Block block;
   const double hits = hits_of(block);
   software::TraceOptions options;

@@ -134,7 +134,7 @@ TEST_CASE("a line through an edge or corner enters one face and leaves one or mi
   CHECK(within > 1000);
   CHECK(beside > 1000);
 }
-TEST_CASE("a line pierces the cube faces that it meets with the right direction") {
+TEST_CASE("a line pierces a cube's face with -1 if it enters there and 1 if it leaves") {
   const Faces faces = cube_faces();  // low x, high x, low y, high y, low z, high z
   const auto sides = [&](const glm::dvec3& origin, const glm::dvec3& direction) {
     const software::Piercing piercing({origin, direction, 0, 1});
@@ -150,7 +150,7 @@ TEST_CASE("a line pierces the cube faces that it meets with the right direction"
   CHECK(sides({0.5, 0.25, 0}, {0, 0, 3}) == std::vector<int>{0, 0, 0, 0, -1, 1});
   CHECK(sides({0.5, 0.25, 0}, {0, 0, -3}) == std::vector<int>{0, 0, 0, 0, 1, -1});
   CHECK(sides({1.5, 0.25, 0}, {0, 0, 3}) == std::vector<int>(6));
-  // Near a corner: in by one side, out by another.
+  // Near a corner of the cube, the line enters by one face and leaves by an adjacent one.
   CHECK(sides({0.5, 0.5, 0}, {3, -2, 0}) == std::vector<int>{0, 1, 0, -1, 0, 0});
   CHECK(sides({0.5, 0, 0.5}, {-3, 0, 2.5}) == std::vector<int>{0, -1, 0, 0, 0, 1});
   CHECK(sides({0, -0.5, 0.5}, {0, 2, 3}) == std::vector<int>{0, 0, -1, 0, 0, 1});
@@ -213,7 +213,7 @@ TEST_CASE("depths of a ray are final up to a slack before its settled position")
     CHECK(std::abs(staged.traced.depth_at(near) - 1) > 5e-4);
     CHECK(std::abs(staged.traced.depth_at(far + slack_of_block) - 1048573) < 1e-6);
     if (is_perspective) {
-      // No depth is known up to the eye.
+      // At the eye no depth is settled.
       for (const double t : {-1.0, 0.0, staged.traced.slack()}) CHECK(staged.traced.depth_at(t) == 0);
       CHECK(staged.traced.depth_at(2 * staged.traced.slack()) < 0);
       CHECK(staged.traced.depth_at(0.5) < 0);
@@ -283,7 +283,7 @@ TEST_CASE("a pixel reports its facet and its lights and mirrors only if requeste
       seen += is_seen ? 1U : 0U;
       CHECK(pixel.surface.owner == pixel.seen.owner);
       CHECK(pixel.surface.lit == (is_seen && options.has_shadows ? 2U : 0U));
-      // The background is in the mirror.
+      // The mirror shows the background.
       REQUIRE(pixel.mirrored.size() == (is_seen && options.mirror_depth > 0 ? 1U : 0U));
       if (!pixel.mirrored.empty()) {
         CHECK(pixel.mirrored[0].owner == software::Seen::nothing_seen);
@@ -325,7 +325,7 @@ TEST_CASE("a camera ray that starts in a solid has no facet or light or mirror")
     CHECK(traced.counts.mirror.rays == 0);
   }
 }
-TEST_CASE("new counts of ray tracing are zero") {
+TEST_CASE("counts of ray tracing start at zero and its options have defaults") {
   const software::TraceCounts counts;
   for (const software::RaysMet& met : {counts.primary, counts.shadow, counts.mirror}) {
     CHECK(met.rays + met.cells + met.tested + met.loose + met.met + met.repeats + met.hits == 0);
@@ -417,13 +417,13 @@ TEST_CASE("a ray from a face ends on the next solid if that is within its length
     CHECK(between.met.hits == 0);
     CHECK(between.met.met == 0);
   }
-  // Another direction, past the cube.
+  // A ray in the opposite direction, and one that passes the cube.
   CHECK(between.ray({0.25, 4, 0.5}, {0, -1, 0}, infinite).facet == between.facet_across(1, -4));
   const software::RealHit past = between.ray({0.25, -4, 0.5}, {0, 1, 1}, infinite);
   CHECK(past.t == infinite);
   CHECK(past.owner == software::Seen::nothing_seen);
   CHECK(past.facet == TraceScene::none);
-  // Only the existence of an obstacle is reported.
+  // With `is_any`, the obstacle's owner and facet are not reported.
   const software::RealHit any = between.ray({0.25, -4, 0.5}, {0, 1, 0}, infinite, "none", true);
   CHECK(any.t == doctest::Approx(8));
   CHECK(any.owner == software::Seen::nothing_seen);

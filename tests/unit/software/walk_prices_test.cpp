@@ -116,7 +116,7 @@ TEST_CASE("a ray through EXCELL by points and by halves takes the hand-calculate
   constexpr double wall = (8 + 2) + product + 2 * 8;
   CHECK(two_halves.clocks == begun + clipped + 3 * (taken + looked) + wall + halved + 2 * (16 + visited));
 }
-TEST_CASE("a ray through an octree's one cell takes no descent") {
+TEST_CASE("a ray through an octree of one cell is charged for no descent") {
   constexpr double left = 3 * (16 + 8) + 8 + 2 * 8 + 2 * product + comparison;
   const Walk one_cell = walk("octree", 8);
   CHECK(one_cell.cells == 1);

@@ -99,7 +99,7 @@ TEST_CASE("after 64 repeated cells in a row a sample continues in grid order") {
   CHECK(cells[181] == Cell{0, 2, 0});
   CHECK(cells[182] == Cell{0, 5, 1});
   CHECK(cells.back() == Cell{9, 3, 0});
-  // Here 64 tries find none where a 65th would: the cell of the grid's order precedes that one.
+  // Here 64 tries find no new cell and the 65th would; the next cell in grid order is taken instead.
   const std::vector<Cell> others = sampled({8, 8, 4}, 42, 249);
   CHECK(std::vector<Cell>{others.begin() + 246, others.end()} == std::vector<Cell>{{6, 0, 0}, {0, 5, 0}, {0, 5, 3}});
 }
@@ -112,11 +112,11 @@ TEST_CASE("a range of --vary includes both ends and has at most 1000 values") {
   CHECK_FALSE(dimension_error("a=2000000001..2000000001").empty());
   CHECK(dimension_error("a=10..8") == "range '10..8' is reversed; use 8..10");
   CHECK(studies::parse_dimension("a=1..1000").values == numbers_from(1, 1000));
-  CHECK(dimension_error("a=1..1001") == "range '1..1001' has more than 1000 values");
+  CHECK(dimension_error("a=1..1001") == "range '1..1001' has more than 1000 values; use a shorter range");
   CHECK(studies::parse_dimension("a=1..600,601..1000").values.size() == 1000);
   CHECK(studies::parse_dimension("a=1..600,500..1000").values.size() == 1000);
-  CHECK(dimension_error("a=1..600,601..1001") == "a has more than 1000 values");
-  // Text that is not a range of whole numbers is a value as it stands.
+  CHECK(dimension_error("a=1..600,601..1001") == "a has more than 1000 values; list fewer");
+  // Text that is not a range of whole numbers is one value, unchanged.
   CHECK(studies::parse_dimension("a=..5,1.5,a..b,7..x").values == Texts{"..5", "1.5", "a..b", "7..x"});
   CHECK(dimension_error("a=1...3") != "");
   CHECK(dimension_error("a=1..") != "");
@@ -295,7 +295,7 @@ TEST_CASE("neighbours of a design follow key order with the lower value first") 
     CHECK(listed(grid) == expected);
     grid.add_neighbours(first, 100);
     CHECK(listed(grid) == expected);
-    // Neighbours of the second: the first is known.
+    // The first design, a neighbour of the second, is already known.
     const std::size_t before = expected.size();
     const std::array<std::size_t, 1> second{1};
     grid.add_neighbours(second, 1);

@@ -56,7 +56,7 @@ Texts lines_of(const std::vector<ExploreRow>& rows) {
 /// Returns the study's error for these rows.
 std::string refusal_of(const std::vector<ExploreRow>& rows, bool are_read = false) {
   const Explored explored({"m.csg", "n.csg", "--vary", "z-bits=20"});
-  explored.study().take(lines_of(rows), are_read);
+  explored.study().set_rows(lines_of(rows), are_read);
   return testing::error_of([&] { explored.study().refuse(); });
 }
 
@@ -86,7 +86,7 @@ TEST_CASE("explore rejects rows without drawings or with unexplained wrong pixel
   const std::string fault = "the errors of a picture exceed the bounds of docs/numbers.md";
   CHECK_THROWS_WITH_AS(refusal_of(rows), fault.c_str(), std::logic_error);
   CHECK(refusal_of(rows, true).starts_with(fault + "; "));
-  // If one of two models is not drawn it is named; if neither is, both are named.
+  // The error names each model that no design draws, whether one or both.
   rows = {made_row("m.csg", "a", 10, 60), made_row("n.csg", "a", 10, 60)};
   rows[1].reason = "no";
   CHECK(refusal_of(rows).find("n.csg") != std::string::npos);
@@ -102,7 +102,7 @@ TEST_CASE("the knee's commands draw it on each model with all non-default option
   std::vector<ExploreRow> rows{made_row("m.csg", "pixel-planes-4+alu.bits=2", 10, 60),
                                made_row("a b.csg", "pixel-planes-4+alu.bits=2", 10, 70)};
   const auto commands = [&](std::size_t group) {
-    explored.study().take(lines_of(rows), false);
+    explored.study().set_rows(lines_of(rows), false);
     const Json file = Json::parse(explored.study().json("t"));
     return file["fronts"][group]["knee"]["commands"].get<Texts>();
   };
@@ -139,7 +139,7 @@ TEST_CASE("a model's knee has a command for that model and the joint knee one pe
   const Explored explored({"m.csg", "n.csg", "--vary", "z-bits=20"});
   std::vector<ExploreRow> rows{made_row("m.csg", "a", 10, 60), made_row("m.csg", "b", 20, 50),
                                made_row("n.csg", "a", 10, 60), made_row("n.csg", "b", 5, 90)};
-  explored.study().take(lines_of(rows), false);
+  explored.study().set_rows(lines_of(rows), false);
   const Json fronts = Json::parse(explored.study().json("t"))["fronts"];
   REQUIRE(fronts.size() == 3);
   // The knee of m is b and that of n is a; over both models a takes 200 ms and 60 bits, b 250 ms and 90 bits.
@@ -153,7 +153,7 @@ TEST_CASE("a page has a table of each front with its knee and a table of command
   const Explored explored({"m.csg", "n.csg", "--vary", "z-bits=20", "--axes", "time,memory"});
   std::vector<ExploreRow> rows{made_row("m.csg", "p+alu.bits=1", 10, 10), made_row("m.csg", "p+alu.bits=4", 20, 40),
                                made_row("n.csg", "p+alu.bits=1", 50, 30), made_row("n.csg", "p+alu.bits=4", 40, 40)};
-  explored.study().take(lines_of(rows), false);
+  explored.study().set_rows(lines_of(rows), false);
   report::Json data = Json::parse(explored.study().json("t"));
   const std::vector<report::Section> sections = explored.study().sections(data);
   REQUIRE(sections.size() == 1);
@@ -184,14 +184,14 @@ TEST_CASE("a page has a table of each front with its knee and a table of command
   CHECK(commands[3][0] == "all");
   CHECK(commands[3][1] == data["fronts"][2]["knee"]["commands"][1]);
   CHECK(table(3).is_list);
-  // If nothing is drawn there are no fronts.
+  // Without a drawn design there are no fronts.
   for (ExploreRow& row : rows) row.reason = "no";
-  explored.study().take(lines_of(rows), false);
+  explored.study().set_rows(lines_of(rows), false);
   data = Json::parse(explored.study().json("t"));
   CHECK(explored.study().sections(data).empty());
 }
 
-TEST_CASE("explore rejects contradictory options by name") {
+TEST_CASE("explore rejects contradictory options and names them") {
   const Models models;
   const std::string cube = models / "cube.csg";
   CHECK(usage_error({cube, "--vary", "alu.bits=1,2", "--set", "alu.bits=4"}) ==

@@ -72,7 +72,7 @@ std::vector<ExploreRow> two_models() {
 
 }  // namespace
 
-TEST_CASE("the column names of each study are those of its rows") {
+TEST_CASE("the column names of sweep and accuracy and advise and explore match their rows") {
   const auto visited = []<class Row>(Row row) {
     std::string names;
     Row::columns(
@@ -153,10 +153,10 @@ TEST_CASE("a design of two models has the maximum of their silicon and the sum o
 
 TEST_CASE("the knee of a group is a design on its front") {
   const std::vector<studies::ExploreAxis> axes = studies::parse_axes("time,memory");
-  // The counting candidates' logarithms (0, 2), (1, 1), (2, 0) are stretched to (0, 1), (1/2, 1/2), (1, 0).
+  // The logarithms (0, 2), (1, 1), (2, 0) of the designs on the front are scaled to (0, 1), (1/2, 1/2), (1, 0).
   const std::vector<Values> candidates{{0.001, 0.001}, {1, 100}, {10, 10}, {100, 1}, {1e6, 1e6}};
   CHECK(studies::knee_of(candidates, {false, true, true, true, false}, axes) == 2);
-  // If the middle is missing both ends are at distance 1: the first one is chosen.
+  // Without the middle design, both ends are at distance 1, and the first is chosen.
   CHECK(studies::knee_of(candidates, {false, true, false, true, false}, axes) == 1);
   CHECK(studies::knee_of(candidates, {false, false, false, true, false}, axes) == 3);
   CHECK_FALSE(studies::knee_of(candidates, {false, false, false, false, false}, axes));
@@ -284,7 +284,7 @@ TEST_CASE("the printed text of a design has each parameter and option that diffe
 
 TEST_CASE("explore prints a line per design of the front and the knee with its command") {
   std::vector<ExploreRow> rows = two_models();
-  rows.push_back(rows[1]);  // one more that equals b
+  rows.push_back(rows[1]);  // a duplicate of design b
   rows.back().point.z_bits = 20;
   std::vector<ShownGroup> groups = shown_groups({rows.begin(), rows.end()}, "time,memory");
   groups[0].commands = {"draw m", "draw it again"};
@@ -349,7 +349,7 @@ TEST_CASE("explore rounds to four digits, and from 10,000 up to whole numbers") 
 TEST_CASE("explore prints the first 40 designs of a front and the number of others") {
   for (const std::size_t count : {39U, 40U, 41U, 1241U}) {
     CAPTURE(count);
-    // Each is faster and larger than its predecessor.
+    // Each design is faster and larger than the previous one.
     std::vector<ExploreRow> rows;
     for (std::size_t i = 0; i < count; ++i)
       rows.push_back(shown_row("m", "1", static_cast<unsigned>(i), static_cast<double>(1 + i), 1 + i));
@@ -371,7 +371,7 @@ TEST_CASE("each group with a knee has a plot with a unique name") {
   rows[0].wrong = 5;
   std::vector<ShownGroup> groups = shown_groups(rows, "time,memory,wrong");
   REQUIRE(groups.size() == 4);
-  // Nothing of c.csg is drawn, and therefore nothing of all models.
+  // No design draws c.csg, so no design draws all models.
   const std::vector<plots::Plot> plots = studies::plots_of_explore(groups);
   REQUIRE(plots.size() == 2);
   CHECK(plots[0].name == "m_front");

@@ -168,7 +168,7 @@ TEST_CASE("a row has the figures and wrong pixels of a machine with just enough 
   for (std::size_t i = 0; i < 2; ++i) {
     const ExploreRow row = row_in(rows[i]);
     REQUIRE(row.is_compiled());
-    // The same measured by render's own code.
+    // The expected values are measured by the code of csgsim render.
     Texts render = words;
     render.insert(render.end(), {"--machine", row.point.machine, "--memory-bits", std::to_string(row.used_bits)});
     const session::ModelRequest options = session::model_request_in(render);
@@ -208,7 +208,7 @@ TEST_CASE("a row has the figures and wrong pixels of a machine with just enough 
   CHECK(narrow.pixel_transistors < wide.pixel_transistors);
 }
 
-TEST_CASE("without a process a machine has its described clock and no silicon cost") {
+TEST_CASE("without a process a machine has the clock of its description and no area") {
   const Models models;
   Explored explored({models / "cube.csg", "--size", "16x12", "--vary", "memory-bits=100,120"});
   explored.ask();
@@ -220,7 +220,7 @@ TEST_CASE("without a process a machine has its described clock and no silicon co
     CHECK_FALSE(row.machine_mm2);
     CHECK_FALSE(row.frame_joules);
     CHECK(row.halfspaces == 6);
-    // The given memory; less is used.
+    // The machine has the requested memory, although the Program uses less.
     CHECK(row.machine_memory_bits == std::uint64_t{16 * 12} * (i == 0 ? 100 : 120));
     CHECK(row.used_bits < 100);
   }
@@ -294,7 +294,7 @@ TEST_CASE("a search requests neighbours of the front until its limit or until no
     std::vector<std::size_t> rounds{explored.ask().size()};
     explored.measure();
     for (int i = 0; i < 20; ++i) {
-      const std::vector<studies::PointRequest> more = explored.study().more();
+      const std::vector<studies::PointRequest> more = explored.study().more_points();
       if (more.empty()) break;
       rounds.push_back(more.size());
       explored.asked.insert(explored.asked.end(), more.begin(), more.end());
@@ -310,7 +310,7 @@ TEST_CASE("a search requests neighbours of the front until its limit or until no
   CHECK(std::accumulate(three.begin(), three.end(), std::size_t{0}) == 1 + 3);
   CHECK(std::set<std::string>(cells.begin(), cells.end()).size() == cells.size());
   CHECK(first == Texts{cells[0], cells[1]});
-  // All 15 designs or fewer; the search also ends without --search's limit.
+  // A search with a high limit ends when all neighbours of the front, at most 15 designs, have been tried.
   const auto [all, of_all] = counts("100");
   const std::size_t total = std::accumulate(all.begin(), all.end(), std::size_t{0});
   CHECK(total > 4);
@@ -325,7 +325,7 @@ TEST_CASE("a search requests neighbours of the joint front for each model") {
                      "1", "--search", "9", "--axes", "time"});
   REQUIRE(explored.ask().size() == 2);
   explored.measure();
-  const std::vector<studies::PointRequest> more = explored.study().more();
+  const std::vector<studies::PointRequest> more = explored.study().more_points();
   // One or two adjacent z bits of either model.
   CHECK(more.size() % 2 == 0);
   CHECK(more.size() >= 2);

@@ -79,7 +79,7 @@ TEST_CASE("the front of designs equals that of pairwise comparison") {
 
 TEST_CASE("the knee is nearest to the best values on logarithmic axes scaled to one length") {
   const std::vector<studies::ExploreAxis> time_memory = studies::parse_axes("time,memory");
-  // Logarithms to base 10: (0, 3), (1, 1), (3, 0), stretched to (0, 1), (1/3, 1/3), (1, 0).
+  // Logarithms to base 10: (0, 3), (1, 1), (3, 0), scaled to (0, 1), (1/3, 1/3), (1, 0).
   const std::vector<Values> candidates{{1, 1000}, {10, 10}, {1000, 1}, {1, 1e9}};
   const std::vector<bool> front = studies::pareto_of(candidates);
   CHECK(front == std::vector<bool>{true, true, true, false});
@@ -109,7 +109,7 @@ TEST_CASE("the knee of designs is on the front and does not depend on units") {
     std::vector<Values> scaled = candidates;
     for (Values& values : scaled) values[1] *= 1024;
     const std::optional<std::size_t> again = studies::knee_of(scaled, front, axes);
-    // Rounding may choose another of several equally near ones.
+    // Rounding may choose another of several candidates at the same distance.
     const auto distance = [&](std::size_t one) {
       double sum = 0;
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -203,7 +203,7 @@ TEST_CASE("designs that differ in one option or parameter are distinct") {
   CHECK(studies::DesignGrid({}, {{"alu.bits", {"1", "2"}}}, {}).designs().size() == 2);
 }
 
-TEST_CASE("designs without a value on an axis are on no front; an empty axis is dropped") {
+TEST_CASE("designs without a value on an axis are on no front and empty axes are dropped") {
   const std::vector<ExploreRow> rows{row("m", "a", 10, 100, 0), row("m", "b", 20, 50, 0, std::nullopt),
                                      row("m", "c", 5, 200, 0)};
   std::vector<studies::ExploreGroup> groups = studies::groups_of(rows, studies::parse_axes("time,area,memory"));

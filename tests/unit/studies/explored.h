@@ -70,7 +70,7 @@ struct Explored {
     std::iota(points.begin(), points.end(), std::size_t{0});
     Texts rows(asked.size());
     study().measure(points, 1, [&](std::size_t point, std::string row) { rows[point] = std::move(row); });
-    study().take(rows, false);
+    study().set_rows(rows, false);
     return rows;
   }
 };

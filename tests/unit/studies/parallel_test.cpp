@@ -40,7 +40,7 @@ TEST_CASE("no result of a study is delivered after its receiver has failed") {
   }
 }
 
-TEST_CASE("an exception of a point ends the others and is rethrown") {
+TEST_CASE("an exception of one point's measurement ends the loop and is rethrown") {
   std::atomic<int> measured = 0;
   const auto throws_at_once = [&](std::size_t i) {
     ++measured;

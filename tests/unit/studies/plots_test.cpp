@@ -70,7 +70,7 @@ TEST_CASE("a sweep's x axis is its most varied parameter with numbers before nam
   CHECK(studies::SweepAxis(both).axis().title == "stack bits (m)");
 }
 
-TEST_CASE("a sweep's plot shows its machines side by side with their names") {
+TEST_CASE("a sweep over machines has their names on the x axis of its plot") {
   studies::DesignPoint other = point("stack", 0);
   other.machine = "alu-4.toml";
   const std::vector<studies::SweepRow> rows{row(point("stack", 0), 100), row(other, 50)};

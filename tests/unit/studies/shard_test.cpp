@@ -11,7 +11,7 @@
 using namespace csgsim;
 using studies::Shard;
 
-TEST_CASE("a shard is read and printed as k/n") {
+TEST_CASE("a shard is parsed and printed as k/n and other forms are rejected") {
   CHECK(studies::parse_shard("1/1") == Shard{1, 1});
   CHECK(studies::parse_shard("3/16") == Shard{3, 16});
   CHECK(studies::to_text({3, 16}) == "3/16");
@@ -48,7 +48,7 @@ TEST_CASE("expensive points at every tenth place are spread over ten shards") {
 }
 
 TEST_CASE("shard numbers are printed as ranges") {
-  CHECK(studies::compact({}).empty());
-  CHECK(studies::compact({3}) == "3");
-  CHECK(studies::compact({1, 3, 4, 5, 9, 10}) == "1,3-5,9-10");
+  CHECK(studies::to_ranges({}).empty());
+  CHECK(studies::to_ranges({3}) == "3");
+  CHECK(studies::to_ranges({1, 3, 4, 5, 9, 10}) == "1,3-5,9-10");
 }

@@ -142,7 +142,7 @@ TEST_CASE("a sweep's measured row survives a round trip through its table with a
   CHECK(studies::from_line<studies::SweepRow>(studies::to_line(row)) == row);
 }
 
-TEST_CASE("a memory map survives a round trip through a table with most names of fields") {
+TEST_CASE("a memory map with commas and quotes survives a round trip through a table") {
   studies::SweepRow row;
   row.memory_map = {{"a,b", 0, 20}, {"\"c\"", 20, 1}};
   const std::string line = studies::to_line(row);

@@ -67,7 +67,7 @@ std::string content(const fs::path& path) {
 
 }  // namespace
 
-TEST_CASE("a table resumes after an interruption even within a line") {
+TEST_CASE("a table resumes after an interruption and drops a partial last line") {
   const fs::path path = fresh("table_interrupted.csv");
   table_at(path).add(Rows{row("10/2", 0.1234567890123456789), row("12/2", 2)});
   std::ofstream(path, std::ios::app) << "\"a, b\",14/2,99";
@@ -94,13 +94,13 @@ TEST_CASE("the error for a broken table line names its file and line and column"
     const fs::path path = fresh("table_broken.csv");
     table_at(path).add(Rows(before, row("10/2", 1)));
     std::ofstream(path, std::ios::app) << "a,12/2,model,machine,0.1.0,many\n";
-    // Lines after the header.
+    // The invalid line follows the header and `before` valid lines.
     const std::string place = "table_broken.csv:" + std::to_string(2 + before) + ":1: 'many'";
     CHECK(testing::error_of([&] { table_at(path); }).find(place) != std::string::npos);
   }
 }
 
-TEST_CASE("a table cut off in its first lines starts anew") {
+TEST_CASE("a table cut off within its first lines is replaced by an empty one") {
   for (const char* const left : {"# a st", "name,val", ""}) {
     const fs::path path = fresh("table_cut.csv");
     std::ofstream(path) << left;
@@ -123,7 +123,7 @@ TEST_CASE("a table is plain CSV and a file beside it names its study") {
   CHECK(content(fs::path(path).replace_extension(".study")) == "another study\n");
 }
 
-TEST_CASE("a table with an old-style comment is continued and converted") {
+TEST_CASE("a table with its title in a comment is converted and keeps its rows") {
   const fs::path path = fresh("table_commented.csv");
   fs::remove(fs::path(path).replace_extension(".study"));
   const std::string commented = "# a study\n" + plain_header + row("10/2", 1) + "\n" + row("12/2", 2) + "\n";
@@ -135,7 +135,7 @@ TEST_CASE("a table with an old-style comment is continued and converted") {
   CHECK(table_at(path).rows().size() == 2);
 }
 
-TEST_CASE("a point counts as measured only with equal model and machine and build") {
+TEST_CASE("a point is missing unless a row with equal inputs serves the request") {
   const fs::path path = fresh("table_wanted.csv");
   studies::Table table =
       table_at(path, "a study", [](std::size_t, const std::string& one) { return one.ends_with(",2"); });
@@ -145,7 +145,7 @@ TEST_CASE("a point counts as measured only with equal model and machine and buil
   table.add(Rows{row("x", 2)});
   CHECK(table.missing(point).empty());
   CHECK(table.in_order(point) == Rows{row("x", 2)});
-  CHECK(table.rows() == Rows{row("x", 2)});  // the row that serves no point is deleted
+  CHECK(table.rows() == Rows{row("x", 2)});  // the row that does not serve the request is deleted
   for (std::string studies::Inputs::*const input :
        {&studies::Inputs::model_hash, &studies::Inputs::machine_hash, &studies::Inputs::csgsim}) {
     studies::Inputs others = TestRow().inputs;
@@ -154,7 +154,7 @@ TEST_CASE("a point counts as measured only with equal model and machine and buil
   }
 }
 
-TEST_CASE("a table deletes rows of requested points with outdated inputs") {
+TEST_CASE("rows of requested points with outdated inputs are deleted from a table") {
   const fs::path path = fresh("table_stale.csv");
   studies::Table table = table_at(path);
   table.add(Rows{row("x", 1), row("y", 2), row("z", 3)});
