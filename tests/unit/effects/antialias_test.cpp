@@ -309,7 +309,7 @@ TEST_CASE("adaptive anti-aliasing skips refinement if no pixel needs it") {
   CHECK(run(testing::compile_text(testing::box_text({-10, 0, -50}, {9.3, 1, 50}), setup).program).skipped == 0);
 }
 
-TEST_CASE("the anti-aliased picture is the same if drawn line by line") {
+TEST_CASE("an anti-aliased picture is the same on scan-line as on Pixel-planes") {
   for (const char* adaptive : {"adaptive = false", "adaptive = true"}) {
     testing::Setup setup = random_view(view::Projection::perspective, called(4, adaptive));
     const observe::Frame whole = testing::draw(testing::compile_text(ball_and_hole, setup).program);

@@ -143,7 +143,7 @@ TEST_CASE("anti-aliased edge lines are the means of the lines in each sample") {
   CHECK(wrong_adaptive == 0);
 }
 
-TEST_CASE("edge lines are the same if drawn line by line or with a colour field") {
+TEST_CASE("drawing line by line or with a colour field does not change edge lines") {
   testing::Setup setup = random_view(view::Projection::perspective, red_lines);
   const std::string csg = testing::random_model(7, 6);
   const observe::Frame whole = testing::draw(testing::compile_text(csg, setup).program);

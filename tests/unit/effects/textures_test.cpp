@@ -272,7 +272,7 @@ TEST_CASE("the last enabled texture that applies to a primitive is used") {
   CHECK(middle(red + "on = false\n") == 0x00ff00U);
 }
 
-TEST_CASE("textures are the same for all machines and colourings") {
+TEST_CASE("a textured picture is identical for all machines and colourings") {
   for (const view::Projection projection : {view::Projection::orthographic, view::Projection::perspective}) {
     const std::string model = testing::random_model(5, 6);
     const facet::Box box = facet::make_geometry(read::read_csg_text(model, "random")).box;
@@ -290,7 +290,7 @@ TEST_CASE("textures are the same for all machines and colourings") {
   }
 }
 
-TEST_CASE("a texture for a sphere selected by line is rejected with the reason") {
+TEST_CASE("a texture skips a sphere but is rejected if it selects the sphere by line") {
   const std::string sphere = "sphere($fn = 8, $fa = 12, $fs = 2, r = 5);";
   const std::string error = error_with("[[effects.textures]]\nfrom_line = 1\n", sphere);
   CHECK(error.find("test:1:1: textures are only for flat facets, and this is a sphere") != error.npos);
@@ -307,7 +307,7 @@ TEST_CASE("too many texels in perspective are an error that suggests a size") {
   CHECK(error_with("[[effects.textures]]\nsize = 0.1\npattern = 'stripes'\n", cube, camera).empty());
 }
 
-TEST_CASE("a texture table has a power of two of at most 8 rows and columns") {
+TEST_CASE("an invalid table of texels or range of lines of a texture is rejected") {
   const std::string cube = "cube(size = [30, 30, 30], center = true);";
   const auto error = [&](const std::string& keys) { return error_with("[[effects.textures]]\n" + keys, cube); };
   CHECK(error("pattern = 'table'").find("needs colours") != std::string::npos);
