@@ -81,7 +81,7 @@ TEST_CASE("strategy auto takes no more clocks than any strategy and colouring it
   }
 }
 
-TEST_CASE("strategy auto decides by the given function for clocks") {
+TEST_CASE("strategy auto takes the strategy with the fewest clocks by a given function") {
   testing::Setup how = setup(emit::Strategy::automatic);
   how.options.colouring = emit::Colouring::automatic;
   const testing::Compiled model = testing::compile_file(testing::model_path("old_example002"), how);

@@ -99,7 +99,7 @@ TEST_CASE("a query guards at least sixteen times its clocks and guards are neste
   }
 }
 
-TEST_CASE("early out skips hidden primitives and the clocks add up") {
+TEST_CASE("early out skips hidden primitives and its clocks sum to those of the run") {
   const isa::Program program = testing::compile_text(behind_a_cube, setup()).program;
   testing::Setup how = setup();
   how.options.pruning.early_out = false;

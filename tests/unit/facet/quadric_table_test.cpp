@@ -218,7 +218,7 @@ TEST_CASE("surfaces that differ by 10^-10 of the model stay separate quadrics") 
   }
 }
 
-TEST_CASE("equal ellipsoids across six decades coincide") {
+TEST_CASE("equal ellipsoids coincide for semi-axes across six decades") {
   CHECK(rc::check([] {
     const glm::dmat4 turn = moved(vector(-9, 9)) * rotation();
     const glm::dvec3 sizes(factor(), factor(), factor());
