@@ -48,7 +48,7 @@ TEST_CASE("numbers of SVG paths need no spaces where SVG allows it") {
   CHECK(path("M0 0a5 5 0 01.5 5z").outlines == path("M0 0 a5,5 0 0,1 0.5,5 z").outlines);
 }
 
-TEST_CASE("an SVG arc without radius is a line and one to its own start is empty") {
+TEST_CASE("an SVG arc without radius is a line and an arc to its own start is empty") {
   CHECK(path("M0 0A0 5 0 0 1 10 0L10 10z").outlines == path("M0 0L10 0L10 10z").outlines);
   CHECK(path("M0 0L10 0A5 5 0 1 1 10 0L10 10z").outlines == path("M0 0L10 0L10 10z").outlines);
 }
@@ -86,6 +86,6 @@ TEST_CASE("deep nesting in SVG is rejected and entities are not expanded") {
   CHECK(message(bomb) == "line 1: invalid path data at \"&b;\"");
 }
 
-TEST_CASE("a mutated SVG file is read or rejected") {
+TEST_CASE("a mutated SVG file is read or rejected with a printable message") {
   flat::check_mutations(".svg", [](const std::string& bytes) { flat::read_svg(bytes, {}); });
 }

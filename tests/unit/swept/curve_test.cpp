@@ -73,7 +73,7 @@ TEST_CASE("the slope of a curve's segment is the difference quotient of close po
   }
 }
 
-TEST_CASE("an invalid curve is reported with a fix") {
+TEST_CASE("a curve with an invalid degree or number of points is rejected") {
   CHECK(swept::fault_of(Curve{4, false, {}}) == "degree 4 is above 3; use 0 (constant), 1, 2 or 3");
   CHECK(swept::fault_of(Curve{3, false, {{}, {}, {}}}) == "an open curve of degree 3 needs at least 4 points, not 3");
   CHECK(swept::fault_of(Curve{1, true, {{}, {}}}) == "a closed curve of degree 1 needs at least 3 points, not 2");

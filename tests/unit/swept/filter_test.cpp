@@ -348,7 +348,7 @@ TEST_CASE("the filter's peak counts of held elements and vertices equal a recoun
   CHECK((!testing::draws_usual_cases() || cases > 30));
 }
 
-TEST_CASE("the quadtree repair makes the filter's mesh but holds all of it") {
+TEST_CASE("the quadtree repair makes the same mesh as the filter but holds all of it") {
   CHECK(rc::check([] {
     const auto surface = swept::surface_of(random_net(4, 4, 40));
     const swept::Accuracy accuracy{0.5};

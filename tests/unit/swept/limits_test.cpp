@@ -225,7 +225,7 @@ TEST_CASE("a patch with one bent side is subdivided whichever side it is") {
   CHECK(leaves_of(sweep, 2, {0.1}) >= 8);  // bent in the west
 }
 
-TEST_CASE("a surface at its limits on levels and elements and work is accepted") {
+TEST_CASE("a surface at its limits on levels or elements or work is accepted but not beyond") {
   Sweep sweep{circle(3, 8), line(10)};
   sweep.scale = {2, false, {{1, 1, 0}, {3, 3, 0}, {1, 1, 0}}};
   const std::unique_ptr<swept::Surface> surface = swept::surface_of(sweep);

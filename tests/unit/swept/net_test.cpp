@@ -115,7 +115,7 @@ TEST_CASE("a tolerance that the levels of subdivision cannot reach is rejected")
         "smoother curve");
 }
 
-TEST_CASE("an invalid net is reported with a fix") {
+TEST_CASE("a net with too few or unequally long rows of points is rejected") {
   CHECK(swept::fault_of(swept::Net{}) == "a patch needs at least 4 rows of points, not 0");
   const std::vector<glm::dvec3> row(4);
   CHECK(swept::fault_of(swept::Net{{row, row, row, {}}}) == "a row of a patch needs at least 4 points, not 0");
