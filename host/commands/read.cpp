@@ -118,7 +118,8 @@ class TreeMaker {
       fail(solid.location, fmt::format("sweep: its surface does not bound a solid: {}", made.defect->what));
     if (made.pieces.empty())
       fail(solid.location, "sweep: the solid has no volume; move the points of its contour apart");
-    for (const read::Remark& remark : made.remarks) source_.tell(sweep.offset, fmt::format("sweep: {}", remark.what));
+    for (const read::Remark& remark : made.remarks)
+      source_.print_message(sweep.offset, fmt::format("sweep: {}", remark.what));
     pieces = std::move(made.pieces);
     return *pieces;
   }

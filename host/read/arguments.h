@@ -90,10 +90,10 @@ class Arguments {
   [[nodiscard]] double read_number(ValueView value, std::string_view what) const;
 
   /// Prints a message to standard error, with the position of a value.
-  void report(ValueView at, std::string_view message) const { source_->tell(at.value().offset, message); }
+  void report(ValueView at, std::string_view message) const { source_->print_message(at.value().offset, message); }
 
   /// Prints a message to standard error, with the position of the node's name.
-  void report(std::string_view message) const { source_->tell(statement_->offset, message); }
+  void report(std::string_view message) const { source_->print_message(statement_->offset, message); }
 
   /// Throws InputError at the position of a value.
   template <typename... Parts>

@@ -24,7 +24,7 @@ Made make_hull(Operands operands) {
   if (operands.dimensions == 2) return {{}, flat::hull(operands.areas), {}, 2};
   if (operands.solids.empty()) return {};
   const Work work = operands.work;
-  const model::Tree all = only_solid(std::move(operands));
+  const model::Tree all = union_of_solids(std::move(operands));
   Made made;
   if (std::optional<model::Polyhedron> piece = solids::hull_piece(solids::evaluate_vertices(all, work), work))
     made.pieces.push_back(*std::move(piece));
@@ -81,7 +81,7 @@ bool is_one(const model::Tree& solid) {
 
 Made resized(Operands operands, NewSize to) {
   if (operands.dimensions == 2) {
-    const flat::Area area = only_area(operands);
+    const flat::Area area = union_of_areas(operands);
     return {{},
             flat::resized(area, glm::dvec2(to.size), {to.automatic[0], to.automatic[1]}),
             {},
@@ -89,7 +89,7 @@ Made resized(Operands operands, NewSize to) {
   }
   if (operands.solids.empty()) return {};
   const Work work = operands.work;
-  const model::Tree solid = only_solid(std::move(operands));
+  const model::Tree solid = union_of_solids(std::move(operands));
   std::vector<model::Polyhedron> pieces = solids::evaluate_pieces(solid, work);
   if (pieces.empty()) return {};
   facet::Box box;
@@ -138,7 +138,7 @@ Maker read_projection(const Arguments& arguments) {
   const bool cut = arguments.boolean("cut").value_or(false);
   return [cut](Operands operands) {
     const Work work = operands.work;
-    const model::Tree solid = only_solid(std::move(operands));
+    const model::Tree solid = union_of_solids(std::move(operands));
     const solids::Projection projection = cut ? solids::section(solid, work) : solids::shadow(solid, work);
     Made made{{}, projection.area};
     if (projection.coarse_size > 0)
