@@ -26,7 +26,7 @@ bool is_below(const Corners& one, const Corners& other, std::int64_t step, std::
 }  // namespace
 
 std::vector<bool> leading(std::span<const FixedLinear> functions, const PixelRect& pixels, std::int64_t step,
-                          std::uint64_t* held) {
+                          std::uint64_t* comparisons) {
   std::vector<Corners> values;
   values.reserve(functions.size());
   for (const FixedLinear& function : functions) values.push_back(at_corners(function, pixels));
@@ -44,7 +44,7 @@ std::vector<bool> leading(std::span<const FixedLinear> functions, const PixelRec
       return i > by || !is_below(values[by], values[i], step, compared);
     }));
   }
-  if (held != nullptr) *held += compared;
+  if (comparisons != nullptr) *comparisons += compared;
   return leads;
 }
 
