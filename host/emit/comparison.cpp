@@ -23,7 +23,7 @@ void emit_comparison(const Context& context, Broadcast& out, std::uint32_t primi
   const csg::Block part{shared, of.block.z_low, of.block.z_high};
   emit_edges(context, out, primitive, part);
   for (const view::Side side : {view::Side::front, view::Side::back}) {
-    for (const Facet& facet : deciding(context, {&primitive, 1}, side, part).facets) {
+    for (const Facet& facet : deciding_facets(context, {&primitive, 1}, side, part).facets) {
       out.surface(side == view::Side::front ? isa::Opcode::linear_le : isa::Opcode::linear_gt, context.layout.candidate,
                   context.linear_plane(facet.halfspace), shared);
     }

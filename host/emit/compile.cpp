@@ -246,7 +246,7 @@ isa::Program compile_as(const Input& input, const Options& options) {
   const std::uint32_t memory_bits = input.machine.array.memory_bits;
   const bool has_owners = any_needs_owners(input.called);
   const bool second_colour = options.colouring == Colouring::field && !has_owners;
-  const Workshop workshop{input.machine, options, input.called};
+  const DrawingInputs inputs{input.machine, options, input.called};
   QuadricBits quadrics = max_quadric_bits(drawings, options.colour_bits);
   const bool is_plain = !second_colour && input.called.size() == 1;
   quadrics.in_place = is_plain && quadrics.squares > 0 &&
@@ -256,7 +256,7 @@ isa::Program compile_as(const Input& input, const Options& options) {
       is_plain && quadrics.root > 0 && takes_roots_in_candidate(input.geometry, drawing.view, drawing.plan);
   const Layout layout = plan_layout({sampling.z_bits, options.colour_bits, second_colour, classification,
                                      machines::second_buffer(options.colour_bits, input.machine),
-                                     has_owners ? owner_bits(drawings) : 0, effect_fields(drawing, workshop), quadrics},
+                                     has_owners ? owner_bits(drawings) : 0, effect_fields(drawing, inputs), quadrics},
                                     memory_bits);
   isa::Program program;
   program.machine = machines::record_of(input.machine);
