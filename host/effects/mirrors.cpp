@@ -205,7 +205,7 @@ class MirrorEmitter {
            });
   }
 
-  /// If facets of several solids of the surface coincide, the facet that owns the plane.
+  /// The first facet of the surface in the same plane, which owns the pixels where facets of several solids coincide.
   static const emit::Facet& first_in_plane(const emit::Surface& surface, const emit::Facet& facet) {
     return *std::find_if(surface.facets.begin(), surface.facets.end(), [&](const emit::Facet& one) {
       return one.at == emit::At::plane && one.halfspace.plane == facet.halfspace.plane;

@@ -46,7 +46,7 @@ struct DrawingInputs {
 };
 
 /// Plans a drawing and lets each called effect prepare it. `pairs` are those of another drawing of the same geometry,
-/// or null. Throws InputError if an effect cannot.
+/// or null. Throws InputError if an effect cannot prepare the drawing.
 std::shared_ptr<const Drawing> make_drawing(std::shared_ptr<const model::Tree> tree,
                                             std::shared_ptr<const facet::Geometry> geometry, view::View view,
                                             unsigned nesting, const DrawingInputs& inputs,

@@ -36,14 +36,15 @@ class Effect {
  public:
   virtual ~Effect() = default;
 
-  /// Whether the look of a model calls for the effect when the scene does not mention it.
+  /// Whether the effect is used for a model with this look although the scene does not mention it.
   [[nodiscard]] virtual bool called_by(const Look& /*look*/) const { return false; }
   /// Returns the model to draw in place of the file's. Throws InputError if the settings do not fit it.
   virtual model::Tree reshape(model::Tree&& tree) const { return std::move(tree); }
-  /// Called once for each drawing. Throws InputError if the settings do not fit the model.
+  /// Computes the effect's state for a drawing, once per drawing. Throws InputError if the settings do not fit the
+  /// model.
   [[nodiscard]] virtual std::unique_ptr<const EffectState> prepared_for(const Drawing& drawing,
                                                                         const DrawingInputs& inputs) const = 0;
-  /// Additional bits of pixel memory; `drawing` is the camera's.
+  /// The fields of pixel memory that the effect needs; `drawing` is the camera's.
   [[nodiscard]] virtual std::vector<FieldRequest> fields(const Drawing& /*drawing*/,
                                                          const DrawingInputs& /*inputs*/) const {
     return {};
@@ -63,7 +64,8 @@ class Effect {
   virtual void light(const EffectCall& /*call*/, Broadcast& /*out*/, Shadows& /*shadows*/) const {}
   /// Called after the colours of a drawing.
   virtual void compose(const EffectCall& /*call*/, Broadcast& /*out*/) const {}
-  /// Called instead of drawing the picture once. Returns false if the effect does not.
+  /// Draws the picture by calling `draw`, possibly several times. Returns false without appending instructions if the
+  /// effect does not do this; the caller then draws the picture once.
   virtual bool draw_around(const EffectCall& /*call*/, Broadcast& /*out*/, const DrawPicture& /*draw*/) const {
     return false;
   }
@@ -155,7 +157,8 @@ std::vector<EffectFields> effect_fields(const Drawing& drawing, const DrawingInp
 
 bool any_needs_owners(std::span<const EffectRequest> called);
 
-/// Calls `part` of each effect of the context, billed to it, until one returns true. Returns whether one did.
+/// Calls the member function `part` of each effect of the context, until a call returns true. Each effect is billed for
+/// its instructions. Returns whether a call returned true.
 template <class Part, class... Arguments>
 bool for_effects(const Context& context, Broadcast& out, Part part, Arguments&... arguments) {
   for (std::size_t i = 0; i < context.called.size(); ++i) {

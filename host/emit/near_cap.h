@@ -17,7 +17,7 @@ bool may_reach_near(const Context& context, const std::vector<Facet>& fronts, co
 /// first front of that primitive, which rounding moved there, or a curved front if it has no other.
 Facet near_facet(const Context& context, std::uint32_t primitive);
 
-/// Whether near_facet of the primitive is this quadric's depth, clamped to 0.
+/// Whether near_facet() of the quadric's primitive is this quadric's depth, clamped to 0.
 bool is_near_facet(const Context& context, const QuadricBound& bound);
 
 }  // namespace csgsim::emit

@@ -185,10 +185,10 @@ void emit_stored_depths(const Context& context, Broadcast& out) {
 }
 
 void emit_stored_comparison(const Context& context, Broadcast& out, std::uint32_t primitive, const StoredFields& fields,
-                            const PlannedSurface& of) {
-  const view::PixelRect shared = common(of.block.pixels, context.view.extents[primitive].pixels);
-  const DecidingParts decides = deciding_parts(context, primitive, {shared, of.block.z_low, of.block.z_high});
-  const bool is_nowhere_at_some = decides.outline || shared != of.block.pixels;
+                            const PlannedSurface& surface) {
+  const view::PixelRect shared = common(surface.block.pixels, context.view.extents[primitive].pixels);
+  const DecidingParts decides = deciding_parts(context, primitive, {shared, surface.block.z_low, surface.block.z_high});
+  const bool is_nowhere_at_some = decides.outline || shared != surface.block.pixels;
   const isa::Field z1 = context.layout.candidate;
   if (decides.front) out.plain(Opcode::field_le, fields.front, z1);
   // Either comparison fails at pixels without the primitive.
