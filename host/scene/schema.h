@@ -25,7 +25,7 @@ struct Section {
   std::string_view name;  ///< for example `camera`, `effects.shadows`
   std::string_view meaning;
   bool is_list = false;
-  Values (*blank)() = nullptr;
+  Values (*blank)() = nullptr;  ///< returns the keys of a table with their default values
   /// Stores the values read from the file. Throws as complete() does.
   void (*keep)(Scene& scene, const Section& section, Values&& read) = nullptr;
 };
