@@ -145,7 +145,7 @@ TEST_CASE("a distant or large area does not change coordinates of another near t
     CHECK(flat::area_of(flat::intersect(std::array{rectangle(10, 10), half})) ==
           doctest::Approx(100 - rest).epsilon(1e-5));
     CHECK(flat::area_of(flat::subtract(std::array{rectangle(10, 10), half})) == doctest::Approx(rest).epsilon(1e-5));
-    // The near one of two offsets is the same as without the far one.
+    // The offset of a near area is the same with and without the far area.
     const Area alone = flat::offset(rectangle(10, 4), 1.5, flat::Corner::round, {.fn = 24});
     const Area both = flat::offset(flat::unite(std::array{rectangle(10, 4), moved(rectangle(far / 2, 8), far / 4, 0)}),
                                    1.5, flat::Corner::round, {.fn = 24});
