@@ -29,7 +29,8 @@ testing::Setup setup_of(const std::string& scene, const std::string& model) {
   return setup;
 }
 
-/// The definition, one pixel at a time.
+/// The colours of a picture after equalisation, by its definition, one pixel at a time. `nothing` is the background's
+/// depth.
 std::vector<std::uint32_t> equalised(const observe::Frame& before, const Lattice& lattice, unsigned colour_bits,
                                      std::uint32_t nothing) {
   std::vector<std::uint32_t> after = before.colour;

@@ -60,7 +60,8 @@ struct Pattern {
 };
 
 /// Intersection of the ray through a point of the picture with a plane.
-glm::dvec3 meeting(const view::EyeSpace& space, const facet::Plane& plane, const glm::dvec3& centre, glm::dvec2 at) {
+glm::dvec3 ray_intersection(const view::EyeSpace& space, const facet::Plane& plane, const glm::dvec3& centre,
+                            glm::dvec2 at) {
   const glm::dvec3 a = space.to_model(space.from_picture({at.x, at.y, 1}));
   const glm::dvec3 b = space.to_model(space.from_picture({at.x, at.y, 2}));
   const double from = glm::dot(plane.normal, a - centre) + plane.offset;
@@ -109,7 +110,8 @@ void compare(const std::string& model, const Pattern& pattern, const view::Camer
     if (takes_textures(compiled.tree.primitives[lit[i].primitive], plane.normal)) {
       const auto texel = [&](double aside, double below) {
         const glm::dvec2 at(static_cast<double>(i % width) + aside, static_cast<double>(i / width) + below);
-        const glm::dvec2 uv = on_facet(meeting(space, plane, compiled.scene.planes.centre(), at), plane.normal);
+        const glm::dvec2 uv =
+            on_facet(ray_intersection(space, plane, compiled.scene.planes.centre(), at), plane.normal);
         return pattern.at(uv.x, uv.y);
       };
       const glm::dvec3 here = texel(0, 0);

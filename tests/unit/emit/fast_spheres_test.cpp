@@ -99,7 +99,7 @@ struct Viewed {
   view::View view;
 };
 
-/// Whether all its spheres fit the integer coefficients; others must be faceted.
+/// Whether the coefficients of all its spheres fit the machine's integers; other spheres must be faceted.
 bool fits(const Model& model, const view::Sampling& sampling) {
   const Viewed viewed(model, sampling);
   return std::none_of(viewed.view.quadrics.begin(), viewed.view.quadrics.end(), [](const view::ScreenQuadric& quadric) {
