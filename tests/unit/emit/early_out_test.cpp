@@ -55,7 +55,7 @@ Ran run(const isa::Program& program) {
 
 }  // namespace
 
-TEST_CASE("early out only adds queries with every strategy and colouring") {
+TEST_CASE("early out adds nothing but queries to the instructions of a Program") {
   for (const emit::Strategy strategy :
        {emit::Strategy::stack, emit::Strategy::list, emit::Strategy::bits, emit::Strategy::products}) {
     for (const emit::Colouring colouring : {emit::Colouring::rebroadcast, emit::Colouring::field}) {

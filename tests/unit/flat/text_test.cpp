@@ -47,7 +47,7 @@ TEST_CASE("the direction of text follows its script or the option") {
   check_as_openscad(flat::text({.text = "aбγ — “x”"}), "text_mixed");
 }
 
-TEST_CASE("a missing font is replaced by fontconfig") {
+TEST_CASE("a missing font is replaced as in OpenSCAD") {
   check_as_openscad(flat::text({.text = "Arial?", .font = "Arial:style=Bold Italic"}), "text_substitute");
 }
 
