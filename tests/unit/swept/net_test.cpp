@@ -11,7 +11,7 @@ using namespace csgsim::swept_test;
 
 namespace {
 
-double to_triangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+double distance_to_triangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   // Distance to the nearest point of a lattice on it: coarse, but independent of the judged code.
   constexpr int steps = 12;
   double nearest = glm::distance(p, a);
@@ -81,7 +81,8 @@ TEST_CASE("points of a net's surface are within the tolerance of their element")
                                             (leaf.square.y + v * size) / swept::whole_side);
           const auto& c = leaf.corners;
           const double coarse = std::max(glm::distance(c[0], c[3]), glm::distance(c[1], c[2])) / 12;
-          const double off = std::min(to_triangle(point, c[0], c[1], c[2]), to_triangle(point, c[3], c[1], c[2]));
+          const double off =
+              std::min(distance_to_triangle(point, c[0], c[1], c[2]), distance_to_triangle(point, c[3], c[1], c[2]));
           RC_ASSERT(off < 1.5 * tolerance + coarse);
         }
       }
