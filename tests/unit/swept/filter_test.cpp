@@ -82,7 +82,7 @@ bool is_inside_side(const Place& place, const Place& one, const Place& other) {
   return false;
 }
 
-double distance_to_segment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
+double segment_distance(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
   return glm::length(glm::cross(p - a, p - b)) / glm::distance(a, b);
 }
 
@@ -97,8 +97,8 @@ int count_cracks(const std::vector<Element>& leaves) {
       for (std::size_t corner = 0; corner < 4; ++corner) {
         for (std::size_t side = 0; side < 4; ++side) {
           if (is_inside_side(others[corner], places[side], places[(side + 1) % 4]) &&
-              distance_to_segment(small.corners[around[corner]], large.corners[around[side]],
-                                  large.corners[around[(side + 1) % 4]]) > 1e-9)
+              segment_distance(small.corners[around[corner]], large.corners[around[side]],
+                               large.corners[around[(side + 1) % 4]]) > 1e-9)
             ++count;
         }
       }
@@ -395,7 +395,7 @@ TEST_CASE("no side between patches lacks a vertex after either repair") {
         const glm::dvec3& b = made.points[element[(i + 1) % element.size()]];
         const glm::dvec3& c = made.points[element[(i + 2) % element.size()]];
         const bool is_side = (is_at(a.x, b.x) && is_at(b.x, c.x)) || (is_at(a.y, b.y) && is_at(b.y, c.y));
-        RC_ASSERT(!is_side || distance_to_segment(b, a, c) < 1e-9);
+        RC_ASSERT(!is_side || segment_distance(b, a, c) < 1e-9);
       }
     }
     // Euler characteristic: faces, edges and vertices of a disc.
