@@ -178,7 +178,7 @@ class Peeling {
 };
 
 /// Rounds the opacity to a multiple of 1/256.
-unsigned rounded(double opacity) {
+unsigned rounded_opacity(double opacity) {
   const auto nearest = static_cast<unsigned>(view::to_fixed(opacity, weight_bits).value_or(0));
   return std::min(nearest, full_weight - 1);
 }
@@ -218,7 +218,7 @@ Panes find_panes(const emit::Drawing& drawing, unsigned max_layers) {
   Panes panes;
   std::vector<unsigned> of_primitives;
   for (const lighting::Finish& finish : drawing.look.finishes) {
-    of_primitives.push_back(finish.opacity < 1 ? rounded(finish.opacity) : 0);
+    of_primitives.push_back(finish.opacity < 1 ? rounded_opacity(finish.opacity) : 0);
     panes.drawn.push_back(of_primitives.back() > 0);
     if (panes.drawn.back()) panes.opacities.push_back(of_primitives.back());
   }

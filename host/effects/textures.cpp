@@ -233,7 +233,7 @@ class Textures final : public emit::EffectOf<Settings> {
              const view::PixelRect& pixels) const override {
     const emit::Context& context = call.context;
     const model::Primitive& primitive = context.tree.primitives[facet.primitive];
-    if (facet.at != emit::At::plane || !emit::is_flat(primitive, emit::outward(context, facet))) return false;
+    if (facet.at != emit::At::plane || !emit::is_flat(primitive, emit::outward_normal(context, facet))) return false;
     const Texture* const texture = find_texture(settings, primitive);
     if (texture == nullptr) return false;
     Shader(context, out, facet, *texture, pixels).emit(field);

@@ -104,7 +104,7 @@ std::size_t halfspaces_drawn(const Context& context) {
 
 /// Calls `function`. If the work limit is reached, the error names the primitive being drawn.
 template <class Function>
-auto placed(const model::Tree& tree, const Broadcast& out, const Function& function) {
+auto with_primitive_in_errors(const model::Tree& tree, const Broadcast& out, const Function& function) {
   try {
     return function();
   } catch (const WorkError& error) {
@@ -136,7 +136,7 @@ isa::Segment compile_segment(Context context, std::span<const Drawing* const> dr
   Broadcast out(segment, sampling, context.options.work);
   out.counted = context.counted;
   if (context.layout.squares.width > 0 && !is_empty) emit_squares(context, out);
-  const DrawnCounts kept = placed(context.tree, out, [&] { return emit_picture(context, out); });
+  const DrawnCounts kept = with_primitive_in_errors(context.tree, out, [&] { return emit_picture(context, out); });
   segment.facts->kept_primitives = kept.primitives;
   segment.facts->kept_halfspaces = kept.halfspaces;
   const bool draws = std::any_of(segment.instructions.begin(), segment.instructions.end(),
