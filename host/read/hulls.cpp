@@ -75,7 +75,7 @@ glm::dvec3 scale_to(const NewSize& to, const glm::dvec3& size) {
 }
 
 /// Whether the solid is not the result of a Boolean.
-bool is_one(const model::Tree& solid) {
+bool is_single_solid(const model::Tree& solid) {
   return std::ranges::all_of(solid.nodes, [](const model::Node& node) { return node.is_leaf || node.of_pieces; });
 }
 
@@ -95,7 +95,7 @@ Made resized(Operands operands, NewSize to) {
   facet::Box box;
   for (const model::Polyhedron& piece : pieces) box = facet::hull(box, facet::box_of(piece.points));
   // Negative new sizes are treated as 0 for a single solid, but mirror the result of a Boolean.
-  if (is_one(solid)) to.size = glm::max(to.size, glm::dvec3(0));
+  if (is_single_solid(solid)) to.size = glm::max(to.size, glm::dvec3(0));
   const glm::dvec3 scale = scale_to(to, box.high - box.low);
   for (model::Polyhedron& piece : pieces) piece = scaled(std::move(piece), scale);
   return {std::move(pieces), {}};
