@@ -25,8 +25,8 @@ class Reader {
     if (kind == Kind::number) {
       const std::optional<double> number = read::parse_number(text);
       if (!number)
-        source_.fail(item.offset,
-                     fmt::format("number out of range: {} exceeds the range of doubles", read::shown(text)));
+        source_.fail(item.offset, fmt::format("number out of range: {} exceeds the range of doubles; correct it",
+                                              read::shown(text)));
       item.number = *number;
     }
     line_.push_back(item);

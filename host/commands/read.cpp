@@ -119,7 +119,7 @@ class TreeMaker {
     if (made.pieces.empty())
       fail(solid.location, "sweep: the solid has no volume; move the points of its contour apart");
     for (const read::Remark& remark : made.remarks)
-      source_.report_at(sweep.offset, fmt::format("sweep: {}", remark.what));
+      source_.print_message(sweep.offset, fmt::format("sweep: {}", remark.what));
     pieces = std::move(made.pieces);
     return *pieces;
   }

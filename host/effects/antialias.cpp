@@ -263,8 +263,8 @@ class Refinement {
 class Antialias final : public emit::EffectOf<SampleSettings> {
  public:
   [[nodiscard]] std::vector<emit::FieldRequest> fields(const emit::Drawing& drawing,
-                                                       const emit::Workshop& workshop) const override {
-    const std::array<unsigned, 3> widths = isa::channel_widths(workshop.options.colour_bits);
+                                                       const emit::DrawingInputs& inputs) const override {
+    const std::array<unsigned, 3> widths = isa::channel_widths(inputs.options.colour_bits);
     const unsigned more = log2_samples(settings);
     std::vector<emit::FieldRequest> requests;
     const auto add = [&](std::string_view name, unsigned width, std::string_view what, std::string_view without) {
@@ -284,7 +284,7 @@ class Antialias final : public emit::EffectOf<SampleSettings> {
     return requests;
   }
 
-  bool around(const emit::EffectCall& call, emit::Broadcast& out, const emit::DrawPicture& draw) const override {
+  bool draw_around(const emit::EffectCall& call, emit::Broadcast& out, const emit::DrawPicture& draw) const override {
     if (is_adaptive(settings)) {
       Refinement(call, out, draw, settings).draw();
     } else {
@@ -294,13 +294,13 @@ class Antialias final : public emit::EffectOf<SampleSettings> {
   }
 
  private:
-  void prepare(State& state, const emit::Drawing& drawing, const emit::Workshop& workshop) const override {
+  void prepare(State& state, const emit::Drawing& drawing, const emit::DrawingInputs& inputs) const override {
     // Drawings of samples, and drawings inside a drawing, are not sampled again.
     if (drawing.nesting > 0 || is_shifted(drawing.view)) return;
     const auto count = static_cast<std::size_t>(settings.samples);
     for (const glm::dvec2& offset : sample_offsets(count)) {
       if (offset == glm::dvec2(0)) continue;
-      state.drawings.push_back(emit::make_sample(drawing, offset, workshop));
+      state.drawings.push_back(emit::make_sample(drawing, offset, inputs));
     }
   }
 };

@@ -9,24 +9,24 @@ namespace csgsim::effects {
 using isa::Field;
 using isa::Opcode;
 
-void add_times(emit::Broadcast& out, Field target, unsigned constant, Field source) {
-  for (unsigned i = 0; i < part_bits; ++i)
+void emit_multiply_add(emit::Broadcast& out, Field target, unsigned constant, Field source) {
+  for (unsigned i = 0; i < weight_bits; ++i)
     if (((constant >> i) & 1U) != 0) out.plain(Opcode::add, subfield(target, i, target.width - i), source);
 }
 
 void emit_blend(emit::Broadcast& out, Field colour, Field over, unsigned part, Field product) {
-  if (part == whole) {
+  if (part == full_weight) {
     out.plain(Opcode::copy, colour, over);
     return;
   }
   const std::array<Field, 3> channels = colour_channels(colour);
   const std::array<Field, 3> over_channels = colour_channels(over);
   for (std::size_t i = 0; i < channels.size(); ++i) {
-    const Field sum = subfield(product, 0, channels.at(i).width + part_bits);
-    out.plain(Opcode::set_constant, sum, {}, whole / 2);
-    add_times(out, sum, part, over_channels.at(i));
-    add_times(out, sum, whole - part, channels.at(i));
-    out.plain(Opcode::copy, channels.at(i), subfield(sum, part_bits, channels.at(i).width));
+    const Field sum = subfield(product, 0, channels.at(i).width + weight_bits);
+    out.plain(Opcode::set_constant, sum, {}, full_weight / 2);
+    emit_multiply_add(out, sum, part, over_channels.at(i));
+    emit_multiply_add(out, sum, full_weight - part, channels.at(i));
+    out.plain(Opcode::copy, channels.at(i), subfield(sum, weight_bits, channels.at(i).width));
   }
 }
 

@@ -8,14 +8,14 @@
 namespace csgsim::effects {
 
 /// Number of fraction bits of colour weights, which are in units of 1/256.
-inline constexpr unsigned part_bits = 8;
-inline constexpr unsigned whole = 1U << part_bits;
+inline constexpr unsigned weight_bits = 8;
+inline constexpr unsigned full_weight = 1U << weight_bits;
 
 using emit::colour_channels;
 using emit::subfield;
 
-/// target += constant * source, where E is 1. The constant must be below `whole`.
-void add_times(emit::Broadcast& out, isa::Field target, unsigned constant, isa::Field source);
+/// target += constant * source, where E is 1. The constant must be below `full_weight`.
+void emit_multiply_add(emit::Broadcast& out, isa::Field target, unsigned constant, isa::Field source);
 
 /// Where E is 1: colour := (part * over + (256 - part) * colour) / 256, rounded half up. `product` is 16 bits of
 /// scratch.

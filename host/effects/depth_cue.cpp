@@ -27,10 +27,10 @@ struct CueSettings {
 };
 
 void visit_keys(CueSettings& settings, auto&& visit) {
-  visit(scene::number_key("near", "model units", -scene::any_number, scene::any_number,
+  visit(scene::number_key("near", "model units", -scene::coordinate_limit, scene::coordinate_limit,
                           "distance from the eye at which colours start to fade; by default the nearest depth"),
         settings.near);
-  visit(scene::number_key("far", "model units", -scene::any_number, scene::any_number,
+  visit(scene::number_key("far", "model units", -scene::coordinate_limit, scene::coordinate_limit,
                           "distance at which colours have faded completely; by default the farthest depth"),
         settings.far);
   visit(scene::colour_key("colour", "colour to fade into; by default the background's"), settings.colour);
@@ -117,8 +117,8 @@ class Fader {
 class DepthCue final : public emit::EffectOf<CueSettings, Fading> {
  public:
   [[nodiscard]] std::vector<emit::FieldRequest> fields(const emit::Drawing& /*drawing*/,
-                                                       const emit::Workshop& workshop) const override {
-    const unsigned channel = isa::channel_widths(workshop.options.colour_bits)[1];
+                                                       const emit::DrawingInputs& inputs) const override {
+    const unsigned channel = isa::channel_widths(inputs.options.colour_bits)[1];
     return {{.name = "faded", .width = settings.bits + 1, .what = "faded part", .is_scratch = true},
             {.name = "sum", .width = channel + settings.bits, .what = "sum", .is_scratch = true}};
   }
@@ -132,7 +132,7 @@ class DepthCue final : public emit::EffectOf<CueSettings, Fading> {
   }
 
  private:
-  void prepare(State& state, const emit::Drawing& drawing, const emit::Workshop& /*workshop*/) const override {
+  void prepare(State& state, const emit::Drawing& drawing, const emit::DrawingInputs& /*inputs*/) const override {
     const isa::DepthScale& scale = drawing.view.depth;
     const double near = settings.near.value_or(scale.near);
     const double far = settings.far.value_or(scale.far);

@@ -107,8 +107,8 @@ void draw_numbers(const emit::Context& outer, emit::Broadcast& out, const Number
 class Edges final : public emit::EffectOf<EdgeSettings, Numbers> {
  public:
   [[nodiscard]] std::vector<emit::FieldRequest> fields(const emit::Drawing& drawing,
-                                                       const emit::Workshop& workshop) const override {
-    const unsigned bits = all_prepared(drawing, workshop).front()->bits();
+                                                       const emit::DrawingInputs& inputs) const override {
+    const unsigned bits = all_prepared(drawing, inputs).front()->bits();
     const auto request = [](std::string_view name, unsigned width, std::string_view what) {
       return emit::FieldRequest{std::string(name), isa::FieldRole::effect, width, what,
                                 "use --set effects.edges.on=false"};
@@ -142,7 +142,7 @@ class Edges final : public emit::EffectOf<EdgeSettings, Numbers> {
   }
 
  private:
-  void prepare(State& state, const emit::Drawing& drawing, const emit::Workshop& workshop) const override {
+  void prepare(State& state, const emit::Drawing& drawing, const emit::DrawingInputs& inputs) const override {
     // Lines are drawn in the finished picture only, not in drawings inside it.
     if (drawing.nesting > 0) return;
     number(state, *drawing.tree, *drawing.geometry, settings);
@@ -153,7 +153,7 @@ class Edges final : public emit::EffectOf<EdgeSettings, Numbers> {
       state.drawings.push_back(
           emit::make_drawing(drawing.tree, drawing.geometry,
                              view::make_view(*drawing.geometry, *drawing.tree, drawing.view.camera, sampling),
-                             drawing.nesting + 1, {workshop.machine, workshop.options, {}}, {}, drawing.plan.pairs));
+                             drawing.nesting + 1, {inputs.machine, inputs.options, {}}, {}, drawing.plan.pairs));
     }
   }
 };

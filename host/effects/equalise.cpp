@@ -186,7 +186,7 @@ class Equaliser {
 class Equalise final : public emit::EffectOf<Settings> {
  public:
   [[nodiscard]] std::vector<emit::FieldRequest> fields(const emit::Drawing& /*drawing*/,
-                                                       const emit::Workshop& /*workshop*/) const override {
+                                                       const emit::DrawingInputs& /*inputs*/) const override {
     const unsigned count = count_bits(settings);
     return {{.name = "rank", .width = max_level_bits + count, .what = "rank", .is_scratch = true},
             {.name = "seen", .width = 1, .what = "seen", .is_scratch = true},
@@ -198,8 +198,8 @@ class Equalise final : public emit::EffectOf<Settings> {
   }
 
  private:
-  void prepare(State& /*state*/, const emit::Drawing& /*drawing*/, const emit::Workshop& workshop) const override {
-    const machines::Machine& machine = workshop.machine;
+  void prepare(State& /*state*/, const emit::Drawing& /*drawing*/, const emit::DrawingInputs& inputs) const override {
+    const machines::Machine& machine = inputs.machine;
     if (!machines::has_global_or(machine) || machines::regions(machine).size() > 1) {
       throw InputError(fmt::format(
           "the effect equalise reads levels of pixels with a global OR over the whole picture, which {} does "

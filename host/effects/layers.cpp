@@ -111,10 +111,10 @@ class Peeling {
   void start_sums() {
     for_opacities([&](unsigned opacity) {
       for (std::size_t i = 0; i < glass_.size(); ++i) {
-        out_.plain(Opcode::set_constant, sum(i), {}, whole / 2);
-        add_times(out_, sum(i), opacity, glass_.at(i));
+        out_.plain(Opcode::set_constant, sum(i), {}, full_weight / 2);
+        emit_multiply_add(out_, sum(i), opacity, glass_.at(i));
       }
-      out_.plain(Opcode::set_constant, field("through"), {}, whole - opacity);
+      out_.plain(Opcode::set_constant, field("through"), {}, full_weight - opacity);
     });
   }
 
@@ -134,12 +134,12 @@ class Peeling {
 
   void add_layer() {
     const Field through = field("through");
-    const Field product = subfield(product_, 0, 2 * part_bits);
+    const Field product = subfield(product_, 0, 2 * weight_bits);
     for_opacities([&](unsigned opacity) {
-      out_.plain(Opcode::set_constant, product, {}, whole / 2);
-      add_times(out_, product, opacity, through);
+      out_.plain(Opcode::set_constant, product, {}, full_weight / 2);
+      emit_multiply_add(out_, product, opacity, through);
     });
-    const Field weight = subfield(product, part_bits, part_bits);
+    const Field weight = subfield(product, weight_bits, weight_bits);
     out_.plain(Opcode::enable_load, mask());
     // Uses a - b = not (not a + b).
     out_.plain(Opcode::bit_not, through, through);
@@ -153,12 +153,12 @@ class Peeling {
     add_weighted(field("through"), colour_);
     out_.plain(Opcode::enable_load, mask());
     for (std::size_t i = 0; i < colour_.size(); ++i)
-      out_.plain(Opcode::copy, colour_.at(i), subfield(sum(i), part_bits, colour_.at(i).width));
+      out_.plain(Opcode::copy, colour_.at(i), subfield(sum(i), weight_bits, colour_.at(i).width));
   }
 
   /// sums += weight * colour, where the mask is 1.
   void add_weighted(Field weight, const std::array<Field, 3>& channels) {
-    for (unsigned i = 0; i < part_bits; ++i) {
+    for (unsigned i = 0; i < weight_bits; ++i) {
       out_.plain(Opcode::enable_load, mask());
       out_.plain(Opcode::enable_and, subfield(weight, i, 1));
       for (std::size_t c = 0; c < channels.size(); ++c)
@@ -178,9 +178,9 @@ class Peeling {
 };
 
 /// Rounds the opacity to a multiple of 1/256.
-unsigned rounded(double opacity) {
-  const auto nearest = static_cast<unsigned>(view::to_fixed(opacity, part_bits).value_or(0));
-  return std::min(nearest, whole - 1);
+unsigned rounded_opacity(double opacity) {
+  const auto nearest = static_cast<unsigned>(view::to_fixed(opacity, weight_bits).value_or(0));
+  return std::min(nearest, full_weight - 1);
 }
 
 unsigned count_layers(const emit::SegmentPlan& segment, const std::vector<bool>& drawn) {
@@ -218,7 +218,7 @@ Panes find_panes(const emit::Drawing& drawing, unsigned max_layers) {
   Panes panes;
   std::vector<unsigned> of_primitives;
   for (const lighting::Finish& finish : drawing.look.finishes) {
-    of_primitives.push_back(finish.opacity < 1 ? rounded(finish.opacity) : 0);
+    of_primitives.push_back(finish.opacity < 1 ? rounded_opacity(finish.opacity) : 0);
     panes.drawn.push_back(of_primitives.back() > 0);
     if (panes.drawn.back()) panes.opacities.push_back(of_primitives.back());
   }
@@ -252,15 +252,15 @@ std::vector<FieldRequest> layer_fields(unsigned z_bits, unsigned colour_bits, st
       {std::string(nearest_depth), FieldRole::effect, z_bits, "depth", without},
       {std::string(nearest_colour), FieldRole::effect, colour_bits, "colour", without},
       {"opacity", FieldRole::effect, static_cast<unsigned>(std::bit_width(opacities - 1)), "opacity", without},
-      {"product", FieldRole::scratch, 2 * part_bits, "product", without, true}};
+      {"product", FieldRole::scratch, 2 * weight_bits, "product", without, true}};
   if (has_owners)
     all.push_back({"owner", FieldRole::effect, static_cast<unsigned>(std::bit_width(surfaces)), "owner", without});
   if (layers == 1) return all;
   all.push_back({"next", FieldRole::effect, z_bits, "depth", without});
-  all.push_back({"through", FieldRole::effect, part_bits, "light let through", without});
+  all.push_back({"through", FieldRole::effect, weight_bits, "light let through", without});
   for (std::size_t i = 0; i < widths.size(); ++i) {
     all.push_back(
-        {std::string(sum_names.at(i)), FieldRole::effect, widths.at(i) + part_bits, "sum of layers", without});
+        {std::string(sum_names.at(i)), FieldRole::effect, widths.at(i) + weight_bits, "sum of layers", without});
   }
   return all;
 }

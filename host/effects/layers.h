@@ -41,11 +41,12 @@ std::vector<emit::FieldRequest> layer_fields(unsigned z_bits, unsigned colour_bi
 /// rounded colours by at most n levels, and by another half level if an opacity is above 511/512.
 void emit_layers(const emit::Context& context, emit::Broadcast& out, const Panes& panes);
 
-/// Called before the depth test of a pane, when E is 1 at the pixels of its surface.
+/// Clears E where the surface of a pane is inside another piece of the same solid or leaves the solid into it
+/// (emit_outside()). Called before the depth test, when E is 1 at the pixels of the surface.
 void emit_joints(const emit::Context& context, emit::Broadcast& out, const Panes& panes,
                  const emit::PlannedSurface& planned);
 
-/// Called after the merge of a pane.
+/// Writes the index of the primitive's opacity where E is 1, if opacities differ. Called after the merge of a pane.
 void emit_opacity(const emit::Context& context, emit::Broadcast& out, const Panes& panes, std::uint32_t primitive);
 
 }  // namespace csgsim::effects

@@ -21,7 +21,7 @@ std::string heading(const scene::Section& section) {
   return section.is_list ? fmt::format("[[{}]]", section.name) : fmt::format("[{}]", section.name);
 }
 
-void put(std::string& page, const scene::Section& section, std::string_view technique) {
+void append_section(std::string& page, const scene::Section& section, std::string_view technique) {
   page += fmt::format("\n## `{}`\n\n{}\n", heading(section), section.meaning);
   if (!technique.empty()) page += fmt::format("\nTechnique: {}.\n", technique);
   const std::string table = scene::keys_table(section);
@@ -32,11 +32,11 @@ void put(std::string& page, const scene::Section& section, std::string_view tech
 
 std::string scene_page() {
   std::string page(introduction);
-  for (const scene::Section& section : scene::common_sections()) put(page, section, "");
+  for (const scene::Section& section : scene::common_sections()) append_section(page, section, "");
   page +=
       "\n# Effects\n\nThe section of an effect turns it on; `on = false` in a section turns it off, even "
       "where the model\ncalls for it. Costs: [Effects](effects.md).\n";
-  for (const emit::EffectRow* const row : all()) put(page, row->section, row->technique);
+  for (const emit::EffectRow* const row : all()) append_section(page, row->section, row->technique);
   return page;
 }
 

@@ -69,7 +69,7 @@ bool is_flat(const emit::Drawing& drawing, const Face& face) {
 /// Reflectance in 1/256.
 unsigned scaled_reflectance(const lighting::Finish& finish) {
   if (finish.opacity < 1) return 0;
-  return static_cast<unsigned>(view::to_fixed(finish.material.mirror, part_bits).value_or(0));
+  return static_cast<unsigned>(view::to_fixed(finish.material.mirror, weight_bits).value_or(0));
 }
 
 /// Whether the face is turned to the eye and not seen edge-on.
@@ -127,7 +127,7 @@ std::vector<Mirror> find_mirrors(const emit::Drawing& drawing) {
 }
 
 /// Makes the drawing of the mirror's reflection. Returns false if the mirror is seen nearly edge-on and shows nothing.
-bool draw_reflection(Mirror& mirror, const emit::Drawing& drawing, const emit::Workshop& workshop) {
+bool draw_reflection(Mirror& mirror, const emit::Drawing& drawing, const emit::DrawingInputs& inputs) {
   const std::uint32_t plane = mirror.faces.front().halfspace.plane;
   const Reflected reflected_model = reflected(*drawing.tree, *drawing.geometry, plane);
   const std::uint32_t image = reflected_model.of_planes[plane].plane;
@@ -138,7 +138,7 @@ bool draw_reflection(Mirror& mirror, const emit::Drawing& drawing, const emit::W
   const unsigned count = drawing.reflection ? drawing.reflection->count + 1 : 1;
   mirror.plane = seen.linear;
   mirror.drawing = emit::make_drawing(
-      reflected_model.tree, reflected_model.geometry, std::move(view), drawing.nesting + 1, workshop,
+      reflected_model.tree, reflected_model.geometry, std::move(view), drawing.nesting + 1, inputs,
       emit::Reflection{count, image, face_pixels(drawing, mirror.faces),
                        reflected(drawing.look.lighting, *drawing.geometry, plane, drawing.view.camera)});
   return true;
@@ -205,7 +205,7 @@ class MirrorEmitter {
            });
   }
 
-  /// If facets of several solids of the surface coincide, the facet that owns the plane.
+  /// The first facet of the surface in the same plane, which owns the pixels where facets of several solids coincide.
   static const emit::Facet& first_in_plane(const emit::Surface& surface, const emit::Facet& facet) {
     return *std::find_if(surface.facets.begin(), surface.facets.end(), [&](const emit::Facet& one) {
       return one.at == emit::At::plane && one.halfspace.plane == facet.halfspace.plane;
@@ -248,23 +248,23 @@ class Mirrors final : public emit::EffectOf<Settings, PreparedMirrors> {
   }
 
   [[nodiscard]] std::vector<emit::FieldRequest> fields(const emit::Drawing& drawing,
-                                                       const emit::Workshop& workshop) const override {
+                                                       const emit::DrawingInputs& inputs) const override {
     using isa::FieldRole;
     unsigned levels = 0;
     std::uint32_t surfaces = 1;
-    for (const State* const one : all_prepared(drawing, workshop)) {
+    for (const State* const one : all_prepared(drawing, inputs)) {
       levels = std::max(levels, one->level);
       surfaces = std::max(surfaces, one->surfaces);
     }
     std::vector<FieldRequest> all;
     for (unsigned level = 1; level <= levels; ++level) {
       all.push_back({numbered("depth", level), FieldRole::effect, drawing.view.sampling.z_bits, "depth", without});
-      all.push_back({numbered("colour", level), FieldRole::effect, workshop.options.colour_bits, "colour", without});
+      all.push_back({numbered("colour", level), FieldRole::effect, inputs.options.colour_bits, "colour", without});
       all.push_back({numbered("owner", level), FieldRole::effect, static_cast<unsigned>(std::bit_width(surfaces)),
                      "owner", without});
       all.push_back({numbered("flag", level), FieldRole::effect, 1, "mirror", without});
     }
-    if (levels > 0) all.push_back({"product", FieldRole::scratch, 2 * part_bits, "product", without, true});
+    if (levels > 0) all.push_back({"product", FieldRole::scratch, 2 * weight_bits, "product", without, true});
     return all;
   }
 
@@ -274,14 +274,14 @@ class Mirrors final : public emit::EffectOf<Settings, PreparedMirrors> {
   }
 
  private:
-  void prepare(State& state, const emit::Drawing& drawing, const emit::Workshop& workshop) const override {
+  void prepare(State& state, const emit::Drawing& drawing, const emit::DrawingInputs& inputs) const override {
     state.level = drawing.reflection ? drawing.reflection->count : 0;
     for (const emit::SegmentPlan& segment : drawing.plan.segments)
       for (const emit::PlannedSurface& one : segment.surfaces) state.surfaces = std::max(state.surfaces, one.number);
     const unsigned depth = settings.depth;
     std::size_t all = 0;
     for (Mirror& mirror : state.level < depth ? find_mirrors(drawing) : std::vector<Mirror>()) {
-      if (!draw_reflection(mirror, drawing, workshop)) continue;
+      if (!draw_reflection(mirror, drawing, inputs)) continue;
       all += emit::with_inner_drawings(*mirror.drawing).size();
       if (all > max_mirrors) {
         throw InputError(fmt::format(

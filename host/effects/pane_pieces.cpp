@@ -39,12 +39,12 @@ void emit_within(const emit::Context& context, emit::Broadcast& out, std::uint32
   emit_edges(context, out, piece, block);
   // A piece that begins in front of the near plane is entered at depth 0.
   if (block.z_low <= 0) out.surface(Opcode::linear_lt, context.layout.candidate, {0, 0, 0}, block.pixels);
-  // deciding() drops half-spaces that contain the whole block. The block starts one step earlier here because the front
-  // test is strict.
+  // deciding_facets() drops half-spaces that contain the whole block. The block starts one step earlier here because
+  // the front test is strict.
   const csg::Block before{block.pixels, block.z_low - 1, block.z_high};
   for (const view::Side side : {view::Side::front, view::Side::back}) {
     const Opcode compare = side == view::Side::front ? Opcode::linear_lt : Opcode::linear_ge;
-    for (const emit::Facet& facet : emit::deciding(context, {&piece, 1}, side, before).facets)
+    for (const emit::Facet& facet : emit::deciding_facets(context, {&piece, 1}, side, before).facets)
       out.surface(compare, context.layout.candidate, context.linear_plane(facet.halfspace), block.pixels);
   }
 }

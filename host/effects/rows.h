@@ -13,7 +13,7 @@
 /// Each effect is a file that defines its row.
 namespace csgsim::effects {
 
-/// The rows in the order of execution; flat shading is first.
+/// The rows of all effects in the order of execution; flat shading is first.
 std::span<const emit::EffectRow* const> all();
 
 /// The effects' sections of a scene file.

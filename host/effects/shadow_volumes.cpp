@@ -64,8 +64,8 @@ class Volume {
   bool is_empty_ = false;
 };
 
-std::optional<SeenVolume> seen(const emit::Drawing& drawing, const convex::ShadowVolume& volume,
-                               std::uint32_t primitive) {
+std::optional<SeenVolume> seen_volume(const emit::Drawing& drawing, const convex::ShadowVolume& volume,
+                                      std::uint32_t primitive) {
   const view::View& view = drawing.view;
   Volume result(drawing, primitive);
   for (const facet::Plane& plane : volume.silhouette)
@@ -105,7 +105,7 @@ std::vector<ShadowLight> volumes_in_view(const emit::Drawing& drawing, const std
   for (const CastLight& light : lights) {
     ShadowLight one{light.light, {}};
     for (const CastVolume& cast_lights : light.volumes) {
-      if (auto found = seen(drawing, cast_lights.volume, cast_lights.primitive))
+      if (auto found = seen_volume(drawing, cast_lights.volume, cast_lights.primitive))
         one.volumes.push_back(*std::move(found));
     }
     result.push_back(std::move(one));

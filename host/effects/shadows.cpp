@@ -70,7 +70,7 @@ class CastShadows final : public emit::EffectOf<Settings, Prepared> {
  public:
   /// Fields: one flag per light, a spare bit, and as many marks as fit into Z1.
   [[nodiscard]] std::vector<emit::FieldRequest> fields(const emit::Drawing& drawing,
-                                                       const emit::Workshop& /*workshop*/) const override {
+                                                       const emit::DrawingInputs& /*inputs*/) const override {
     const std::size_t lights = casting_lights(settings, drawing.look.lighting).size();
     const auto request = [](const std::string& name, std::size_t width) {
       return emit::FieldRequest{name, isa::FieldRole::scratch, static_cast<unsigned>(width), "shadow", {}, true};
@@ -103,13 +103,13 @@ class CastShadows final : public emit::EffectOf<Settings, Prepared> {
   }
 
  private:
-  void prepare(State& state, const emit::Drawing& drawing, const emit::Workshop& workshop) const override {
-    const State* const other = drawing.sampled_from != nullptr ? prepared_in(*drawing.sampled_from, workshop) : nullptr;
+  void prepare(State& state, const emit::Drawing& drawing, const emit::DrawingInputs& inputs) const override {
+    const State* const other = drawing.sampled_from != nullptr ? prepared_in(*drawing.sampled_from, inputs) : nullptr;
     state.cast_lights =
         other != nullptr
             ? other->cast_lights
             : std::make_shared<const std::vector<CastLight>>(cast_volumes(
-                  casting_lights(settings, drawing.look.lighting), drawing, settings.casters, workshop.options.work));
+                  casting_lights(settings, drawing.look.lighting), drawing, settings.casters, inputs.options.work));
     state.lights = volumes_in_view(drawing, *state.cast_lights);
   }
 };

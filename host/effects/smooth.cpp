@@ -47,10 +47,10 @@ glm::dvec3 top_levels(unsigned colour_bits) {
 std::vector<Sample> take_samples(const emit::Context& context, const emit::Facet& facet) {
   std::vector<Sample> samples;
   const model::Primitive& primitive = context.tree.primitives[facet.primitive];
-  if (facet.at != emit::At::plane || emit::is_flat(primitive, emit::outward(context, facet))) return samples;
+  if (facet.at != emit::At::plane || emit::is_flat(primitive, emit::outward_normal(context, facet))) return samples;
   const glm::dmat4 to_own = glm::inverse(primitive.transform);
   const double sign = context.complemented(facet.primitive) ? -1.0 : 1.0;
-  const glm::dvec3 facet_normal = sign * emit::own_normal(context, facet);
+  const glm::dvec3 facet_normal = sign * emit::local_normal(context, facet);
   const view::EyeSpace space = view::eye_space(context.view.camera, context.view.sampling);
   const lighting::Finish& finish = context.look.finishes[facet.primitive];
   const glm::dvec3 top = top_levels(context.options.colour_bits);

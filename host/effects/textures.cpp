@@ -58,11 +58,12 @@ void visit_keys(Texture& texture, auto&& visit) {
   visit(scene::colour_key("second", "colour of the other texels"), texture.second);
   visit(scene::colour_table_key("texels", "colours of a table: rows along v of colours along u; 1, 2, 4 or 8 of each"),
         texture.texels);
-  visit(scene::number_key("size", "model units", min_size, scene::any_number, "side of a texel"), texture.size);
-  visit(scene::number_key("u0", "model units", -scene::any_number, scene::any_number,
+  visit(scene::number_key("size", "model units", min_size, scene::coordinate_limit, "side of a texel"), texture.size);
+  visit(scene::number_key("u0", "model units", -scene::coordinate_limit, scene::coordinate_limit,
                           "start of the texture along u; u and v are the model axes most nearly parallel to the facet"),
         texture.u0);
-  visit(scene::number_key("v0", "model units", -scene::any_number, scene::any_number, "start of the texture along v"),
+  visit(scene::number_key("v0", "model units", -scene::coordinate_limit, scene::coordinate_limit,
+                          "start of the texture along v"),
         texture.v0);
 }
 
@@ -221,7 +222,7 @@ class Shader {
 class Textures final : public emit::EffectOf<Settings> {
  public:
   [[nodiscard]] std::vector<emit::FieldRequest> fields(const emit::Drawing& /*drawing*/,
-                                                       const emit::Workshop& /*workshop*/) const override {
+                                                       const emit::DrawingInputs& /*inputs*/) const override {
     unsigned bits = 0;
     for (const Texture& one : settings) bits = std::max(bits, one.bits());
     return {{"facet", isa::FieldRole::effect, 1, "pixels of a textured facet"},
@@ -232,7 +233,7 @@ class Textures final : public emit::EffectOf<Settings> {
              const view::PixelRect& pixels) const override {
     const emit::Context& context = call.context;
     const model::Primitive& primitive = context.tree.primitives[facet.primitive];
-    if (facet.at != emit::At::plane || !emit::is_flat(primitive, emit::outward(context, facet))) return false;
+    if (facet.at != emit::At::plane || !emit::is_flat(primitive, emit::outward_normal(context, facet))) return false;
     const Texture* const texture = find_texture(settings, primitive);
     if (texture == nullptr) return false;
     Shader(context, out, facet, *texture, pixels).emit(field);
@@ -240,7 +241,7 @@ class Textures final : public emit::EffectOf<Settings> {
   }
 
  private:
-  void prepare(State& /*state*/, const emit::Drawing& drawing, const emit::Workshop& /*workshop*/) const override {
+  void prepare(State& /*state*/, const emit::Drawing& drawing, const emit::DrawingInputs& /*inputs*/) const override {
     const std::vector<model::Primitive>& primitives = drawing.tree->primitives;
     for (std::uint32_t i = 0; i < primitives.size(); ++i) {
       const Texture* const texture = find_texture(settings, primitives[i]);

@@ -49,12 +49,12 @@ class Transparency final : public emit::EffectOf<Settings, Prepared> {
   }
 
   [[nodiscard]] std::vector<emit::FieldRequest> fields(const emit::Drawing& drawing,
-                                                       const emit::Workshop& workshop) const override {
+                                                       const emit::DrawingInputs& inputs) const override {
     if (!is_layered()) return {};
     std::vector<const Panes*> panes;
-    for (const State* const one : all_prepared(drawing, workshop)) panes.push_back(&one->panes);
-    return layer_fields(drawing.view.sampling.z_bits, workshop.options.colour_bits, panes,
-                        emit::any_needs_owners(workshop.called));
+    for (const State* const one : all_prepared(drawing, inputs)) panes.push_back(&one->panes);
+    return layer_fields(drawing.view.sampling.z_bits, inputs.options.colour_bits, panes,
+                        emit::any_needs_owners(inputs.called));
   }
 
   void admit(const emit::EffectCall& call, emit::Broadcast& out, const emit::PlannedSurface& planned) const override {
@@ -72,7 +72,7 @@ class Transparency final : public emit::EffectOf<Settings, Prepared> {
   }
 
  private:
-  void prepare(State& state, const emit::Drawing& drawing, const emit::Workshop& /*workshop*/) const override {
+  void prepare(State& state, const emit::Drawing& drawing, const emit::DrawingInputs& /*inputs*/) const override {
     if (is_layered()) state.panes = find_panes(drawing, settings.layers.value_or(max_layers));
     for (const lighting::Finish& finish : drawing.look.finishes) {
       const auto pixels = static_cast<unsigned>(view::to_fixed(finish.opacity, 4).value_or(max_pattern_pixels));

@@ -8,22 +8,22 @@
 
 namespace csgsim::emit {
 
-void emit_comparison(const Context& context, Broadcast& out, std::uint32_t primitive, const PlannedSurface& of) {
-  out.origin = {isa::Purpose::classify, of.primitive(), primitive};
-  const view::PixelRect shared = common(of.block.pixels, context.view.extents[primitive].pixels);
+void emit_comparison(const Context& context, Broadcast& out, std::uint32_t primitive, const PlannedSurface& surface) {
+  out.origin = {isa::Purpose::classify, surface.primitive(), primitive};
+  const view::PixelRect shared = common(surface.block.pixels, context.view.extents[primitive].pixels);
   if (shared.empty()) {
     out.disable_all();
     return;
   }
   if (context.stored != nullptr) {
     if (const std::optional<StoredFields> fields = context.stored->of(primitive))
-      return emit_stored_comparison(context, out, primitive, *fields, of);
+      return emit_stored_comparison(context, out, primitive, *fields, surface);
   }
-  out.clip(shared, of.block.pixels);
-  const csg::Block part{shared, of.block.z_low, of.block.z_high};
+  out.clip(shared, surface.block.pixels);
+  const csg::Block part{shared, surface.block.z_low, surface.block.z_high};
   emit_edges(context, out, primitive, part);
   for (const view::Side side : {view::Side::front, view::Side::back}) {
-    for (const Facet& facet : deciding(context, {&primitive, 1}, side, part).facets) {
+    for (const Facet& facet : deciding_facets(context, {&primitive, 1}, side, part).facets) {
       out.surface(side == view::Side::front ? isa::Opcode::linear_le : isa::Opcode::linear_gt, context.layout.candidate,
                   context.linear_plane(facet.halfspace), shared);
     }
@@ -32,16 +32,16 @@ void emit_comparison(const Context& context, Broadcast& out, std::uint32_t primi
 }
 
 std::uint32_t emit_comparison(const Context& context, Broadcast& out, const csg::ActiveNode& leaf,
-                              const PlannedSurface& of) {
-  emit_comparison(context, out, leaf.primitive, of);
-  for (const std::uint32_t other : leaf.others) emit_comparison(context, out, other, of);
+                              const PlannedSurface& surface) {
+  emit_comparison(context, out, leaf.primitive, surface);
+  for (const std::uint32_t other : leaf.others) emit_comparison(context, out, other, surface);
   return leaf.primitives();
 }
 
 std::uint32_t emit_intersection(const Context& context, Broadcast& out, const csg::ActiveNode& leaf,
-                                const PlannedSurface& of, isa::Field bit) {
+                                const PlannedSurface& surface, isa::Field bit) {
   emit_stack(out, isa::Opcode::enable_load, bit);
-  const std::uint32_t compared = emit_comparison(context, out, leaf, of);
+  const std::uint32_t compared = emit_comparison(context, out, leaf, surface);
   if (leaf.complemented) {
     emit_stack(out, isa::Opcode::set_constant, bit, 0);
   } else {

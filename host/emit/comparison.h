@@ -6,18 +6,18 @@
 
 namespace csgsim::emit {
 
-/// E := E and "Z1 is in the primitive", tested with all half-spaces that matter where the surface can be. `of` is the
-/// surface in Z1. The caller sets the origin of the instructions that follow.
-void emit_comparison(const Context& context, Broadcast& out, std::uint32_t primitive, const PlannedSurface& of);
+/// E := E and "Z1 is in the primitive", tested with all half-spaces that matter where the surface can be. `surface`
+/// is the surface in Z1. The caller sets the origin of the instructions that follow.
+void emit_comparison(const Context& context, Broadcast& out, std::uint32_t primitive, const PlannedSurface& surface);
 
 /// E := E and "Z1 is in all primitives of the leaf", even if the leaf is complemented. Returns the number of
 /// primitives.
 std::uint32_t emit_comparison(const Context& context, Broadcast& out, const csg::ActiveNode& leaf,
-                              const PlannedSurface& of);
+                              const PlannedSurface& surface);
 
-/// bit := bit and the leaf. Returns the number of primitives compared.
+/// bit := bit and "Z1 is in the leaf". Returns the number of primitives compared with Z1.
 std::uint32_t emit_intersection(const Context& context, Broadcast& out, const csg::ActiveNode& leaf,
-                                const PlannedSurface& of, isa::Field bit);
+                                const PlannedSurface& surface, isa::Field bit);
 
 /// Appends an instruction that combines results of the classification of a primitive's surface.
 void emit_stack(Broadcast& out, isa::Opcode opcode, isa::Field field, std::uint64_t constant = 0);

@@ -104,7 +104,7 @@ std::size_t halfspaces_drawn(const Context& context) {
 
 /// Calls `function`. If the work limit is reached, the error names the primitive being drawn.
 template <class Function>
-auto placed(const model::Tree& tree, const Broadcast& out, const Function& function) {
+auto with_primitive_in_errors(const model::Tree& tree, const Broadcast& out, const Function& function) {
   try {
     return function();
   } catch (const WorkError& error) {
@@ -136,7 +136,7 @@ isa::Segment compile_segment(Context context, std::span<const Drawing* const> dr
   Broadcast out(segment, sampling, context.options.work);
   out.counted = context.counted;
   if (context.layout.squares.width > 0 && !is_empty) emit_squares(context, out);
-  const DrawnCounts kept = placed(context.tree, out, [&] { return emit_picture(context, out); });
+  const DrawnCounts kept = with_primitive_in_errors(context.tree, out, [&] { return emit_picture(context, out); });
   segment.facts->kept_primitives = kept.primitives;
   segment.facts->kept_halfspaces = kept.halfspaces;
   const bool draws = std::any_of(segment.instructions.begin(), segment.instructions.end(),
@@ -246,7 +246,7 @@ isa::Program compile_as(const Input& input, const Options& options) {
   const std::uint32_t memory_bits = input.machine.array.memory_bits;
   const bool has_owners = any_needs_owners(input.called);
   const bool second_colour = options.colouring == Colouring::field && !has_owners;
-  const Workshop workshop{input.machine, options, input.called};
+  const DrawingInputs inputs{input.machine, options, input.called};
   QuadricBits quadrics = max_quadric_bits(drawings, options.colour_bits);
   const bool is_plain = !second_colour && input.called.size() == 1;
   quadrics.in_place = is_plain && quadrics.squares > 0 &&
@@ -256,7 +256,7 @@ isa::Program compile_as(const Input& input, const Options& options) {
       is_plain && quadrics.root > 0 && takes_roots_in_candidate(input.geometry, drawing.view, drawing.plan);
   const Layout layout = plan_layout({sampling.z_bits, options.colour_bits, second_colour, classification,
                                      machines::second_buffer(options.colour_bits, input.machine),
-                                     has_owners ? owner_bits(drawings) : 0, effect_fields(drawing, workshop), quadrics},
+                                     has_owners ? owner_bits(drawings) : 0, effect_fields(drawing, inputs), quadrics},
                                     memory_bits);
   isa::Program program;
   program.machine = machines::record_of(input.machine);

@@ -84,7 +84,7 @@ std::vector<division::Primitive> list_primitives(const Context& context, SentPla
       one.box = pixel_box(context.view.extents[primitive], context.farthest());
       one.complemented = context.complemented(primitive);
       one.joined = primitive != set.front();
-      if (!one.complemented) one.near_colour = facet_colour(context, at_near(context, primitive));
+      if (!one.complemented) one.near_colour = facet_colour(context, near_facet(context, primitive));
       one.halfspaces = list_halfspaces(context, primitive, planes);
     }
   }

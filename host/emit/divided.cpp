@@ -49,7 +49,7 @@ std::map<std::uint32_t, std::uint64_t> count_instructions(const isa::Segment& se
   return counts;
 }
 
-void put(const SquareCounts& square, isa::Segment& segment) {
+void store_counts(const SquareCounts& square, isa::Segment& segment) {
   std::map<std::uint32_t, std::uint64_t> instructions = count_instructions(segment);
   for (const SurfaceCounts& surface : square) {
     isa::DivisionStep step = surface.counts;
@@ -65,7 +65,7 @@ std::vector<isa::Region> list_regions(std::span<const isa::Segment> segments) {
 }
 
 /// Whether the group contains the region.
-bool holds(const isa::Region& group, const isa::Region& region) {
+bool contains(const isa::Region& group, const isa::Region& region) {
   return region.x >= group.x && region.x - group.x < group.width && region.y >= group.y &&
          region.y - group.y < group.height;
 }
@@ -109,7 +109,7 @@ void add_division(isa::Program& program, const machines::Division& division, con
   for (isa::Segment& segment : segments) *segment.preparation = {};
   if (division.group_side == 0 && division.groups.empty()) {
     const auto counts = count_division(tree, geometry, view, options, list_regions(segments));
-    for (std::size_t i = 0; i < segments.size(); ++i) put(counts[i], segments[i]);
+    for (std::size_t i = 0; i < segments.size(); ++i) store_counts(counts[i], segments[i]);
     return;
   }
   const auto group_at = [&](std::size_t index) {
@@ -120,7 +120,7 @@ void add_division(isa::Program& program, const machines::Division& division, con
   std::size_t turn = 0;
   for (std::size_t first = 0, next = 0; first < segments.size(); first = next) {
     const isa::Region group = division.groups.empty() ? group_at(first) : division.groups.at(turn++);
-    const auto outside = [&](const isa::Segment& segment) { return !holds(group, segment.region); };
+    const auto outside = [&](const isa::Segment& segment) { return !contains(group, segment.region); };
     const auto end = std::find_if(segments.begin() + static_cast<std::ptrdiff_t>(first), segments.end(), outside);
     next = static_cast<std::size_t>(end - segments.begin());
     const std::span<isa::Segment> squares = segments.subspan(first, next - first);
@@ -128,7 +128,7 @@ void add_division(isa::Program& program, const machines::Division& division, con
     const GroupCounts counts = count_group(tree, geometry, view, options, group, regions);
     const bool fits = counts.entries <= division.list_entries;
     const auto square_counts = fits ? counts.squares : count_division(tree, geometry, view, options, regions);
-    for (std::size_t i = 0; i < squares.size(); ++i) put(square_counts[i], squares[i]);
+    for (std::size_t i = 0; i < squares.size(); ++i) store_counts(square_counts[i], squares[i]);
     isa::DivisionCounts& group_counts = *squares.front().division;
     group_counts.group_boxes = counts.group.boxes;
     group_counts.group_lists = counts.group.lists;

@@ -77,9 +77,10 @@ class Counter {
           listed.halfspaces[i].push_back(halfspace);
       }
       for (const view::Side side : {view::Side::front, view::Side::back}) {
-        for (const Facet& facet : deciding(context, {&i, 1}, side, column).facets)
+        for (const Facet& facet : deciding_facets(context, {&i, 1}, side, column).facets)
           listed.halfspaces[i].push_back(facet.halfspace);
-        if (!nothing) counts.cells += cells(context, undecided(context, {&i, 1}, side, column).facets, pixels, false);
+        if (!nothing)
+          counts.cells += cells(context, cutting_facets(context, {&i, 1}, side, column).facets, pixels, false);
       }
       listed.primitives[i] = !nothing;
       if (nothing) listed.halfspaces[i].clear();
@@ -239,7 +240,7 @@ class Counter {
   /// Cell tests for the half-spaces of a side that are listed and do not contain the whole block.
   [[nodiscard]] std::uint64_t cells(const Context& context, std::span<const std::uint32_t> set, view::Side side,
                                     const csg::Block& block, const Listed& listed) const {
-    Deciding left = undecided(context, set, side, block);
+    DecidingFacets left = cutting_facets(context, set, side, block);
     if (left.nothing) return 0;
     std::erase_if(left.facets, [&](const Facet& facet) { return !listed.has(facet); });
     return cells(context, left.facets, block.pixels, true);

@@ -18,8 +18,9 @@ namespace csgsim::emit {
 
 // The host computes these counts with its own data structures and the rules of docs/machines/pixel-square.md.
 
-/// The divider's work for a surface, whether it is drawn or not, including the boxes since the surface before. The
-/// compiled Program holds its number of instructions. The last entry of a square has the remaining boxes.
+/// The divider's work for a surface, whether it is drawn or not, including the bounding boxes compared since the
+/// previous surface. The number of its instructions is in the compiled Program. The last entry of a square counts the
+/// boxes compared after the last surface.
 struct SurfaceCounts {
   std::uint32_t primitive = model::no_index;  ///< first primitive of the surface; no_index in the last entry
   division::Counts counts;

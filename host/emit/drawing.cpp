@@ -72,8 +72,8 @@ bool is_drawn(const Context& context, const PlannedSurface& planned) {
 namespace {
 
 /// Plans a drawing whose other members are set, and lets each called effect prepare it.
-void plan_and_prepare(Drawing& drawing, const Workshop& workshop, std::shared_ptr<csg::PairTable> pairs) {
-  const Options& options = workshop.options;
+void plan_and_prepare(Drawing& drawing, const DrawingInputs& inputs, std::shared_ptr<csg::PairTable> pairs) {
+  const Options& options = inputs.options;
   csg::Pruning pruning = pruning_of(options);
   drawing.look = make_look(options.scene, *drawing.tree, csg::make_positive(*drawing.tree), drawing.view.camera);
   if (drawing.reflection) {
@@ -81,22 +81,21 @@ void plan_and_prepare(Drawing& drawing, const Workshop& workshop, std::shared_pt
     // A primitive that hides others may itself be in front of the mirror and not be drawn.
     pruning.hidden = false;
   }
-  if (pairs == nullptr && workshop.kept != nullptr) pairs = workshop.kept->pairs_for(*drawing.geometry);
+  if (pairs == nullptr && inputs.kept != nullptr) pairs = inputs.kept->pairs_for(*drawing.geometry);
   // A divider prunes without its host.
-  csg::KeptResults* const kept = machines::division(workshop.machine) ? nullptr : workshop.kept;
-  drawing.plan = make_plan(*drawing.tree, *drawing.geometry, drawing.view, machines::regions(workshop.machine),
-                           {pruning, options.prices, std::move(pairs), kept}, opacities(drawing.look, workshop.called),
+  csg::KeptResults* const kept = machines::division(inputs.machine) ? nullptr : inputs.kept;
+  drawing.plan = make_plan(*drawing.tree, *drawing.geometry, drawing.view, machines::regions(inputs.machine),
+                           {pruning, options.prices, std::move(pairs), kept}, opacities(drawing.look, inputs.called),
                            options.work);
   if (drawing.reflection) drop_unseen(drawing);
-  for (const EffectRequest& one : workshop.called)
-    drawing.states.push_back(one.effect->prepared_for(drawing, workshop));
+  for (const EffectRequest& one : inputs.called) drawing.states.push_back(one.effect->prepared_for(drawing, inputs));
 }
 
 }  // namespace
 
 std::shared_ptr<const Drawing> make_drawing(std::shared_ptr<const model::Tree> tree,
                                             std::shared_ptr<const facet::Geometry> geometry, view::View view,
-                                            unsigned nesting, const Workshop& workshop,
+                                            unsigned nesting, const DrawingInputs& inputs,
                                             std::optional<Reflection> reflection,
                                             std::shared_ptr<csg::PairTable> pairs) {
   auto drawing = std::make_shared<Drawing>();
@@ -105,11 +104,12 @@ std::shared_ptr<const Drawing> make_drawing(std::shared_ptr<const model::Tree> t
   drawing->view = std::move(view);
   drawing->nesting = nesting;
   drawing->reflection = std::move(reflection);
-  plan_and_prepare(*drawing, workshop, std::move(pairs));
+  plan_and_prepare(*drawing, inputs, std::move(pairs));
   return drawing;
 }
 
-std::shared_ptr<const Drawing> make_sample(const Drawing& drawing, const glm::dvec2& offset, const Workshop& workshop) {
+std::shared_ptr<const Drawing> make_sample(const Drawing& drawing, const glm::dvec2& offset,
+                                           const DrawingInputs& inputs) {
   view::Sampling sampling = drawing.view.sampling;
   sampling.offset = offset;
   auto sample = std::make_shared<Drawing>();
@@ -118,7 +118,7 @@ std::shared_ptr<const Drawing> make_sample(const Drawing& drawing, const glm::dv
   sample->view = view::make_view(*drawing.geometry, *drawing.tree, drawing.view.camera, sampling);
   sample->nesting = drawing.nesting;
   sample->sampled_from = &drawing;
-  plan_and_prepare(*sample, workshop, drawing.plan.pairs);
+  plan_and_prepare(*sample, inputs, drawing.plan.pairs);
   return sample;
 }
 
@@ -221,7 +221,7 @@ DrawnCounts emit_picture(const Context& context, Broadcast& out) {
     if (std::exchange(is_first, false)) kept = drawn;
     for_effects(one, out, &Effect::finish);
   };
-  if (!for_effects(context, out, &Effect::around, draw)) draw(context);
+  if (!for_effects(context, out, &Effect::draw_around, draw)) draw(context);
   for_effects(context, out, &Effect::enhance);
   return kept;
 }

@@ -38,7 +38,7 @@ struct Drawing {
 };
 
 /// Inputs for making drawings.
-struct Workshop {
+struct DrawingInputs {
   const machines::Machine& machine;
   const Options& options;
   std::span<const EffectRequest> called;
@@ -46,15 +46,16 @@ struct Workshop {
 };
 
 /// Plans a drawing and lets each called effect prepare it. `pairs` are those of another drawing of the same geometry,
-/// or null. Throws InputError if an effect cannot.
+/// or null. Throws InputError if an effect cannot prepare the drawing.
 std::shared_ptr<const Drawing> make_drawing(std::shared_ptr<const model::Tree> tree,
                                             std::shared_ptr<const facet::Geometry> geometry, view::View view,
-                                            unsigned nesting, const Workshop& workshop,
+                                            unsigned nesting, const DrawingInputs& inputs,
                                             std::optional<Reflection> reflection = {},
                                             std::shared_ptr<csg::PairTable> pairs = nullptr);
 
 /// The same drawing, sampled at `offset` (columns, rows) from the pixel centres.
-std::shared_ptr<const Drawing> make_sample(const Drawing& drawing, const glm::dvec2& offset, const Workshop& workshop);
+std::shared_ptr<const Drawing> make_sample(const Drawing& drawing, const glm::dvec2& offset,
+                                           const DrawingInputs& inputs);
 
 /// The drawing and the drawings inside it that its effects prepared, recursively.
 std::vector<const Drawing*> with_inner_drawings(const Drawing& drawing);

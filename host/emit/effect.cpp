@@ -31,10 +31,9 @@ const EffectRow* transparency_in(const Options& options, const model::Tree& tree
   return nullptr;
 }
 
-std::vector<EffectFields> effect_fields(const Drawing& drawing, const Workshop& workshop) {
+std::vector<EffectFields> effect_fields(const Drawing& drawing, const DrawingInputs& inputs) {
   std::vector<EffectFields> all;
-  for (const EffectRequest& one : workshop.called)
-    all.push_back({one.row->name(), one.effect->fields(drawing, workshop)});
+  for (const EffectRequest& one : inputs.called) all.push_back({one.row->name(), one.effect->fields(drawing, inputs)});
   return all;
 }
 

@@ -36,16 +36,17 @@ class Effect {
  public:
   virtual ~Effect() = default;
 
-  /// Whether the look of a model calls for the effect when the scene does not mention it.
+  /// Whether the effect is used for a model with this look although the scene does not mention it.
   [[nodiscard]] virtual bool called_by(const Look& /*look*/) const { return false; }
   /// Returns the model to draw in place of the file's. Throws InputError if the settings do not fit it.
   virtual model::Tree reshape(model::Tree&& tree) const { return std::move(tree); }
-  /// Called once for each drawing. Throws InputError if the settings do not fit the model.
+  /// Computes the effect's state for a drawing, once per drawing. Throws InputError if the settings do not fit the
+  /// model.
   [[nodiscard]] virtual std::unique_ptr<const EffectState> prepared_for(const Drawing& drawing,
-                                                                        const Workshop& workshop) const = 0;
-  /// Additional bits of pixel memory; `drawing` is the camera's.
+                                                                        const DrawingInputs& inputs) const = 0;
+  /// The fields of pixel memory that the effect needs; `drawing` is the camera's.
   [[nodiscard]] virtual std::vector<FieldRequest> fields(const Drawing& /*drawing*/,
-                                                         const Workshop& /*workshop*/) const {
+                                                         const DrawingInputs& /*inputs*/) const {
     return {};
   }
 
@@ -63,8 +64,9 @@ class Effect {
   virtual void light(const EffectCall& /*call*/, Broadcast& /*out*/, Shadows& /*shadows*/) const {}
   /// Called after the colours of a drawing.
   virtual void compose(const EffectCall& /*call*/, Broadcast& /*out*/) const {}
-  /// Called instead of drawing the picture once. Returns false if the effect does not.
-  virtual bool around(const EffectCall& /*call*/, Broadcast& /*out*/, const DrawPicture& /*draw*/) const {
+  /// Draws the picture by calling `draw`, possibly several times. Returns false without appending instructions if the
+  /// effect does not do this; the caller then draws the picture once.
+  virtual bool draw_around(const EffectCall& /*call*/, Broadcast& /*out*/, const DrawPicture& /*draw*/) const {
     return false;
   }
   /// Called once after the colours of each picture.
@@ -84,31 +86,30 @@ class EffectOf : public Effect {
   Settings settings;
 
   [[nodiscard]] std::unique_ptr<const EffectState> prepared_for(const Drawing& drawing,
-                                                                const Workshop& workshop) const final {
+                                                                const DrawingInputs& inputs) const final {
     auto state = std::make_unique<State>();
-    prepare(*state, drawing, workshop);
+    prepare(*state, drawing, inputs);
     return state;
   }
 
  protected:
   /// Prepares a default-constructed state.
-  virtual void prepare(State& /*state*/, const Drawing& /*drawing*/, const Workshop& /*workshop*/) const {}
+  virtual void prepare(State& /*state*/, const Drawing& /*drawing*/, const DrawingInputs& /*inputs*/) const {}
 
   static const State& prepared(const EffectCall& call) { return static_cast<const State&>(call.state); }
 
   /// The state prepared for a drawing; null if there is none yet.
-  [[nodiscard]] const State* prepared_in(const Drawing& drawing, const Workshop& workshop) const {
-    const auto own =
-        std::ranges::find(workshop.called, this, [](const EffectRequest& one) { return one.effect.get(); });
-    const auto number = static_cast<std::size_t>(own - workshop.called.begin());
+  [[nodiscard]] const State* prepared_in(const Drawing& drawing, const DrawingInputs& inputs) const {
+    const auto own = std::ranges::find(inputs.called, this, [](const EffectRequest& one) { return one.effect.get(); });
+    const auto number = static_cast<std::size_t>(own - inputs.called.begin());
     return number < drawing.states.size() ? static_cast<const State*>(drawing.states[number].get()) : nullptr;
   }
 
   /// The states prepared for a drawing and for all drawings inside it.
-  [[nodiscard]] std::vector<const State*> all_prepared(const Drawing& drawing, const Workshop& workshop) const {
+  [[nodiscard]] std::vector<const State*> all_prepared(const Drawing& drawing, const DrawingInputs& inputs) const {
     std::vector<const State*> all;
     for (const Drawing* const one : with_inner_drawings(drawing)) {
-      if (const State* const state = prepared_in(*one, workshop)) all.push_back(state);
+      if (const State* const state = prepared_in(*one, inputs)) all.push_back(state);
     }
     return all;
   }
@@ -128,7 +129,7 @@ inline constexpr EffectParts parts_of{[](const std::vector<scene::Values>& table
                                         return effect;
                                       },
                                       !std::is_same_v<decltype(&Own::shade), decltype(&Effect::shade)>,
-                                      !std::is_same_v<decltype(&Own::around), decltype(&Effect::around)>};
+                                      !std::is_same_v<decltype(&Own::draw_around), decltype(&Effect::draw_around)>};
 
 /// A row of the table in host/effects.
 struct EffectRow {
@@ -152,11 +153,12 @@ std::vector<EffectRequest> called_effects(const Options& options, const Look& lo
 const EffectRow* transparency_in(const Options& options, const model::Tree& tree, const view::Camera& camera);
 
 /// Fields of pixel memory that the effects request for the camera's drawing.
-std::vector<EffectFields> effect_fields(const Drawing& drawing, const Workshop& workshop);
+std::vector<EffectFields> effect_fields(const Drawing& drawing, const DrawingInputs& inputs);
 
 bool any_needs_owners(std::span<const EffectRequest> called);
 
-/// Calls `part` of each effect of the context, billed to it, until one returns true. Returns whether one did.
+/// Calls the member function `part` of each effect of the context, until a call returns true. Each effect is billed for
+/// its instructions. Returns whether a call returned true.
 template <class Part, class... Arguments>
 bool for_effects(const Context& context, Broadcast& out, Part part, Arguments&... arguments) {
   for (std::size_t i = 0; i < context.called.size(); ++i) {

@@ -25,7 +25,8 @@ struct Classification {
   const PlannedSurface& surface;  ///< owner of the active tree
 };
 
-/// Merges the surface in Z1 where the classification leaves the mask 1. Returns whether that took any instruction.
+/// Merges the surface in Z1 where the classification leaves the mask 1. Returns whether it
+/// appended an instruction.
 bool emit_classified(const Context& context, Broadcast& out, const PlannedSurface& planned, const Surface& surface,
                      const Classification& classification);
 

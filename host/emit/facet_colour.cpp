@@ -29,7 +29,7 @@ std::uint32_t facet_colour(const Context& context, const Facet& facet, const glm
   const bool is_local = light.is_local(finish.material);
   const glm::dvec3 place = is_local ? middle(context, facet) : glm::dvec3(0, 0, 1);
   const glm::dvec3 normal =
-      facet.at == At::cap ? glm::dvec3(0, 0, -1) : in_camera_axes(context.view.camera, outward(context, facet));
+      facet.at == At::cap ? glm::dvec3(0, 0, -1) : in_camera_axes(context.view.camera, outward_normal(context, facet));
   // Drawings inside another one have reflected lights.
   const bool can_be_known =
       !is_local && context.lights == nullptr && context.nesting == 0 && context.known_colours != nullptr;

@@ -16,7 +16,7 @@ namespace csgsim::emit {
 /// normal, material and colour share one.
 class KnownColours {
  public:
-  /// Returns whether the colour has not been computed before.
+  /// Adds a colour, identified by what it is computed from. Returns whether it is new.
   bool add(const glm::dvec3& normal, const scene::Material& material, const glm::dvec3& colour) {
     return keys_
         .insert({normal.x, normal.y, normal.z, material.ambient, material.diffuse, material.specular,

@@ -26,13 +26,13 @@ glm::dvec3 in_camera_axes(const view::Camera& camera, const glm::dvec3& v) {
   return {glm::dot(v, axes.right), glm::dot(v, axes.up), glm::dot(v, axes.forward)};
 }
 
-glm::dvec3 outward(const Context& context, const Facet& facet) {
+glm::dvec3 outward_normal(const Context& context, const Facet& facet) {
   const glm::dvec3& normal = context.geometry.planes.planes()[facet.halfspace.plane].normal;
   return (facet.halfspace.positive != context.complemented(facet.primitive) ? 1.0 : -1.0) * normal;
 }
 
-glm::dvec3 own_normal(const Context& context, const Facet& facet) {
-  return in_own_axes(context.tree.primitives[facet.primitive], outward(context, facet));
+glm::dvec3 local_normal(const Context& context, const Facet& facet) {
+  return in_own_axes(context.tree.primitives[facet.primitive], outward_normal(context, facet));
 }
 
 bool is_flat(const model::Primitive& primitive, const glm::dvec3& normal) {

@@ -13,10 +13,10 @@ namespace csgsim::emit {
 glm::dvec3 in_camera_axes(const view::Camera& camera, const glm::dvec3& v);
 
 /// The unit normal in model space that points out of the visible solid. Undefined for a cap, which has no half-space.
-glm::dvec3 outward(const Context& context, const Facet& facet);
+glm::dvec3 outward_normal(const Context& context, const Facet& facet);
 
-/// outward() in the primitive's local space.
-glm::dvec3 own_normal(const Context& context, const Facet& facet);
+/// outward_normal() in the primitive's local space.
+glm::dvec3 local_normal(const Context& context, const Facet& facet);
 
 /// Whether a facet with the normal `normal` (model space, either sign) is flat in the model, that is, not one of those
 /// that approximate a curved surface.

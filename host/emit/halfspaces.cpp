@@ -103,8 +103,9 @@ void drop_dominated(const Context& context, std::vector<Facet>& facets, Side sid
 
 }  // namespace
 
-Deciding undecided(const Context& context, std::span<const std::uint32_t> set, Side side, const csg::Block& block) {
-  Deciding result;
+DecidingFacets cutting_facets(const Context& context, std::span<const std::uint32_t> set, Side side,
+                              const csg::Block& block) {
+  DecidingFacets result;
   for (const std::uint32_t primitive : set) {
     for (const facet::Halfspace& halfspace : context.geometry.solids[primitive].halfspaces) {
       if (view::side_of(context.view.planes[halfspace.plane], halfspace) != side) continue;
@@ -118,8 +119,9 @@ Deciding undecided(const Context& context, std::span<const std::uint32_t> set, S
   return result;
 }
 
-Deciding deciding(const Context& context, std::span<const std::uint32_t> set, Side side, const csg::Block& block) {
-  Deciding result = undecided(context, set, side, block);
+DecidingFacets deciding_facets(const Context& context, std::span<const std::uint32_t> set, Side side,
+                               const csg::Block& block) {
+  DecidingFacets result = cutting_facets(context, set, side, block);
   const auto count = static_cast<double>(result.facets.size());
   const csg::Prices& prices = context.options.prices;
   if (context.options.pruning.halfspaces && !result.nothing && count > 1 &&
@@ -138,15 +140,15 @@ namespace {
 /// Whether the quadric is what a solid shows at depth 0, and it may be there.
 bool is_seen_at_near(const Context& context, const PlannedSurface& planned, const QuadricBound& bound) {
   return bound.primitive == planned.primitive() && !context.complemented(planned.primitive()) &&
-         is_at_near(context, bound) && may_reach_near(context, bound, planned.block.pixels);
+         is_near_facet(context, bound) && may_reach_near(context, bound, planned.block.pixels);
 }
 
 }  // namespace
 
 Sides deciding_sides(const Context& context, const PlannedSurface& planned) {
   const csg::Block column{planned.block.pixels, 0, context.farthest()};
-  Sides sides{column, deciding(context, planned.set, Side::front, column),
-              deciding(context, planned.set, Side::back, column)};
+  Sides sides{column, deciding_facets(context, planned.set, Side::front, column),
+              deciding_facets(context, planned.set, Side::back, column)};
   for (const std::uint32_t primitive : planned.set) {
     const std::vector<facet::Halfspace>& halfspaces = context.geometry.solids[primitive].halfspaces;
     sides.edges += static_cast<std::uint32_t>(

@@ -40,26 +40,28 @@ std::optional<Facet> visible_facet(const QuadricBound& bound, bool complemented)
 view::FixedLinear facet_plane(const Context& context, const Facet& facet);
 
 /// The half-spaces of a convex solid on one side that must be broadcast for a block.
-struct Deciding {
+struct DecidingFacets {
   std::vector<Facet> facets;  ///< in the order of primitives and faces
   bool nothing = false;       ///< a half-space contains no point of the block
 };
 
 /// Drops half-spaces that contain the whole block, if that pruning is on. Throws InputError, naming the primitive, if
 /// the coefficients of a remaining one do not fit the machine.
-Deciding undecided(const Context& context, std::span<const std::uint32_t> set, view::Side side,
-                   const csg::Block& block);
+DecidingFacets cutting_facets(const Context& context, std::span<const std::uint32_t> set, view::Side side,
+                              const csg::Block& block);
 
 /// Also drops fronts nearer than another front, and backs farther than another back, by at least a depth step at every
-/// corner of the block's pixels (thesis 7.3.3) or at every pixel, depending on the pruning. Throws as undecided does.
-Deciding deciding(const Context& context, std::span<const std::uint32_t> set, view::Side side, const csg::Block& block);
+/// corner of the block's pixels (thesis 7.3.3) or at every pixel, depending on the pruning. Throws as cutting_facets
+/// does.
+DecidingFacets deciding_facets(const Context& context, std::span<const std::uint32_t> set, view::Side side,
+                               const csg::Block& block);
 
 /// What must be broadcast to draw a solid's surface in a block's pixels. The half-spaces are tested over all depths,
 /// because Z1 is unknown before.
 struct Sides {
   csg::Block column;  ///< the pixels, all depths
-  Deciding fronts;
-  Deciding backs;
+  DecidingFacets fronts;
+  DecidingFacets backs;
   std::vector<QuadricBound> quadrics{};  ///< quadrics that are not edge tests
   std::uint32_t edges = 0;               ///< number of edge tests, including those of quadrics
   bool nothing = false;                  ///< a quadric contains no point of the column

@@ -93,7 +93,7 @@ class ScratchPlaces {
 };
 
 /// The purposes of the bits, for the error message; requests for the same purpose are combined.
-std::string parts(const Needs& needs, unsigned scratch) {
+std::string purposes_text(const Needs& needs, unsigned scratch) {
   std::vector<FieldRequest> left = list_requests(needs);
   std::string text;
   while (!left.empty()) {
@@ -160,7 +160,7 @@ isa::Field* quadric_field(Layout& layout, std::string_view name) {
   return name == kept_name ? &layout.kept : nullptr;
 }
 
-void put(Layout& layout, const FieldRequest& request, isa::Field field) {
+void set_field(Layout& layout, const FieldRequest& request, isa::Field field) {
   switch (request.role) {
     case isa::FieldRole::depth: layout.depth = field; return;
     case isa::FieldRole::candidate_depth: layout.candidate = field; return;
@@ -195,7 +195,7 @@ Planned plan(const Needs& needs) {
   for (const FieldRequest& request : list_requests(needs)) {
     const isa::Field field{static_cast<std::uint16_t>(request.width > 0 ? next : 0),
                            static_cast<std::uint16_t>(request.width)};
-    put(planned.layout, request, field);
+    set_field(planned.layout, request, field);
     next += request.width;
   }
   if (needs.quadrics.root_in_candidate)
@@ -246,7 +246,7 @@ Layout plan_layout(const Needs& needs, std::uint32_t memory_bits) {
   const Planned planned = plan(needs);
   if (total_bits(needs) > memory_bits) {
     throw NoRoom("the picture needs " + std::to_string(total_bits(needs)) + " memory bits a pixel (" +
-                     parts(needs, planned.bits - planned.without_scratch) + ") and the machine has " +
+                     purposes_text(needs, planned.bits - planned.without_scratch) + ") and the machine has " +
                      std::to_string(memory_bits) + "; " + suggest_options(needs, memory_bits),
                  total_bits(needs));
   }

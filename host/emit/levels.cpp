@@ -60,7 +60,7 @@ class Classifier {
   /// E := E and "Z1 is in the leaf's primitives".
   void compare(const csg::ActiveNode& leaf) { classified_ += emit_comparison(context_, out_, leaf, planned_); }
 
-  /// bit := the leaf.
+  /// bit := "Z1 is in the leaf's primitives".
   void start_leaf(std::uint32_t leaf, isa::Field bit) {
     const csg::ActiveNode& node = nodes_[leaf];
     stack(Opcode::enable_load, context_.layout.mask);

@@ -78,14 +78,14 @@ std::optional<facet::Halfspace> first_front(const Context& context, std::uint32_
 
 }  // namespace
 
-bool is_at_near(const Context& context, const QuadricBound& bound) {
+bool is_near_facet(const Context& context, const QuadricBound& bound) {
   return !context.view.extents[bound.primitive].cut_by_near && !first_front(context, bound.primitive) &&
          visible_facet(bound, false).has_value();
 }
 
-Facet at_near(const Context& context, std::uint32_t primitive) {
+Facet near_facet(const Context& context, std::uint32_t primitive) {
   for (const QuadricBound& bound : quadric_bounds(context, primitive))
-    if (is_at_near(context, bound)) return *visible_facet(bound, false);
+    if (is_near_facet(context, bound)) return *visible_facet(bound, false);
   const std::optional<facet::Halfspace> front = first_front(context, primitive);
   const bool cut = context.view.extents[primitive].cut_by_near || !front;
   return {primitive, cut ? facet::Halfspace{} : *front, cut ? At::cap : At::near};

@@ -15,9 +15,9 @@ bool may_reach_near(const Context& context, const std::vector<Facet>& fronts, co
 
 /// The facet that a solid shows at depth 0: the cap of its first primitive if the near plane cuts that open, else the
 /// first front of that primitive, which rounding moved there, or a curved front if it has no other.
-Facet at_near(const Context& context, std::uint32_t primitive);
+Facet near_facet(const Context& context, std::uint32_t primitive);
 
-/// Whether at_near of the primitive is this quadric's depth, clamped to 0.
-bool is_at_near(const Context& context, const QuadricBound& bound);
+/// Whether near_facet() of the quadric's primitive is this quadric's depth, clamped to 0.
+bool is_near_facet(const Context& context, const QuadricBound& bound);
 
 }  // namespace csgsim::emit

@@ -61,10 +61,10 @@ inline constexpr std::uint64_t max_products = 16'384;
 struct EffectRow;
 struct Options;
 
-/// The options with the prices on the machine.
+/// The options with `prices` computed for the machine by `prices_on`, if that is given.
 Options with_prices(Options options, const machines::Machine& machine);
 
-/// The list with only flat shading.
+/// A list of effects with flat shading only.
 std::span<const EffectRow* const> only_flat_shading();
 
 struct Options {

@@ -11,8 +11,8 @@
 
 namespace csgsim::emit {
 
-/// Distinct numbers of a model as longs of 32 bits, relative to its size: what the host has to multiply by the camera's
-/// matrix. The host finds them once per model.
+/// How many different numbers of a model the host has to multiply by the camera's matrix. Numbers are compared as
+/// integers of 32 bits, scaled to the model's size. The host finds them once per model.
 struct DistinctNumbers {
   std::uint64_t coordinates = 0;  ///< distinct coordinates of corners, along x, y and z
   std::uint64_t components = 0;   ///< distinct components of normals, without their signs

@@ -91,7 +91,7 @@ RelevantParts parts_for(QuadricRole role) {
 }
 
 /// Whether no point of the block is within the bound.
-bool is_out(const QuadricBound& bound, const RootRanges& ranges, const csg::Block& block) {
+bool is_outside(const QuadricBound& bound, const RootRanges& ranges, const csg::Block& block) {
   const bool never_met = ranges.discriminant.high < 0;
   switch (bound.role) {
     case QuadricRole::edge: return never_met;
@@ -138,7 +138,7 @@ Known locate_block(const Context& context, const QuadricBound& bound, const csg:
   context.counted.add(&isa::Preparation::halfspaces, csg::tests_of_quadric);
   if (!context.options.pruning.halfspaces) return Known::depends;
   const RootRanges ranges = root_ranges(context, bound, block.pixels);
-  if (is_out(bound, ranges, block)) return Known::out;
+  if (is_outside(bound, ranges, block)) return Known::out;
   if (bound.role == QuadricRole::edge) return ranges.discriminant.low >= 0 ? Known::in : Known::depends;
   const RelevantParts matters = relevant_parts(context, bound, block);
   return matters.outline || matters.near || matters.far ? Known::depends : Known::in;

@@ -20,7 +20,7 @@ class RegionIndex {
  public:
   explicit RegionIndex(std::span<const isa::Region> regions);
 
-  /// Calls visit(number) for each of them, in ascending order.
+  /// Calls visit(number) for each region that overlaps `pixels`, in ascending order.
   template <class Visit>
   void for_each(const view::PixelRect& pixels, const Visit& visit) {
     if (pixels.empty()) return;

@@ -25,7 +25,7 @@ constexpr std::size_t max_shadows = 6;
 using ShadowBits = std::vector<const ShadowBit*>;
 
 /// The lighting with one light turned off.
-lighting::Lighting without(lighting::Lighting lighting, std::size_t light) {
+lighting::Lighting without_light(lighting::Lighting lighting, std::size_t light) {
   lighting.lights[light].colour = {0, 0, 0};
   return lighting;
 }
@@ -72,7 +72,7 @@ void emit_shadowed_colour(const Context& context, Broadcast& out, const Facet& f
       for (std::size_t i = 0; i < bits.size(); ++i) {
         if (((dark >> i) & 1U) == 0) continue;
         out.plain(Opcode::enable_and, bits[i]->bit);
-        lights = without(std::move(lights), bits[i]->light);
+        lights = without_light(std::move(lights), bits[i]->light);
       }
       Context lit = context;
       lit.lights = &lights;
@@ -101,7 +101,7 @@ bool has_shaders(const Context& context) {
 }
 
 bool light_matters(const Context& context, const Facet& facet, const view::PixelRect& pixels, std::size_t light) {
-  const lighting::Lighting dark = without(context.lighting(), light);
+  const lighting::Lighting dark = without_light(context.lighting(), light);
   return colour_under(context, facet, pixels, context.lighting()) != colour_under(context, facet, pixels, dark);
 }
 

@@ -117,8 +117,8 @@ void emit_depths(const Context& context, Broadcast& out, std::uint32_t primitive
   };
   End front(context, out, column, Side::front, fields.front);
   End back(context, out, column, Side::back, fields.back);
-  front.begin(deciding(context, {&primitive, 1}, Side::front, column).facets, any(has_front));
-  back.begin(deciding(context, {&primitive, 1}, Side::back, column).facets, any(has_back));
+  front.begin(deciding_facets(context, {&primitive, 1}, Side::front, column).facets, any(has_front));
+  back.begin(deciding_facets(context, {&primitive, 1}, Side::back, column).facets, any(has_back));
   for (const QuadricBound& bound : bounds) {
     emit_root(context, out, bound, column.pixels, column.pixels);
     if (bound.role != QuadricRole::from) {
@@ -147,7 +147,7 @@ struct DecidingParts {
 };
 
 DecidingParts deciding_parts(const Context& context, std::uint32_t primitive, const csg::Block& part) {
-  const auto any = [&](Side side) { return !undecided(context, {&primitive, 1}, side, part).facets.empty(); };
+  const auto any = [&](Side side) { return !cutting_facets(context, {&primitive, 1}, side, part).facets.empty(); };
   DecidingParts decides{any(Side::front), any(Side::back), has_edges(context, primitive, part)};
   for (const QuadricBound& bound : quadric_bounds(context, primitive)) {
     if (bound.role == QuadricRole::edge) continue;
@@ -185,10 +185,10 @@ void emit_stored_depths(const Context& context, Broadcast& out) {
 }
 
 void emit_stored_comparison(const Context& context, Broadcast& out, std::uint32_t primitive, const StoredFields& fields,
-                            const PlannedSurface& of) {
-  const view::PixelRect shared = common(of.block.pixels, context.view.extents[primitive].pixels);
-  const DecidingParts decides = deciding_parts(context, primitive, {shared, of.block.z_low, of.block.z_high});
-  const bool is_nowhere_at_some = decides.outline || shared != of.block.pixels;
+                            const PlannedSurface& surface) {
+  const view::PixelRect shared = common(surface.block.pixels, context.view.extents[primitive].pixels);
+  const DecidingParts decides = deciding_parts(context, primitive, {shared, surface.block.z_low, surface.block.z_high});
+  const bool is_nowhere_at_some = decides.outline || shared != surface.block.pixels;
   const isa::Field z1 = context.layout.candidate;
   if (decides.front) out.plain(Opcode::field_le, fields.front, z1);
   // Either comparison fails at pixels without the primitive.

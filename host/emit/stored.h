@@ -36,6 +36,6 @@ void emit_stored_depths(const Context& context, Broadcast& out);
 
 /// E := E and "Z1 is in the primitive", by its stored depths, as far as they matter where the surface can be.
 void emit_stored_comparison(const Context& context, Broadcast& out, std::uint32_t primitive, const StoredFields& fields,
-                            const PlannedSurface& of);
+                            const PlannedSurface& surface);
 
 }  // namespace csgsim::emit

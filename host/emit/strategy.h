@@ -24,10 +24,10 @@ struct StrategyRow {
   std::uint64_t (*products)(const csg::ActiveTree& active, const Options& options) = nullptr;
   /// Bits for depths that are stored throughout a segment.
   unsigned (*stored_bits)(const SegmentPlan& segment, const view::View& view) = nullptr;
-  bool has_stack_bits = false;  ///< depends on Options::stack_bits
-  bool takes_sets = true;       ///< supports drawing several primitives as one (csg::Pruning::sets)
-  bool is_tried = true;         ///< Strategy::automatic may choose it
-  bool is_usual = true;         ///< is one of default_strategies
+  bool has_stack_bits = false;  ///< whether it depends on Options::stack_bits
+  bool takes_sets = true;       ///< whether several primitives can be drawn as one (csg::Pruning::sets)
+  bool is_tried = true;         ///< whether Strategy::automatic may choose it
+  bool is_usual = true;         ///< whether it is one of default_strategies()
 };
 
 /// Throws std::logic_error for Strategy::automatic.

@@ -208,7 +208,7 @@ void emit_other_sides(const Context& context, Broadcast& out, const PlannedSurfa
 bool may_be_at_near(const Context& context, const PlannedSurface& planned, const Sides& sides) {
   const auto is_front = [](const QuadricBound& bound) { return visible_facet(bound, false).has_value(); };
   if (std::none_of(sides.quadrics.begin(), sides.quadrics.end(), is_front)) return true;
-  return planned.block.z_low <= 0 && !is_curved(at_near(context, planned.primitive()).at) &&
+  return planned.block.z_low <= 0 && !is_curved(near_facet(context, planned.primitive()).at) &&
          std::all_of(sides.quadrics.begin(), sides.quadrics.end(), [&](const QuadricBound& bound) {
            return !is_front(bound) || may_reach_near(context, bound, planned.block.pixels);
          });
@@ -242,7 +242,7 @@ Surface plan_surface(const Context& context, const PlannedSurface& planned, cons
       sides.nothing || sides.fronts.nothing || sides.backs.nothing || (complemented && surface.facets.empty());
   if (surface.nothing) return surface;
   if (!complemented && may_be_at_near(context, planned, sides) && may_reach_near(context, sides.fronts.facets, block))
-    surface.facets.insert(surface.facets.begin(), at_near(context, planned.primitive()));
+    surface.facets.insert(surface.facets.begin(), near_facet(context, planned.primitive()));
   return surface;
 }
 

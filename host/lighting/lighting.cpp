@@ -22,7 +22,7 @@ glm::dvec3 turned(const glm::dvec3& direction, const view::Basis& axes) {
   return {glm::dot(direction, axes.right), glm::dot(direction, axes.up), glm::dot(direction, axes.forward)};
 }
 
-SeenLight seen(const scene::Light& light, const view::Camera& camera) {
+SeenLight seen_light(const scene::Light& light, const view::Camera& camera) {
   SeenLight result{light.kind == scene::LightKind::point, {}, light.colour * light.intensity};
   const bool in_model = light.axes == scene::Axes::model;
   if (result.is_point) {
@@ -50,8 +50,8 @@ Lighting make_lighting(const scene::Scene& scene, const view::Camera& camera) {
   Lighting lighting;
   lighting.ambient = scene.ambient.colour * scene.ambient.intensity;
   lighting.is_perspective = camera.projection == view::Projection::perspective;
-  for (const scene::Light& light : scene.lights) lighting.lights.push_back(seen(light, camera));
-  if (scene.lights.empty()) lighting.lights.push_back(seen(default_light, camera));
+  for (const scene::Light& light : scene.lights) lighting.lights.push_back(seen_light(light, camera));
+  if (scene.lights.empty()) lighting.lights.push_back(seen_light(default_light, camera));
   return lighting;
 }
 

@@ -27,6 +27,7 @@ double angle_between(const Shape& shape, std::size_t facets);
 /// none.
 std::optional<glm::dvec3> normal_at(const Shape& shape, const glm::dvec3& vertex, const glm::dvec3& of_facet);
 
+/// A point of a surface and the unit normal there.
 struct SurfacePlace {
   glm::dvec3 at;
   glm::dvec3 normal;

@@ -108,7 +108,7 @@ Maker read_offset(const Arguments& arguments) {
   const double distance = delta ? *delta : radius.value_or(1);
   return [=, facets = read_facets(arguments)](const Operands& operands) {
     return Made{{},
-                flat::offset(only_area(operands), distance, corner, facets, operands.work),
+                flat::offset(union_of_areas(operands), distance, corner, facets, operands.work),
                 {},
                 has_area(operands) ? 2U : 0U};
   };

@@ -81,7 +81,7 @@ std::optional<ImportedFile> Arguments::file(const InputKind& kind) const {
   const std::optional<std::string> name = text("file");
   if (!name) fail("the argument file is missing; add file = \"name\"");
   if (!name->empty()) return source_->import(*name, kind, node_->name, statement_->offset);
-  source_->report_at(statement_->offset, fmt::format("{}() names no file, and is empty", node_->name));
+  source_->print_message(statement_->offset, fmt::format("{}() names no file and is empty; name one", node_->name));
   return std::nullopt;
 }
 

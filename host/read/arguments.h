@@ -70,7 +70,7 @@ class Arguments {
   /// and where Source::import() does.
   [[nodiscard]] std::optional<ImportedFile> file(const InputKind& kind) const;
 
-  /// See Source::work().
+  /// The work counter of the source; see Source::charge_to().
   [[nodiscard]] const Work& work() const { return source_->work(); }
 
   /// The argument `name`. Throws InputError if it is absent; `form`, as in `size = [x, y, z]`, is part of the message.
@@ -90,10 +90,10 @@ class Arguments {
   [[nodiscard]] double read_number(ValueView value, std::string_view what) const;
 
   /// Prints a message to standard error, with the position of a value.
-  void report(ValueView at, std::string_view message) const { source_->report_at(at.value().offset, message); }
+  void report(ValueView at, std::string_view message) const { source_->print_message(at.value().offset, message); }
 
   /// Prints a message to standard error, with the position of the node's name.
-  void report(std::string_view message) const { source_->report_at(statement_->offset, message); }
+  void report(std::string_view message) const { source_->print_message(statement_->offset, message); }
 
   /// Throws InputError at the position of a value.
   template <typename... Parts>

@@ -170,7 +170,7 @@ void TreeBuilder::make(OpenNode& open) {
     source_.fail(open.offset, fmt::format("{}(): {}", open.name, error.what()));
   }
   for (const std::string& warning : made.warnings)
-    source_.report_at(open.offset, fmt::format("warning: {}(): {}", open.name, warning));
+    source_.print_message(open.offset, fmt::format("warning: {}(): {}", open.name, warning));
   open.made = made.dimensions;
   if (empties(open.outer)) return;
   add_pieces(open, std::move(made.pieces));
@@ -288,7 +288,7 @@ bool TreeBuilder::accepts(const OpenNode& open, const Result& result) {
   }
   if (parent.dimensions == result.dimensions) return true;
   if (result.is_empty) return false;
-  source_.report_at(
+  source_.print_message(
       open.offset,
       fmt::format("{}() is {} and is dropped, as in OpenSCAD, because {} shapes are expected here", open.name,
                   result.dimensions == 2 ? "flat" : "solid", result.dimensions == 2 ? "solid" : "flat"));

@@ -51,7 +51,7 @@ std::optional<flat::Area> drawn(const Arguments& arguments, double scale) {
 std::optional<flat::Area> extruded_area(const std::optional<flat::Area>& drawn, const Operands& operands) {
   if (drawn) return drawn;
   if (!has_area(operands)) return std::nullopt;
-  return only_area(operands);
+  return union_of_areas(operands);
 }
 
 /// Charges the division of an area into convex parts and the extrusion of these.

@@ -24,7 +24,7 @@ Made make_hull(Operands operands) {
   if (operands.dimensions == 2) return {{}, flat::hull(operands.areas), {}, 2};
   if (operands.solids.empty()) return {};
   const Work work = operands.work;
-  const model::Tree all = only_solid(std::move(operands));
+  const model::Tree all = union_of_solids(std::move(operands));
   Made made;
   if (std::optional<model::Polyhedron> piece = solids::hull_piece(solids::evaluate_vertices(all, work), work))
     made.pieces.push_back(*std::move(piece));
@@ -75,13 +75,13 @@ glm::dvec3 scale_to(const NewSize& to, const glm::dvec3& size) {
 }
 
 /// Whether the solid is not the result of a Boolean.
-bool is_one(const model::Tree& solid) {
+bool is_single_solid(const model::Tree& solid) {
   return std::ranges::all_of(solid.nodes, [](const model::Node& node) { return node.is_leaf || node.of_pieces; });
 }
 
 Made resized(Operands operands, NewSize to) {
   if (operands.dimensions == 2) {
-    const flat::Area area = only_area(operands);
+    const flat::Area area = union_of_areas(operands);
     return {{},
             flat::resized(area, glm::dvec2(to.size), {to.automatic[0], to.automatic[1]}),
             {},
@@ -89,13 +89,13 @@ Made resized(Operands operands, NewSize to) {
   }
   if (operands.solids.empty()) return {};
   const Work work = operands.work;
-  const model::Tree solid = only_solid(std::move(operands));
+  const model::Tree solid = union_of_solids(std::move(operands));
   std::vector<model::Polyhedron> pieces = solids::evaluate_pieces(solid, work);
   if (pieces.empty()) return {};
   facet::Box box;
   for (const model::Polyhedron& piece : pieces) box = facet::hull(box, facet::box_of(piece.points));
   // Negative new sizes are treated as 0 for a single solid, but mirror the result of a Boolean.
-  if (is_one(solid)) to.size = glm::max(to.size, glm::dvec3(0));
+  if (is_single_solid(solid)) to.size = glm::max(to.size, glm::dvec3(0));
   const glm::dvec3 scale = scale_to(to, box.high - box.low);
   for (model::Polyhedron& piece : pieces) piece = scaled(std::move(piece), scale);
   return {std::move(pieces), {}};
@@ -138,7 +138,7 @@ Maker read_projection(const Arguments& arguments) {
   const bool cut = arguments.boolean("cut").value_or(false);
   return [cut](Operands operands) {
     const Work work = operands.work;
-    const model::Tree solid = only_solid(std::move(operands));
+    const model::Tree solid = union_of_solids(std::move(operands));
     const solids::Projection projection = cut ? solids::section(solid, work) : solids::shadow(solid, work);
     Made made{{}, projection.area};
     if (projection.coarse_size > 0)

@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// An absolute path without `.`, `..` and a trailing slash.
-fs::path plain(const fs::path& path) {
+fs::path normalized(const fs::path& path) {
   const fs::path normal = fs::absolute(path).lexically_normal();
   return normal.has_filename() ? normal : normal.parent_path();
 }
@@ -41,7 +41,7 @@ std::vector<ImportPlace> ImportFolders::candidate_places(std::string_view name) 
   std::vector<ImportPlace> places;
   for (const fs::path& folder : folders_) {
     const fs::path place = (folder / name).lexically_normal();
-    const auto holds_it = [&](const fs::path& one) { return is_in(plain(place), plain(one)); };
+    const auto holds_it = [&](const fs::path& one) { return is_in(normalized(place), normalized(one)); };
     if (std::ranges::find(places, place, &ImportPlace::path) != places.end()) continue;
     places.push_back({place, std::ranges::any_of(folders_, holds_it)});
   }

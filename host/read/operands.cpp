@@ -21,13 +21,13 @@ void append(model::Tree tree, model::Tree& to) {
 
 }  // namespace
 
-flat::Area only_area(const Operands& operands) { return flat::unite(operands.areas, operands.work); }
+flat::Area union_of_areas(const Operands& operands) { return flat::unite(operands.areas, operands.work); }
 
 bool has_area(const Operands& operands) {
   return operands.areas.size() > 1 || (operands.areas.size() == 1 && !operands.areas.front().empty());
 }
 
-model::Tree only_solid(Operands operands) {
+model::Tree union_of_solids(Operands operands) {
   if (operands.solids.size() == 1) return std::move(operands.solids.front());
   model::Tree all;
   model::Node root;

@@ -32,14 +32,14 @@ struct Made {
 };
 
 /// The union of the children that are areas.
-flat::Area only_area(const Operands& operands);
+flat::Area union_of_areas(const Operands& operands);
 
 /// Whether the union of the children that are areas is an area, possibly empty. As in OpenSCAD, a single empty child
 /// gives no area.
 bool has_area(const Operands& operands);
 
 /// The union of the children that are solids; the tree has no nodes if there are none.
-model::Tree only_solid(Operands operands);
+model::Tree union_of_solids(Operands operands);
 
 /// Makes the result when the node ends. Throws InputError without a position.
 using Maker = std::function<Made(Operands)>;

@@ -38,7 +38,8 @@ void Parser::add_value(std::string_view text, ValueKind kind, double number) {
 
 void Parser::add_number(std::string_view text) {
   const std::optional<double> number = parse_number(text);
-  if (!number) fail(offset_of(text.data()), "number out of range: {} exceeds the range of doubles", shown(text));
+  if (!number)
+    fail(offset_of(text.data()), "number out of range: {} exceeds the range of doubles; correct it", shown(text));
   add_value(text, ValueKind::number, *number);
 }
 

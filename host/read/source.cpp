@@ -58,7 +58,8 @@ std::optional<ImportedFile> Source::import(std::string_view file, const InputKin
   }
   if (std::ranges::any_of(places, [](const ImportPlace& place) { return !place.is_inside && place.exists(); }))
     fail(offset, fmt::format("{} is not in the model's folder; {}", printable(file), hint));
-  report_at(offset, fmt::format("warning: {} does not exist; {}() is empty, as in OpenSCAD", printable(file), node));
+  print_message(offset,
+                fmt::format("warning: {} does not exist; {}() is empty, as in OpenSCAD", printable(file), node));
   return std::nullopt;
 }
 
@@ -84,10 +85,10 @@ std::string Source::placed(std::size_t offset, std::string_view message) {
   return fmt::format("{}:{}:{}: {}", name_, place.line, place.column, message);
 }
 
-void Source::report_at(std::size_t offset, std::string_view message) { report_line(placed(offset, message)); }
+void Source::print_message(std::size_t offset, std::string_view message) { report_line(placed(offset, message)); }
 
 void Source::warn_once(std::size_t offset, const std::string& message) {
-  if (printed_.insert(message).second) report_at(offset, message);
+  if (printed_.insert(message).second) print_message(offset, message);
 }
 
 void Source::fail(std::size_t offset, std::string_view message) { throw InputError(placed(offset, message)); }

@@ -63,9 +63,9 @@ class Source {
   [[nodiscard]] model::Location locate(std::size_t offset);
 
   /// Prints `name:line:column: message` to standard error.
-  void report_at(std::size_t offset, std::string_view message);
+  void print_message(std::size_t offset, std::string_view message);
 
-  /// Like report_at(), unless the same message was printed before at another position.
+  /// Like print_message(), unless the same message was printed before at another position.
   void warn_once(std::size_t offset, const std::string& message);
 
   /// Throws InputError: `name:line:column: message`.

@@ -10,7 +10,7 @@ namespace csgsim::scene {
 namespace {
 
 std::string range_text(const Key& key, std::string_view what) {
-  if (key.most >= any_number) return std::string(what);
+  if (key.most >= coordinate_limit) return std::string(what);
   return fmt::format("{}, {:g} to {:g}", what, key.least, key.most);
 }
 

@@ -11,9 +11,10 @@ namespace csgsim::scene {
 /// The section's keys as a Markdown table of values, defaults and meanings.
 std::string keys_table(const Section& section);
 
-/// allowed_text(): the allowed values of a key in words. value_text(): a value as written in a scene file; empty if
-/// there is no value, and for a table of colours.
+/// The allowed values of a key in words.
 std::string allowed_text(const Key& key);
+
+/// A value as written in a scene file. Empty if there is no value, and for a table of colours.
 std::string value_text(const KeyValue& value);
 
 }  // namespace csgsim::scene

@@ -25,12 +25,12 @@ struct Section {
   std::string_view name;  ///< for example `camera`, `effects.shadows`
   std::string_view meaning;
   bool is_list = false;
-  Values (*blank)() = nullptr;
+  Values (*blank)() = nullptr;  ///< returns the keys of a table with their default values
   /// Stores the values read from the file. Throws as complete() does.
   void (*keep)(Scene& scene, const Section& section, Values&& read) = nullptr;
 };
 
-inline constexpr double any_number = 1e9;  ///< limit of coordinates, in model units
+inline constexpr double coordinate_limit = 1e9;  ///< limit of coordinates, in model units
 
 constexpr Key boolean_key(std::string_view name, std::string_view meaning) {
   return {name, ValueKind::boolean, "", 0, 0, meaning};
@@ -47,7 +47,7 @@ constexpr Key number_key(std::string_view name, std::string_view unit, double le
 }
 
 constexpr Key vector_key(std::string_view name, std::string_view unit, std::string_view meaning) {
-  return {name, ValueKind::vector, unit, -any_number, any_number, meaning};
+  return {name, ValueKind::vector, unit, -coordinate_limit, coordinate_limit, meaning};
 }
 
 constexpr Key colour_key(std::string_view name, std::string_view meaning) {
@@ -166,7 +166,7 @@ constexpr Section section(std::string_view name, std::string_view meaning) {
 }
 
 /// Adds a table of an effect to the scene. For a list section, this adds one more entry.
-void call(Scene& scene, const Section& section, Values&& table);
+void add_effect_table(Scene& scene, const Section& section, Values&& table);
 
 /// The section of an effect, whose tables are added to the scene; a list section if Settings is a std::vector.
 template <class Settings>
@@ -175,7 +175,7 @@ constexpr Section effect_section(std::string_view name, std::string_view meaning
   return {name, meaning, detail::TableOf<Settings>::is_list, blank_values<Table>,
           [](Scene& scene, const Section& section, Values&& read) {
             table_of<Table>(read);  // validates: throws if the values are inconsistent
-            call(scene, section, std::move(read));
+            add_effect_table(scene, section, std::move(read));
           }};
 }
 

@@ -21,7 +21,7 @@ void visit_keys(Camera& camera, auto&& visit) {
   visit(vector_key("centre", "model units", "point at which the camera looks"), camera.centre);
   visit(choice_key("projection", projections, "projection of the picture"), camera.is_perspective);
   visit(boolean_key("view_all", "the camera moves so that the whole model just fits"), camera.view_all);
-  visit(number_key("near", "model units", 0, any_number,
+  visit(number_key("near", "model units", 0, coordinate_limit,
                    "perspective: distance of the near plane; solids are capped there"),
         camera.near);
 }
@@ -83,7 +83,7 @@ constexpr std::array sections{
 
 }  // namespace
 
-void call(Scene& scene, const Section& section, Values&& table) {
+void add_effect_table(Scene& scene, const Section& section, Values&& table) {
   std::vector<EffectRequest>& effects = scene.effects;
   if (!section.is_list || effects.empty() || effects.back().name != section.name) effects.push_back({section.name, {}});
   effects.back().tables.push_back(std::move(table));

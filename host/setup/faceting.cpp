@@ -91,7 +91,7 @@ std::vector<std::uint32_t> faceted_solids(const model::Tree& tree, const facet::
   return left;
 }
 
-std::string others(std::size_t count) {
+std::string others_text(std::size_t count) {
   if (count == 0) return "";
   return count == 1 ? ", as is 1 more curved solid" : fmt::format(", as are {} more curved solids", count);
 }
@@ -104,7 +104,7 @@ void report_faceted(const std::vector<std::uint32_t>& left, const Seen& seen) {
   report_line(
       fmt::format("{}: warning: --curves fast draws spheres in orthographic pictures; this solid is {} and is drawn as "
                   "facets{}",
-                  place, reason, others(left.size() - 1)));
+                  place, reason, others_text(left.size() - 1)));
 }
 
 /// Those spheres that can be drawn as fast spheres, beside planar facets.

@@ -51,7 +51,7 @@ bool is_convex(const std::vector<FlatPoint>& points) {
   return turns == 2;
 }
 
-bool holds(const std::array<FlatPoint, 3>& triangle, const FlatPoint& point) {
+bool contains(const std::array<FlatPoint, 3>& triangle, const FlatPoint& point) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (CGAL::orientation(triangle[i], triangle[(i + 1) % 3], point) == CGAL::RIGHT_TURN) return false;
   }
@@ -89,7 +89,8 @@ class EarClipper {
   [[nodiscard]] bool is_ear(const std::array<std::size_t, 3>& at) const {
     const std::array<FlatPoint, 3> triangle{points_[at[0]], points_[at[1]], points_[at[2]]};
     if (CGAL::orientation(triangle[0], triangle[1], triangle[2]) != CGAL::LEFT_TURN) return false;
-    return std::none_of(left_.begin(), left_.end(), [&](std::size_t other) { return holds(triangle, points_[other]); });
+    return std::none_of(left_.begin(), left_.end(),
+                        [&](std::size_t other) { return contains(triangle, points_[other]); });
   }
 
   void cut(std::size_t i) {

@@ -23,7 +23,7 @@ std::size_t count_corners(const Pieces& pieces) {
 }
 
 /// Whether all points of `other` are behind all planes of `piece`, apart from rounding.
-bool holds(const model::Polyhedron& piece, const model::Polyhedron& other, double near) {
+bool contains(const model::Polyhedron& piece, const model::Polyhedron& other, double near) {
   return std::all_of(piece.planes.begin(), piece.planes.end(), [&](const glm::dvec4& plane) {
     return std::all_of(other.points.begin(), other.points.end(),
                        [&](const glm::dvec3& point) { return glm::dot(glm::dvec3(plane), point) + plane.w <= near; });
@@ -47,8 +47,8 @@ Pieces without_covered(Pieces pieces, const Work& work) {
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     work.charge(4 * pieces.size(), "removing nested pieces of a Minkowski sum");
     for (std::size_t other = 0; other < pieces.size() && !covered[i]; ++other) {
-      covered[i] =
-          other != i && !covered[other] && box_holds(boxes[other], boxes[i]) && holds(pieces[other], pieces[i], near);
+      covered[i] = other != i && !covered[other] && box_holds(boxes[other], boxes[i]) &&
+                   contains(pieces[other], pieces[i], near);
     }
   }
   Pieces kept;

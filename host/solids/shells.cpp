@@ -24,7 +24,7 @@ void for_triangles(const Mesh& mesh, std::span<const std::uint32_t> faces, const
   }
 }
 
-bool holds(const facet::Box& outer, const facet::Box& inner) {
+bool contains(const facet::Box& outer, const facet::Box& inner) {
   return glm::all(glm::lessThanEqual(outer.low, inner.low)) && glm::all(glm::lessThanEqual(inner.high, outer.high));
 }
 
@@ -103,7 +103,8 @@ std::vector<std::uint32_t> nesting_depths(const Mesh& mesh, const std::vector<Fa
   for (std::size_t i = 0; i < shells.size(); ++i) {
     work.charge(shells.size(), nesting);
     for (std::size_t other = 0; other < shells.size(); ++other) {
-      if (other != i && holds(boxes[other], boxes[i]) && is_within(mesh, shells[i], shells[other], work)) ++depths[i];
+      if (other != i && contains(boxes[other], boxes[i]) && is_within(mesh, shells[i], shells[other], work))
+        ++depths[i];
     }
   }
   return depths;
@@ -129,7 +130,7 @@ std::vector<FaceList> collect_solids(const Mesh& mesh, const Work& work) {
     std::size_t least = shells.size();
     work.charge(shells.size(), nesting);
     for (std::size_t other = 0; other < shells.size(); ++other) {
-      if (volumes[other] < -volumes[i] || !holds(boxes[other], boxes[i])) continue;
+      if (volumes[other] < -volumes[i] || !contains(boxes[other], boxes[i])) continue;
       if (least < shells.size() && volumes[least] <= volumes[other]) continue;
       if (is_within(mesh, shells[i], shells[other], work)) least = other;
     }

@@ -36,7 +36,7 @@ double spiral_length(double step, double angle) {
 
 /// Length of the path of a corner, given its squared distance from the axis. The corner turns by `turn` radians on its
 /// way up.
-double way_length(double squared_radius, double turn, const LinearExtrude& extrusion) {
+double path_length(double squared_radius, double turn, const LinearExtrude& extrusion) {
   const double scale = extrusion.scale.x;
   if (scale == 1.0 || scale != extrusion.scale.y) {
     const double rise = extrusion.height / turn;
@@ -56,7 +56,7 @@ double twisted_count(const flat::Area& area, const LinearExtrude& extrusion) {
   if (std::sqrt(squared_radius) < model::grid_fine || !std::isfinite(facets.fn)) return fewest;
   if (facets.fn > 0.0) return std::max(std::ceil(twist / 360.0 * facets.fn), fewest);
   const double turn = twist * std::numbers::pi / 180.0;
-  const double by_length = std::ceil(way_length(squared_radius, turn, extrusion) / facets.fs);
+  const double by_length = std::ceil(path_length(squared_radius, turn, extrusion) / facets.fs);
   return std::max(std::min(std::ceil(twist / facets.fa), by_length), fewest);
 }
 

@@ -20,8 +20,10 @@ double distance_to_segment(const glm::dvec3& point, const glm::dvec3& from, cons
 /// Operations in one call of distance_to_segment().
 inline constexpr Arithmetic line_arithmetic{16, 12, 1, 0};
 
-/// Flat, the test of the thesis. We assume that its plane passes through the south-west, south-east and north-west
-/// corners.
+/// Whether an element is flat by the test of the thesis: its fourth corner and `middle` are within the tolerance, in
+/// model units, of the plane through its south-west, south-east and north-west corners (our assumption, as the thesis
+/// does not name them). If the south or west side is a point, the south-west corner takes the place of the fourth. Adds
+/// the operations to the counts.
 bool is_flat(const std::array<glm::dvec3, 4>& corners, const glm::dvec3& middle, double tolerance,
              SubdivisionCounts& counts);
 

@@ -15,7 +15,8 @@ Corners at_corners(const FixedLinear& function, const PixelRect& pixels) {
   return {at(pixels.x0, pixels.y0), at(pixels.x1, pixels.y0), at(pixels.x0, pixels.y1), at(pixels.x1, pixels.y1)};
 }
 
-/// Whether `one` is below at every corner; adds the number of compared corners, up to the first where it is not.
+/// Whether `one` is below `other` by at least `step` at every corner. Compares corners up to the first at which this is
+/// false, and adds their number to `compared`.
 bool is_below(const Corners& one, const Corners& other, std::int64_t step, std::uint64_t& compared) {
   return std::equal(one.begin(), one.end(), other.begin(), [&](std::int64_t mine, std::int64_t theirs) {
     ++compared;
@@ -26,7 +27,7 @@ bool is_below(const Corners& one, const Corners& other, std::int64_t step, std::
 }  // namespace
 
 std::vector<bool> leading(std::span<const FixedLinear> functions, const PixelRect& pixels, std::int64_t step,
-                          std::uint64_t* held) {
+                          std::uint64_t* comparisons) {
   std::vector<Corners> values;
   values.reserve(functions.size());
   for (const FixedLinear& function : functions) values.push_back(at_corners(function, pixels));
@@ -44,7 +45,7 @@ std::vector<bool> leading(std::span<const FixedLinear> functions, const PixelRec
       return i > by || !is_below(values[by], values[i], step, compared);
     }));
   }
-  if (held != nullptr) *held += compared;
+  if (comparisons != nullptr) *comparisons += compared;
   return leads;
 }
 

@@ -69,8 +69,8 @@ void draw_arc(const Entity& entity, const model::FacetControl& facets, const Dra
   draw_part(entity, entity.start, degrees, steps(entity.size, degrees, full_turn, facets), draw_segment);
 }
 
-/// OpenSCAD treats the end of the major axis as a point, so it translates and scales it as such, and also scales the
-/// ratio.
+/// As in OpenSCAD, the end of the major axis, although a vector, is translated and scaled like a point, and the ratio
+/// of the radii is scaled too.
 void draw_ellipse(const Entity& entity, const model::FacetControl& facets, const Draw& draw_segment) {
   const glm::dvec2 centre = point(entity, 0);
   const glm::dvec2 major = point(entity, 1);

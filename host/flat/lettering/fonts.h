@@ -17,7 +17,7 @@ FT_Face find_font(const std::string& pattern);
 /// the pattern names no family or only generic families such as `sans`. Throws as find_font() does.
 std::string find_replacement(const std::string& pattern);
 
-/// The font's name for messages; empty if a damaged font has none.
+/// The font's family name for messages; `without a name` if a damaged font has none.
 std::string font_name(FT_Face face);
 
 /// Whether the font's characters are in Unicode's private use area from 0xf000, as in old symbol fonts.

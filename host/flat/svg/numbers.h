@@ -29,6 +29,7 @@ class Numbers {
   /// Reads letters up to the next character that is not a letter.
   std::string_view word();
 
+  /// Consumes the character if it is next. Returns whether it was.
   bool take(char character);
 
  private:

@@ -12,7 +12,7 @@ struct Page {
   glm::dvec2 scale{1};   ///< millimetres per user unit
   glm::dvec2 origin{0};  ///< lower corner of the drawing, in user units
   glm::dvec2 margin{0};  ///< additional offset from the alignment
-  double height = 0;
+  double height = 0;     ///< of the page, millimetres
 };
 
 /// The page described by width, height, viewBox and preserveAspectRatio. Throws InputError if it is invalid.

@@ -175,7 +175,7 @@ std::vector<Outline> Path::finish() {
 
 [[noreturn]] void fail(std::string_view rest) {
   constexpr std::size_t shown = 20;
-  throw InputError("invalid path data at \"" + printable(rest.substr(0, shown)) + "\"");
+  throw InputError("invalid path data at \"" + printable(rest.substr(0, shown)) + "\"; correct it");
 }
 
 /// Reads one set of a command's operands.

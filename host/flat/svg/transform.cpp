@@ -19,7 +19,7 @@ struct Call {
 
 [[noreturn]] void fail_transform(std::string_view text) {
   throw InputError("transform=\"" + printable(text) +
-                   "\" is not a list of matrix(), translate(), scale(), rotate(), skewX(), skewY()");
+                   "\" is not a list of matrix(), translate(), scale(), rotate(), skewX(), skewY(); correct it");
 }
 
 glm::dmat3 columns(double a, double b, double c, double d, double e, double f) { return {a, b, 0, c, d, 0, e, f, 1}; }

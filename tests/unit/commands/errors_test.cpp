@@ -18,7 +18,8 @@ TEST_CASE("an invalid command in a .jan file is rejected with its position and a
   CHECK(fault_of("A = block 1 2 3 4") == "a.jan:1:17: expected the end of the line, found `4`");
   CHECK(fault_of("A = block 1 2 $") ==
         "a.jan:1:15: expected a name, a number or one of = + - * ( ), found `$`; a comment begins with #");
-  CHECK(fault_of("A = block 1 2 1e999") == "a.jan:1:15: number out of range: 1e999 exceeds the range of doubles");
+  CHECK(fault_of("A = block 1 2 1e999") ==
+        "a.jan:1:15: number out of range: 1e999 exceeds the range of doubles; correct it");
   CHECK(fault_of("jump A 1") ==
         "a.jan:1:1: there is no command jump; a line is `NAME = ...`, or move, rotate, scale, colour, facets or "
         "tolerance with arguments");

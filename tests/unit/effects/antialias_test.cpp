@@ -25,7 +25,7 @@ int difference(const Levels& a, const Levels& b) {
   return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
 }
 
-std::string called(std::size_t samples, const std::string& more = "") {
+std::string antialias_section(std::size_t samples, const std::string& more = "") {
   return fmt::format("[effects.antialias]\nsamples = {}\n{}", samples, more);
 }
 
@@ -78,7 +78,7 @@ Levels refined(const std::vector<observe::Frame>& frames, int min_difference, st
 }
 
 /// Largest error with which the first `few` samples estimate the share of all samples on one side of a straight line.
-double worst_at_a_line(std::size_t few, std::size_t all) {
+double max_error_at_line(std::size_t few, std::size_t all) {
   const std::vector<glm::dvec2> offsets = effects::sample_offsets(all);
   double worst = 0;
   for (int step = 0; step < 3600; ++step) {
@@ -154,7 +154,7 @@ TEST_CASE("the anti-aliased picture is the rounded mean of its samples' pictures
     const auto projection = seed % 2 == 0 ? view::Projection::orthographic : view::Projection::perspective;
     const std::size_t count = std::size_t{2} << (seed % 4);
     CAPTURE(seed);
-    const testing::Setup setup = random_view(projection, called(count));
+    const testing::Setup setup = random_view(projection, antialias_section(count));
     const observe::Frame picture = testing::draw(testing::compile_text(csg, setup).program);
     const std::vector<observe::Frame> frames = sampled(csg, setup, count);
     CHECK(picture.depth == frames.front().depth);
@@ -176,7 +176,7 @@ TEST_CASE("anti-aliasing with other effects is the mean of their pictures") {
       "[effects.smooth]\n[effects.depth_cue]\nbits = 3\n[[effects.textures]]\nsize = 3\nof_colour = [0.1, 0.4, 1]\n"
       "[[materials]]\nof_colour = [1, 0.2, 0.1]\nopacity = 0.5\n";
   for (const view::Projection projection : {view::Projection::orthographic, view::Projection::perspective}) {
-    const testing::Setup setup = random_view(projection, called(4) + others);
+    const testing::Setup setup = random_view(projection, antialias_section(4) + others);
     const observe::Frame picture = testing::draw(testing::compile_text(ball_and_hole, setup).program);
     std::vector<observe::Frame> frames;
     for (const glm::dvec2& offset : effects::sample_offsets(4)) {
@@ -184,7 +184,7 @@ TEST_CASE("anti-aliasing with other effects is the mean of their pictures") {
       one.sampling.offset = offset;
       frames.push_back(testing::draw(testing::compile_text(ball_and_hole, one).program));
     }
-    const testing::Setup fewer = random_view(projection, called(4, "adaptive = true\n") + others);
+    const testing::Setup fewer = random_view(projection, antialias_section(4, "adaptive = true\n") + others);
     const observe::Frame adaptive = testing::draw(testing::compile_text(ball_and_hole, fewer).program);
     int wrong = 0;
     int wrong_adaptive = 0;
@@ -198,7 +198,7 @@ TEST_CASE("anti-aliasing with other effects is the mean of their pictures") {
 }
 
 TEST_CASE("anti-aliasing averages each channel separately with fewer colour bits") {
-  testing::Setup setup = random_view(view::Projection::orthographic, called(4));
+  testing::Setup setup = random_view(view::Projection::orthographic, antialias_section(4));
   setup.options.colour_bits = 11;
   const observe::Frame picture = testing::draw(testing::compile_text(ball_and_hole, setup).program);
   const std::vector<observe::Frame> frames = sampled(ball_and_hole, setup, 4);
@@ -222,7 +222,7 @@ TEST_CASE("anti-aliased colours are the means of rays through the same points") 
     const std::string csg = testing::random_model(seed, 5);
     const auto projection = seed % 2 == 0 ? view::Projection::orthographic : view::Projection::perspective;
     CAPTURE(seed);
-    const testing::Setup setup = random_view(projection, called(4));
+    const testing::Setup setup = random_view(projection, antialias_section(4));
     const testing::Compiled compiled = testing::compile_text(csg, setup);
     const observe::Frame picture = testing::draw(compiled.program);
     const testing::RayShot shot{setup.camera, 61, 47, compiled.view.depth.near, effects::sample_offsets(4)};
@@ -249,7 +249,7 @@ TEST_CASE("adaptive anti-aliasing stops per pixel by its definition and keeps de
     CAPTURE(seed);
     const testing::Setup setup =
         random_view(view::Projection::perspective,
-                    called(count, fmt::format("adaptive = true\nleast_difference = {}", min_difference)));
+                    antialias_section(count, fmt::format("adaptive = true\nleast_difference = {}", min_difference)));
     const observe::Frame picture = testing::draw(testing::compile_text(csg, setup).program);
     const std::vector<observe::Frame> frames = sampled(csg, setup, count);
     CHECK(picture.depth == frames.front().depth);
@@ -265,12 +265,12 @@ TEST_CASE("adaptive and full anti-aliasing differ at straight edges within a bou
   const std::string csg =
       "color([1,1,1,1]){multmatrix([[0.8,0,0.6,30],[0,1,0,0],[-0.6,0,0.8,-24],[0,0,0,1]])"
       "{cube(size=[28,4,28],center=true);}}";
-  testing::Setup setup = testing::front_view(60, 48, testing::scene_of(testing::plain_colours + called(16)));
+  testing::Setup setup = testing::front_view(60, 48, testing::scene_of(testing::plain_colours + antialias_section(16)));
   const observe::Frame full = testing::draw(testing::compile_text(csg, setup).program);
   setup.options.scene =
-      testing::scene_of(testing::plain_colours + called(16, "adaptive = true\nleast_difference = 112"));
+      testing::scene_of(testing::plain_colours + antialias_section(16, "adaptive = true\nleast_difference = 112"));
   const observe::Frame adaptive = testing::draw(testing::compile_text(csg, setup).program);
-  const double bound = std::max(worst_at_a_line(4, 16), worst_at_a_line(8, 16)) * 255 + 1;
+  const double bound = std::max(max_error_at_line(4, 16), max_error_at_line(8, 16)) * 255 + 1;
   CHECK(bound < 100);
   int most = 0;
   for (std::size_t i = 0; i < full.colour.size(); ++i)
@@ -280,10 +280,10 @@ TEST_CASE("adaptive and full anti-aliasing differ at straight edges within a bou
 }
 
 TEST_CASE("adaptive anti-aliasing more than halves the carburettor's clocks") {
-  testing::Setup setup = testing::front_view(256, 256, testing::scene_of(called(16)));
+  testing::Setup setup = testing::front_view(256, 256, testing::scene_of(antialias_section(16)));
   setup.camera = {{220, -255, 135}, {2, 0, 5}, view::Projection::orthographic};
   const testing::Compiled all = testing::compile_file(testing::model_path("carburettor"), setup);
-  setup.options.scene = testing::scene_of(called(16, "adaptive = true\nleast_difference = 104"));
+  setup.options.scene = testing::scene_of(antialias_section(16, "adaptive = true\nleast_difference = 104"));
   const testing::Compiled fewer = testing::compile_file(testing::model_path("carburettor"), setup);
   const auto clocks = [](const isa::Program& program) {
     return engine::make_functional_engine(testing::machine_of(program.shape))->run(program, {}).clocks;
@@ -294,11 +294,11 @@ TEST_CASE("adaptive anti-aliasing more than halves the carburettor's clocks") {
   int most = 0;
   for (std::size_t i = 0; i < full.colour.size(); ++i)
     most = std::max(most, difference(levels_of(full.colour[i]), levels_of(adaptive.colour[i])));
-  CHECK(most <= worst_at_a_line(4, 16) * 255 + 1);
+  CHECK(most <= max_error_at_line(4, 16) * 255 + 1);
 }
 
 TEST_CASE("adaptive anti-aliasing skips refinement if no pixel needs it") {
-  testing::Setup setup = testing::front_view(32, 32, testing::scene_of(called(4, "adaptive = true")));
+  testing::Setup setup = testing::front_view(32, 32, testing::scene_of(antialias_section(4, "adaptive = true")));
   const std::string wall = testing::box_text({-10, 0, -50}, {50, 1, 50});
   const testing::Compiled refined = testing::compile_text(wall, setup);
   const auto run = [](const isa::Program& program) {
@@ -309,9 +309,9 @@ TEST_CASE("adaptive anti-aliasing skips refinement if no pixel needs it") {
   CHECK(run(testing::compile_text(testing::box_text({-10, 0, -50}, {9.3, 1, 50}), setup).program).skipped == 0);
 }
 
-TEST_CASE("the anti-aliased picture is the same if drawn line by line") {
+TEST_CASE("an anti-aliased picture is the same on scan-line as on Pixel-planes") {
   for (const char* adaptive : {"adaptive = false", "adaptive = true"}) {
-    testing::Setup setup = random_view(view::Projection::perspective, called(4, adaptive));
+    testing::Setup setup = random_view(view::Projection::perspective, antialias_section(4, adaptive));
     const observe::Frame whole = testing::draw(testing::compile_text(ball_and_hole, setup).program);
     setup.kind = &scan_line::kind;
     const observe::Frame lines = testing::draw(testing::compile_text(ball_and_hole, setup).program);
@@ -321,6 +321,8 @@ TEST_CASE("the anti-aliased picture is the same if drawn line by line") {
 }
 
 TEST_CASE("anti-aliasing rejects a number of samples that is not a supported power of two") {
-  CHECK(testing::error_of([] { testing::scene_of(called(3)); }).find("use 2, 4, 8 or 16") != std::string::npos);
-  CHECK(testing::error_of([] { testing::scene_of(called(12)); }).find("use 2, 4, 8 or 16") != std::string::npos);
+  CHECK(testing::error_of([] { testing::scene_of(antialias_section(3)); }).find("use 2, 4, 8 or 16") !=
+        std::string::npos);
+  CHECK(testing::error_of([] { testing::scene_of(antialias_section(12)); }).find("use 2, 4, 8 or 16") !=
+        std::string::npos);
 }

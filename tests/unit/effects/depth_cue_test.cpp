@@ -117,7 +117,7 @@ TEST_CASE("a depth cue at its far end shows the background and at its near end t
   CHECK(std::abs(level(half.colour[second], 1) - 127.5) <= bound(5, 1e5));
 }
 
-TEST_CASE("the faded picture is the same if drawn line by line") {
+TEST_CASE("a depth cue gives the same colours on scan-line as on Pixel-planes") {
   testing::Setup setup = random_view(view::Projection::perspective, "[effects.depth_cue]\n");
   const std::string csg = testing::random_model(7, 6);
   const observe::Frame whole = testing::draw(testing::compile_text(csg, setup).program);

@@ -20,7 +20,7 @@ testing::Setup random_view(view::Projection projection, const std::string& scene
 }
 
 /// Rows of a picture as text: whether each pixel has the colour.
-std::vector<std::string> where(const observe::Frame& frame, std::uint32_t colour) {
+std::vector<std::string> rows_with_colour(const observe::Frame& frame, std::uint32_t colour) {
   std::vector<std::string> rows;
   for (std::uint32_t y = 0; y < frame.height; ++y) {
     rows.emplace_back();
@@ -40,15 +40,15 @@ TEST_CASE("an edge line is drawn where the pixel to the right or below shows ano
   const std::string boxes = testing::box_text({1, 0, -5}, {5, 1, -2}) + testing::box_text({5, 0, -4}, {7, 1, -3});
   const testing::Setup setup = testing::front_view(9, 7, testing::scene_of(testing::plain_colours + red_lines));
   const observe::Frame frame = testing::draw(testing::compile_text(boxes, setup).program);
-  CHECK(where(frame, red) == std::vector<std::string>{
-                                 ".........",
-                                 ".####....",
-                                 "#...###..",
-                                 "#...###..",
-                                 "#####....",
-                                 ".........",
-                                 ".........",
-                             });
+  CHECK(rows_with_colour(frame, red) == std::vector<std::string>{
+                                            ".........",
+                                            ".####....",
+                                            "#...###..",
+                                            "#...###..",
+                                            "#####....",
+                                            ".........",
+                                            ".........",
+                                        });
 }
 
 TEST_CASE("edge lines are exactly where neighbouring rays hit different facets") {
@@ -91,7 +91,7 @@ TEST_CASE("facets that meet at less than the crease angle have no edge line betw
     const std::string csg = fmt::format("cylinder($fn={},h=20,r1=12,r2=12,center=true);", fragments);
     const observe::Frame frame = testing::draw(testing::compile_text(csg, setup).program);
     // A row that crosses only the side.
-    return where(frame, red).at(26);
+    return rows_with_colour(frame, red).at(26);
   };
   const auto count = [](const std::string& row) { return std::count(row.begin(), row.end(), '#'); };
   CHECK(count(lines(24, "")) == 2);
@@ -143,7 +143,7 @@ TEST_CASE("anti-aliased edge lines are the means of the lines in each sample") {
   CHECK(wrong_adaptive == 0);
 }
 
-TEST_CASE("edge lines are the same if drawn line by line or with a colour field") {
+TEST_CASE("drawing line by line or with a colour field does not change edge lines") {
   testing::Setup setup = random_view(view::Projection::perspective, red_lines);
   const std::string csg = testing::random_model(7, 6);
   const observe::Frame whole = testing::draw(testing::compile_text(csg, setup).program);

@@ -29,7 +29,8 @@ testing::Setup setup_of(const std::string& scene, const std::string& model) {
   return setup;
 }
 
-/// The definition, one pixel at a time.
+/// The colours of a picture after equalisation, by its definition, one pixel at a time. `nothing` is the background's
+/// depth.
 std::vector<std::uint32_t> equalised(const observe::Frame& before, const Lattice& lattice, unsigned colour_bits,
                                      std::uint32_t nothing) {
   std::vector<std::uint32_t> after = before.colour;
@@ -96,7 +97,7 @@ TEST_CASE("equalisation replaces every level by its rank among the samples") {
   CHECK(changed > 1000);
 }
 
-TEST_CASE("equalisation samples with limited reach affect only the pixels around them") {
+TEST_CASE("equalisation with a limited reach ranks a pixel among the samples within it") {
   int changed = 0;
   for (std::uint64_t seed = 11; seed <= 16; ++seed) {
     CAPTURE(seed);
@@ -107,7 +108,7 @@ TEST_CASE("equalisation samples with limited reach affect only the pixels around
   CHECK(changed > 1000);
 }
 
-TEST_CASE("equalisation works with few colour bits") {
+TEST_CASE("equalisation replaces levels by ranks with 3 to 23 colour bits too") {
   const std::string ball = "sphere($fn = 12, $fa = 12, $fs = 2, r = 5);";
   for (const unsigned bits : {3U, 4U, 8U, 16U, 23U}) {
     CAPTURE(bits);
@@ -123,7 +124,7 @@ TEST_CASE("equalisation leaves a picture without visible samples unchanged") {
   CHECK(check(far_corners, {1, 0}, isa::max_colour_bits) == 0);
 }
 
-TEST_CASE("equalisation counts every sample of a 64 x 64 lattice") {
+TEST_CASE("equalisation replaces levels by ranks among a 64 x 64 lattice of samples") {
   CHECK(check("sphere($fn = 12, $fa = 12, $fs = 2, r = 5);", {64, 0}, isa::max_colour_bits, smooth) > 0);
 }
 

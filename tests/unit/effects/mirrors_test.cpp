@@ -160,7 +160,7 @@ observe::Frame drawn(const std::string& model, const testing::Setup& setup) {
 
 }  // namespace
 
-TEST_CASE("mirrors in a room match rays at each depth") {
+TEST_CASE("mirrors in a room match rays at each depth of reflection") {
   for (const unsigned depth : {1U, 2U, 3U}) {
     CAPTURE(depth);
     Tally tally;
@@ -184,7 +184,7 @@ TEST_CASE("mirrors in mirrors are visible up to the requested depth") {
   CHECK(drawn(room(), once).depth == drawn(room(), twice).depth);
 }
 
-TEST_CASE("mirrors are the same on all machines and with all strategies") {
+TEST_CASE("a picture of mirrors is identical on all machines and with all strategies") {
   testing::Setup setup = view_of_room(32, 28, view::Projection::perspective, to_depth(2), room());
   const observe::Frame first = drawn(room(), setup);
   for (const emit::Strategy strategy : emit::strategies) {
@@ -201,7 +201,7 @@ TEST_CASE("mirrors are the same on all machines and with all strategies") {
   CHECK(same(drawn(room(), setup), first));
 }
 
-TEST_CASE("glass in front of and inside a mirror is transparent") {
+TEST_CASE("glass in front of a mirror and its mirror image match rays") {
   const std::string model = "union(){" + room() + tinted({0.3, 0.9, 0.9}, 0.4, box_text({-7, -6, 1}, {1, -5, 6})) + "}";
   const testing::Setup setup = view_of_room(64, 56, view::Projection::orthographic, to_depth(1), model);
   const auto compiled = testing::compile_text(model, setup);
@@ -243,7 +243,7 @@ TEST_CASE("too little memory for mirrors is an error that suggests a fix") {
   CHECK_NOTHROW((void)testing::compile_text(room(), setup));
 }
 
-TEST_CASE("more mirrors than can be drawn are an error") {
+TEST_CASE("more than 256 reflections are an error") {
   std::string model = "union(){";
   for (int i = 0; i < 90; ++i) {
     const double x = 2.0 * i;

@@ -319,7 +319,7 @@ TEST_CASE("shadows can be limited to one light or to some lines of the model") {
   CHECK(dark_columns("from_line = 1\n") == ".........o......o.......");
 }
 
-TEST_CASE("invalid settings of shadows are rejected") {
+TEST_CASE("a nonexistent light or an invalid range of lines for shadows is rejected") {
   CHECK(testing::error_of([] { drawn(wall, wall_view(shadows + "light = 2\n")); }).find("numbered 0 to 0") !=
         std::string::npos);
   CHECK(testing::error_of([] { testing::scene_of(shadows + "to_line = 2\n"); }).find("add from_line") !=

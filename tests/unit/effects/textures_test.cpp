@@ -60,7 +60,8 @@ struct Pattern {
 };
 
 /// Intersection of the ray through a point of the picture with a plane.
-glm::dvec3 meeting(const view::EyeSpace& space, const facet::Plane& plane, const glm::dvec3& centre, glm::dvec2 at) {
+glm::dvec3 ray_intersection(const view::EyeSpace& space, const facet::Plane& plane, const glm::dvec3& centre,
+                            glm::dvec2 at) {
   const glm::dvec3 a = space.to_model(space.from_picture({at.x, at.y, 1}));
   const glm::dvec3 b = space.to_model(space.from_picture({at.x, at.y, 2}));
   const double from = glm::dot(plane.normal, a - centre) + plane.offset;
@@ -109,7 +110,8 @@ void compare(const std::string& model, const Pattern& pattern, const view::Camer
     if (takes_textures(compiled.tree.primitives[lit[i].primitive], plane.normal)) {
       const auto texel = [&](double aside, double below) {
         const glm::dvec2 at(static_cast<double>(i % width) + aside, static_cast<double>(i / width) + below);
-        const glm::dvec2 uv = on_facet(meeting(space, plane, compiled.scene.planes.centre(), at), plane.normal);
+        const glm::dvec2 uv =
+            on_facet(ray_intersection(space, plane, compiled.scene.planes.centre(), at), plane.normal);
         return pattern.at(uv.x, uv.y);
       };
       const glm::dvec3 here = texel(0, 0);
@@ -272,7 +274,7 @@ TEST_CASE("the last enabled texture that applies to a primitive is used") {
   CHECK(middle(red + "on = false\n") == 0x00ff00U);
 }
 
-TEST_CASE("textures are the same for all machines and colourings") {
+TEST_CASE("a textured picture is identical for all machines and colourings") {
   for (const view::Projection projection : {view::Projection::orthographic, view::Projection::perspective}) {
     const std::string model = testing::random_model(5, 6);
     const facet::Box box = facet::make_geometry(read::read_csg_text(model, "random")).box;
@@ -290,7 +292,7 @@ TEST_CASE("textures are the same for all machines and colourings") {
   }
 }
 
-TEST_CASE("a texture for a sphere selected by line is rejected with the reason") {
+TEST_CASE("a texture skips a sphere but is rejected if it selects the sphere by line") {
   const std::string sphere = "sphere($fn = 8, $fa = 12, $fs = 2, r = 5);";
   const std::string error = error_with("[[effects.textures]]\nfrom_line = 1\n", sphere);
   CHECK(error.find("test:1:1: textures are only for flat facets, and this is a sphere") != error.npos);
@@ -307,7 +309,7 @@ TEST_CASE("too many texels in perspective are an error that suggests a size") {
   CHECK(error_with("[[effects.textures]]\nsize = 0.1\npattern = 'stripes'\n", cube, camera).empty());
 }
 
-TEST_CASE("a texture table has a power of two of at most 8 rows and columns") {
+TEST_CASE("an invalid table of texels or range of lines of a texture is rejected") {
   const std::string cube = "cube(size = [30, 30, 30], center = true);";
   const auto error = [&](const std::string& keys) { return error_with("[[effects.textures]]\n" + keys, cube); };
   CHECK(error("pattern = 'table'").find("needs colours") != std::string::npos);

@@ -171,7 +171,7 @@ Tally layers_of_random_models(std::uint64_t first_seed, view::Projection project
 
 /// Whether a primitive's surfaces are drawn at a pixel: fewer than 16 * opacity of the 16 thresholds precede the
 /// pixel's.
-bool is_there(std::uint32_t x, std::uint32_t y, double opacity) {
+bool is_drawn_at(std::uint32_t x, std::uint32_t y, double opacity) {
   const std::uint32_t number = 8 * ((x + y) % 2) + 4 * (y % 2) + 2 * ((x + y) / 2 % 2) + y / 2 % 2;
   return number < std::round(16 * opacity);
 }
@@ -189,7 +189,7 @@ Tally screen_doors_of_random_models(std::uint64_t first_seed, view::Projection p
       const std::vector<double> opacities = permuted(shot.opacities(), order);
       testing::RayEffects effects;
       effects.is_there = [&opacities](std::uint32_t x, std::uint32_t y, std::uint32_t primitive) {
-        return is_there(x, y, opacities[primitive]);
+        return is_drawn_at(x, y, opacities[primitive]);
       };
       expected.at(is_reversed ? 1 : 0) = shot.cast(order, effects);
     }

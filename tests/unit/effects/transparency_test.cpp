@@ -176,7 +176,7 @@ TEST_CASE("the order of parts does not change the picture (OpenSCAD issue 1390)"
   }
 }
 
-TEST_CASE("transparent pictures are the same on all machines and with all strategies") {
+TEST_CASE("a transparent picture is identical on all machines and with all strategies") {
   for (const char* const method : {"layers", "screen-door"}) {
     CAPTURE(method);
     testing::Setup setup = view_of_parts({fmt::format("effects.transparency.method={}", method)});
@@ -201,7 +201,7 @@ TEST_CASE("transparent pictures are the same on all machines and with all strate
   }
 }
 
-TEST_CASE("transparent surfaces are the same if colours are found by owner") {
+TEST_CASE("finding colours by owner does not change a transparent picture") {
   static const emit::EffectRow owners{.section = scene::effect_section<NoSettings>("effects.owners", ""),
                                       .technique = "",
                                       .parts = emit::parts_of<AlwaysCalled>,
@@ -274,7 +274,7 @@ TEST_CASE("too little memory for transparency is an error that suggests fixes") 
   }
 }
 
-TEST_CASE("a screen door opens the expected number of pixels per 4 x 4 block") {
+TEST_CASE("a screen door of opacity n/16 covers n pixels of each 4 x 4 block") {
   std::set<std::size_t> before;
   for (unsigned pixels = 0; pixels <= effects::max_pattern_pixels; ++pixels) {
     CAPTURE(pixels);
@@ -293,7 +293,7 @@ TEST_CASE("a screen door opens the expected number of pixels per 4 x 4 block") {
   }
 }
 
-TEST_CASE("most_overlapping() counts rectangles that share a pixel") {
+TEST_CASE("max_overlap() is the number of rectangles at the most covered pixel") {
   const bool holds = rc::check("the count equals that of the pixel in most rectangles", [] {
     std::vector<view::PixelRect> all;
     std::array<unsigned, 64> covered{};

@@ -36,21 +36,21 @@ std::vector<Opcode> emitted(const Emit& emit) {
 
 /// Uniform in [0, end) for any size of a test case.
 template <class Number = int>
-Number below(Number end) {
+Number random_below(Number end) {
   return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<Number>(0, end));
 }
 
 /// One of few instructions on few bits, so that the same bit is used repeatedly.
-Instruction any_instruction() {
-  const auto any_bit = [] { return Field{below<std::uint16_t>(2), 1}; };
-  switch (below(16)) {
+Instruction random_instruction() {
+  const auto any_bit = [] { return Field{random_below<std::uint16_t>(2), 1}; };
+  switch (random_below(16)) {
     case 0: return {Opcode::enable_all, {}, {}, 0, {}};
     case 1: return {Opcode::enable_invert, {}, {}, 0, {}};
     case 2: return {Opcode::enable_and, {any_bit()}, {}, 0, {}};
     case 3: return {Opcode::enable_xor, {any_bit()}, {}, 0, {}};
-    case 4: return {Opcode::set_constant, {any_bit()}, {}, below<std::uint64_t>(2), {}};
-    case 5: return {Opcode::set_constant, {Field{1, 3}}, {}, below<std::uint64_t>(8), {}};
-    case 6: return {Opcode::xor_constant, {Field{0, 2}}, {}, below<std::uint64_t>(4), {}};
+    case 4: return {Opcode::set_constant, {any_bit()}, {}, random_below<std::uint64_t>(2), {}};
+    case 5: return {Opcode::set_constant, {Field{1, 3}}, {}, random_below<std::uint64_t>(8), {}};
+    case 6: return {Opcode::xor_constant, {Field{0, 2}}, {}, random_below<std::uint64_t>(4), {}};
     case 7: return {Opcode::copy, {Field{0, 2}, Field{2, 2}}, {}, 0, {}};
     case 8: return {Opcode::field_lt, {Field{0, 2}, Field{2, 2}}, {}, 0, {}};
     case 9: return {Opcode::global_or, {}, {}, 0, {}};
@@ -124,9 +124,9 @@ TEST_CASE("the optimized broadcast instructions have the effect of the requested
     reference::ReferenceArray requested = initial_array();
     isa::Segment segment = empty_segment();
     emit::Broadcast out(segment, {});
-    const int count = 1 + below(60);
+    const int count = 1 + random_below(60);
     for (int i = 0; i < count; ++i) {
-      const Instruction instruction = any_instruction();
+      const Instruction instruction = random_instruction();
       requested.execute(instruction);
       out.plain(instruction.opcode, instruction.fields[0], instruction.fields[1], instruction.constant);
     }

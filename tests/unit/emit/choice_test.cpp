@@ -30,7 +30,7 @@ std::string at(double x, double y, double z, const std::string& solid) {
 }
 
 /// A plate minus `count` intersections of a sphere and a peg: 2^count products.
-std::string dimpled(int count) {
+std::string dimpled_plate(int count) {
   std::string text = "difference(){cube(size=[60,60,10],center=true);";
   for (int i = 0; i < count; ++i) {
     const int column = i % 8;
@@ -68,7 +68,7 @@ TEST_CASE("strategy auto takes no more clocks than any strategy and colouring it
     CHECK(best.facts->compile.colouring != "auto");
     for (const emit::Colouring colouring : {emit::Colouring::field, emit::Colouring::rebroadcast}) {
       for (const emit::Strategy strategy : emit::default_strategies()) {
-        // One needs more memory, and one is not among the candidates.
+        // Strategy stored needs more memory, and auto does not try products.
         if (strategy == emit::Strategy::stored || strategy == emit::Strategy::products) continue;
         for (const unsigned bits : {3U, 4U, 5U, 6U}) {
           how.options.strategy = strategy;
@@ -81,7 +81,7 @@ TEST_CASE("strategy auto takes no more clocks than any strategy and colouring it
   }
 }
 
-TEST_CASE("strategy auto decides by the given function for clocks") {
+TEST_CASE("strategy auto takes the strategy with the fewest clocks by a given function") {
   testing::Setup how = setup(emit::Strategy::automatic);
   how.options.colouring = emit::Colouring::automatic;
   const testing::Compiled model = testing::compile_file(testing::model_path("old_example002"), how);
@@ -101,11 +101,11 @@ TEST_CASE("strategy auto chooses an option that fits in memory") {
   testing::Setup how = setup(emit::Strategy::automatic);
   how.options.colouring = emit::Colouring::automatic;
   how.memory_bits = 72;
-  CHECK(compiled(dimpled(3), how).facts->compile.colouring == "rebroadcast");
+  CHECK(compiled(dimpled_plate(3), how).facts->compile.colouring == "rebroadcast");
   how.memory_bits = 120;
-  CHECK(compiled(dimpled(3), how).facts->compile.colouring == "field");
+  CHECK(compiled(dimpled_plate(3), how).facts->compile.colouring == "field");
   how.memory_bits = 64;
-  CHECK_THROWS_AS(compiled(dimpled(3), how), InputError);
+  CHECK_THROWS_AS(compiled(dimpled_plate(3), how), InputError);
 }
 
 TEST_CASE("strategy auto chooses stored depths if they fit in memory") {
@@ -128,22 +128,22 @@ TEST_CASE("strategy auto chooses stored depths if they fit in memory") {
 
 TEST_CASE("fifty subtracted intersections compile with every strategy without products") {
   for (const emit::Strategy strategy : {emit::Strategy::stack, emit::Strategy::list, emit::Strategy::automatic}) {
-    CHECK(compiled(dimpled(50), setup(strategy)).facts->compile.rendered > 50);
+    CHECK(compiled(dimpled_plate(50), setup(strategy)).facts->compile.rendered > 50);
   }
-  CHECK(compiled(dimpled(50), setup(emit::Strategy::bits, 5)).facts->compile.rendered > 50);
+  CHECK(compiled(dimpled_plate(50), setup(emit::Strategy::bits, 5)).facts->compile.rendered > 50);
 }
 
 TEST_CASE("too many products are an error with the primitive's location and an alternative") {
   std::vector<testing::Setup> setups{setup(emit::Strategy::products)};
   for (const unsigned bits : {3U, 4U}) {
-    CHECK(compiled(dimpled(50), setup(emit::Strategy::bits, bits)).facts->compile.rendered > 50);
+    CHECK(compiled(dimpled_plate(50), setup(emit::Strategy::bits, bits)).facts->compile.rendered > 50);
     setups.push_back(setup(emit::Strategy::bits, bits));
     setups.back().options.pruning.sets = false;
   }
   for (const testing::Setup& how : setups) {
-    CHECK_NOTHROW(compiled(dimpled(8), how));
+    CHECK_NOTHROW(compiled(dimpled_plate(8), how));
     try {
-      compiled(dimpled(50), how);
+      compiled(dimpled_plate(50), how);
       FAIL("compiled 2^50 products instead of rejecting them");
     } catch (const InputError& error) {
       const std::string text = error.what();

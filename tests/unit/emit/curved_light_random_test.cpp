@@ -8,36 +8,37 @@ using namespace testing;
 
 namespace {
 
-double real(double low, double high) {
+double random_real(double low, double high) {
   return low + (high - low) * *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 1'000'001)) / 1e6;
 }
 
-glm::dvec3 direction() {
+glm::dvec3 random_direction() {
   glm::dvec3 one{0};
-  while (glm::length(one) < 0.1) one = {real(-1, 1), real(-1, 1), real(-1, 1)};
+  while (glm::length(one) < 0.1) one = {random_real(-1, 1), random_real(-1, 1), random_real(-1, 1)};
   return glm::normalize(one);
 }
 
-glm::dmat3 turn() {
-  const glm::dvec3 x = direction();
-  glm::dvec3 y = direction();
-  while (std::abs(glm::dot(x, y)) > 0.9) y = direction();
+glm::dmat3 random_rotation() {
+  const glm::dvec3 x = random_direction();
+  glm::dvec3 y = random_direction();
+  while (std::abs(glm::dot(x, y)) > 0.9) y = random_direction();
   y = glm::normalize(y - x * glm::dot(x, y));
   return {x, y, glm::cross(x, y)};
 }
 
-Case any_case() {
+Case random_case() {
   Case one;
-  one.solid = {{real(-2, 2), real(-2, 2), real(-2, 2)}, turn(), real(1, 7)};
-  if (*rc::gen::arbitrary<bool>()) one.solid.height = real(1, 12);
-  one.eye = direction() * *rc::gen::element(25.0, 50.0);
-  if (*rc::gen::arbitrary<bool>()) one.colour = glm::dvec3(real(0, 1), *rc::gen::element(0.0, real(0, 1)), real(0, 1));
+  one.solid = {{random_real(-2, 2), random_real(-2, 2), random_real(-2, 2)}, random_rotation(), random_real(1, 7)};
+  if (*rc::gen::arbitrary<bool>()) one.solid.height = random_real(1, 12);
+  one.eye = random_direction() * *rc::gen::element(25.0, 50.0);
+  if (*rc::gen::arbitrary<bool>())
+    one.colour = glm::dvec3(random_real(0, 1), *rc::gen::element(0.0, random_real(0, 1)), random_real(0, 1));
   const int count = *rc::gen::inRange(1, 4);
   for (int i = 0; i < count; ++i) {
-    const glm::dvec3 colour(real(0, 1), *rc::gen::element(0.0, 1.0, real(0, 1)), real(0, 1));
-    one.lights.push_back(light(direction(), colour, *rc::gen::element(real(0, 1), real(1, 10))));
+    const glm::dvec3 colour(random_real(0, 1), *rc::gen::element(0.0, 1.0, random_real(0, 1)), random_real(0, 1));
+    one.lights.push_back(light(random_direction(), colour, *rc::gen::element(random_real(0, 1), random_real(1, 10))));
   }
-  one.ambient = real(0, 1);
+  one.ambient = random_real(0, 1);
   one.colour_bits = static_cast<unsigned>(*rc::gen::inRange(3, 25));
   one.z_bits = static_cast<unsigned>(*rc::gen::inRange(4, 25));
   return one;
@@ -48,7 +49,7 @@ Case any_case() {
 TEST_CASE("spheres and cylinders in random positions and lights follow Lambert's law") {
   Errors errors;
   CHECK(rc::check([&] {
-    const Case one = any_case();
+    const Case one = random_case();
     Errors here;
     measure(one, here);
     errors.checked += here.checked;

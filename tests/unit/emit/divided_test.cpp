@@ -112,7 +112,7 @@ TEST_CASE("small memories of a divider spill to the model memory until that is f
   }
 }
 
-TEST_CASE("pruning options are rejected on a machine that divides the model") {
+TEST_CASE("a machine that divides the model rejects prunings other than its divider's") {
   emit::Options options;
   options.pruning = csg::Pruning::divider();
   CHECK_NOTHROW(divided(machine_with(1), options));

@@ -55,7 +55,7 @@ Ran run(const isa::Program& program) {
 
 }  // namespace
 
-TEST_CASE("early out only adds queries with every strategy and colouring") {
+TEST_CASE("early out adds nothing but queries to the instructions of a Program") {
   for (const emit::Strategy strategy :
        {emit::Strategy::stack, emit::Strategy::list, emit::Strategy::bits, emit::Strategy::products}) {
     for (const emit::Colouring colouring : {emit::Colouring::rebroadcast, emit::Colouring::field}) {
@@ -99,7 +99,7 @@ TEST_CASE("a query guards at least sixteen times its clocks and guards are neste
   }
 }
 
-TEST_CASE("early out skips hidden primitives and the clocks add up") {
+TEST_CASE("early out skips hidden primitives and its clocks sum to those of the run") {
   const isa::Program program = testing::compile_text(behind_a_cube, setup()).program;
   testing::Setup how = setup();
   how.options.pruning.early_out = false;

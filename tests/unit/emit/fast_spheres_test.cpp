@@ -99,7 +99,7 @@ struct Viewed {
   view::View view;
 };
 
-/// Whether all its spheres fit the integer coefficients; others must be faceted.
+/// Whether the coefficients of all its spheres fit the machine's integers; other spheres must be faceted.
 bool fits(const Model& model, const view::Sampling& sampling) {
   const Viewed viewed(model, sampling);
   return std::none_of(viewed.view.quadrics.begin(), viewed.view.quadrics.end(), [](const view::ScreenQuadric& quadric) {
@@ -312,7 +312,7 @@ TEST_CASE("depths of a fast sphere and a hollow match screen_quadric.h exactly")
   CHECK((!testing::draws_usual_cases() || hollow > 200));
 }
 
-TEST_CASE("fast spheres are the same on every machine with every strategy") {
+TEST_CASE("pictures of fast spheres are identical on all machines and strategies") {
   CHECK(rc::check([] {
     const Model model = random_model();
     const view::Sampling sampling = random_sampling();

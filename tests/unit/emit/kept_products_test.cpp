@@ -22,7 +22,7 @@ testing::Setup setup(emit::Strategy strategy) {
 }
 
 /// A plate minus `count` separate intersections of a sphere and a peg.
-std::string dimpled(int count) {
+std::string dimpled_plate(int count) {
   const auto at = [](double x, std::string_view solid) {
     return "multmatrix([[1,0,0," + std::to_string(x) + "],[0,1,0,0],[0,0,1,5],[0,0,0,1]]){" + std::string(solid) + "}";
   };
@@ -58,11 +58,11 @@ TEST_CASE("with three stack bits a primitive is rendered once and depth-tested p
     CAPTURE(count);
     testing::Setup how = setup(emit::Strategy::bits);
     how.options.pruning.sets = false;
-    const isa::Program three = testing::compile_text(dimpled(count), how).program;
+    const isa::Program three = testing::compile_text(dimpled_plate(count), how).program;
     how.options.strategy = emit::Strategy::stack;
-    const isa::Program stack = testing::compile_text(dimpled(count), how).program;
+    const isa::Program stack = testing::compile_text(dimpled_plate(count), how).program;
     how.options.strategy = emit::Strategy::products;
-    const isa::Program products = testing::compile_text(dimpled(count), how).program;
+    const isa::Program products = testing::compile_text(dimpled_plate(count), how).program;
     // The plate has one product per choice of sphere or peg in each dimple; a sphere lies within plate and peg, a peg
     // within plate and sphere.
     const std::ptrdiff_t of_plate = std::ptrdiff_t{1} << count;
@@ -102,7 +102,7 @@ TEST_CASE("a surface hidden before its first product skips all its products in o
   how.camera = {{0, 0, 90}, {0, 0, 0}, view::Projection::orthographic};
   how.options.pruning.hidden = false;
   how.options.pruning.sets = false;
-  const isa::Program program = testing::compile_text(hidden + dimpled(4), how).program;
+  const isa::Program program = testing::compile_text(hidden + dimpled_plate(4), how).program;
   const std::vector<Instruction>& all = program.segments.at(0).instructions;
   const auto is_plates = [](const Instruction& one) { return one.origin.primitive == 1; };
   const auto query = std::ranges::find_if(

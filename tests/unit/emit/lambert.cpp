@@ -17,7 +17,7 @@ namespace csgsim::testing {
 
 namespace {
 
-/// Shares of the cosine's error, see law().
+/// Factors of the two causes of the cosine's error, its unit and a depth step; see law().
 constexpr double unit_part = 1.3;
 constexpr double step_part = 1.6;
 

@@ -56,7 +56,7 @@ TEST_CASE("the error for too little memory states the missing bits and options t
   CHECK(contains(tiny, "--memory-bits 65"));
 }
 
-TEST_CASE("the options that the error for too little memory suggests fit") {
+TEST_CASE("each option suggested by the error for too little memory is sufficient") {
   const std::uint32_t memory = 72;
   const std::string advice = refusal({25, 24, false, {1, 0, 0}}, memory);
   REQUIRE(contains(advice, "--z-bits 23"));

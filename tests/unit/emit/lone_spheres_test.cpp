@@ -20,7 +20,7 @@ struct Ball {
   double radius = 1;
 };
 
-double real(double low, double high) {
+double random_real(double low, double high) {
   return low + (high - low) * *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 1'000'001)) / 1e6;
 }
 
@@ -32,7 +32,7 @@ std::string text_of(const std::vector<Ball>& balls) {
   return text;
 }
 
-std::int64_t root_of(std::int64_t square) {
+std::int64_t floor_root(std::int64_t square) {
   auto root = static_cast<std::int64_t>(std::sqrt(static_cast<double>(square)));
   while (root * root > square) --root;
   while ((root + 1) * (root + 1) <= square) ++root;
@@ -52,7 +52,7 @@ std::vector<std::uint32_t> depths_of(const view::View& view) {
         if (discriminant < 0) continue;
         const view::FixedLinear& middle = one.middle;
         const std::int64_t at = (middle.a * x + middle.b * y + middle.c) >> sampling.fraction_bits;
-        nearest = std::min(nearest, std::max<std::int64_t>(0, at - (root_of(discriminant) << one.unit)));
+        nearest = std::min(nearest, std::max<std::int64_t>(0, at - (floor_root(discriminant) << one.unit)));
       }
       depths.push_back(static_cast<std::uint32_t>(nearest));
     }
@@ -105,12 +105,14 @@ TEST_CASE("spheres without comparisons match their formula for every kind of reg
       const int count = *rc::gen::inRange(1, 5);
       for (int i = 0; i < count; ++i) {
         // Some extend past the picture, some are smaller than a pixel, and some are behind others.
-        const double radius = *rc::gen::element(real(0.01, 0.5), real(0.5, 3), real(3, 7));
-        const glm::dvec3 at = i > 0 && *rc::gen::arbitrary<bool>() ? balls[0].at * real(-1, 1)
-                                                                   : glm::dvec3(real(-9, 9), real(-9, 9), real(-9, 9));
+        const double radius = *rc::gen::element(random_real(0.01, 0.5), random_real(0.5, 3), random_real(3, 7));
+        const glm::dvec3 at = i > 0 && *rc::gen::arbitrary<bool>()
+                                  ? balls[0].at * random_real(-1, 1)
+                                  : glm::dvec3(random_real(-9, 9), random_real(-9, 9), random_real(-9, 9));
         balls.push_back({at, radius});
       }
-      const glm::dvec3 eye = glm::normalize(glm::dvec3(real(-1, 1), real(-1, 1), real(0.3, 1))) * real(15, 45);
+      const glm::dvec3 eye =
+          glm::normalize(glm::dvec3(random_real(-1, 1), random_real(-1, 1), random_real(0.3, 1))) * random_real(15, 45);
       testing::Setup setup = setup_of(eye, static_cast<std::uint32_t>(*rc::gen::inRange(9, 70)),
                                       static_cast<std::uint32_t>(*rc::gen::inRange(9, 70)));
       setup.sampling.z_bits = static_cast<unsigned>(*rc::gen::inRange(10, 25));

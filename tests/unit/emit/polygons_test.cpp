@@ -46,9 +46,9 @@ TEST_CASE("a cube's face is compared with its neighbours and the first wins ties
   const isa::Program program =
       testing::compile_text("cube(size=20,center=true);", setup(emit::Strategy::polygons)).program;
   CHECK(faces_loaded(program) == 3);
-  // Each face has four, except for the two vertical outline edges, where the cube's bounding rectangle ends.
+  // Each face has four neighbours, except at the two vertical outline edges, where the cube's bounding rectangle ends.
   CHECK(count(program, compares) == 12 - 2);
-  // One of two front faces owns their common edge: three edges.
+  // Each of the three edges between front faces is owned by one of the two faces.
   CHECK(count(program, [](const Instruction& one) { return one.opcode == Opcode::linear_le; }) == 3);
   CHECK(count(program, [](const Instruction& one) { return one.opcode == Opcode::linear_lt && compares(one); }) == 3);
   CHECK(program.facts->compile.strategy == "polygons");
@@ -61,7 +61,7 @@ TEST_CASE("a face of a cylinder with many sides is compared with only a few othe
   const std::size_t faces = faces_loaded(program);
   CHECK(faces > 50);
   CHECK(faces < 64);
-  // The end face has all sides around it; a side has two sides, the end and the far end.
+  // The end face is compared with all sides, and a side with two sides and both ends.
   CHECK(count(program, compares) < 130 + 8 * faces);
 }
 

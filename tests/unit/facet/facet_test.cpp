@@ -123,7 +123,7 @@ TEST_CASE("each side of a solid's face is shared with exactly one other face") {
   }));
 }
 
-TEST_CASE("a solid with lengths that are too large or too small is rejected") {
+TEST_CASE("a solid with lengths below 1e-30 or above 1e90 is rejected") {
   const auto scaled_cube = [](double size, double scale) {
     model::Primitive one = primitive(model::Cube{glm::dvec3(size), true});
     one.transform = glm::dmat4(glm::dmat3(scale));

@@ -65,13 +65,13 @@ glm::dmat4 rotated(int axis, double degrees) {
 
 double real(int low, int high) { return *rc::gen::inRange(low * 1000, high * 1000) / 1000.0; }
 glm::dvec3 vector(int low, int high) { return {real(low, high), real(low, high), real(low, high)}; }
-glm::dmat4 rotation() {
+glm::dmat4 random_rotation() {
   return rotated(0, real(-180, 180)) * rotated(1, real(-180, 180)) * rotated(2, real(-180, 180));
 }
 /// Random scale from 10^-3 to 10^3.
 double factor() { return std::pow(10.0, real(-3, 3)); }
-glm::dmat4 transform() {
-  return moved(vector(-50, 50)) * rotation() * scaled({factor(), factor(), factor()}) * rotation();
+glm::dmat4 random_transform() {
+  return moved(vector(-50, 50)) * random_rotation() * scaled({factor(), factor(), factor()}) * random_rotation();
 }
 
 model::Cylinder cylinder(double height, double r1, double r2, bool center = false) {
@@ -102,7 +102,7 @@ glm::dvec3 place(const glm::dmat4& transform, const glm::dvec3& point) {
 
 TEST_CASE("a sphere that stays curved is one quadric under any transform") {
   CHECK(rc::check([] {
-    const glm::dmat4 matrix = transform();
+    const glm::dmat4 matrix = random_transform();
     const double radius = real(1, 9);
     const facet::Geometry scene = scene_of({at(model::Sphere{radius, {}}, matrix)});
     RC_ASSERT(scene.solids[0].halfspaces.empty());
@@ -125,7 +125,7 @@ TEST_CASE("a sphere that stays curved is one quadric under any transform") {
 
 TEST_CASE("a cylinder is two planes and a quadric with a nappe selected by the axis") {
   CHECK(rc::check([] {
-    const glm::dmat4 matrix = transform();
+    const glm::dmat4 matrix = random_transform();
     const double r1 = real(0, 5);
     const double r2 = *rc::gen::arbitrary<bool>() ? r1 : real(0, 5);
     RC_PRE(r1 > 0.0 || r2 > 0.0);
@@ -157,7 +157,7 @@ TEST_CASE("a cylinder is two planes and a quadric with a nappe selected by the a
 
 TEST_CASE("the hulls of curved solids contain them in every direction") {
   CHECK(rc::check([] {
-    const glm::dmat4 matrix = transform();
+    const glm::dmat4 matrix = random_transform();
     const model::Cylinder shape = cylinder(real(1, 9), real(0, 5), real(1, 5), *rc::gen::arbitrary<bool>());
     const bool is_ball = *rc::gen::arbitrary<bool>();
     const double radius = real(1, 9);
@@ -181,9 +181,9 @@ TEST_CASE("the hulls of curved solids contain them in every direction") {
 TEST_CASE("equal surfaces share a quadric regardless of their transforms") {
   CHECK(rc::check([] {
     const double radius = real(1, 9);
-    const glm::dmat4 matrix = moved(vector(-50, 50)) * rotation() * scaled(glm::dvec3(factor()));
+    const glm::dmat4 matrix = moved(vector(-50, 50)) * random_rotation() * scaled(glm::dvec3(factor()));
     const model::Sphere ball{radius, {}};
-    RC_ASSERT(coincide(at(ball, matrix), at(ball, matrix * rotation())));
+    RC_ASSERT(coincide(at(ball, matrix), at(ball, matrix * random_rotation())));
     RC_ASSERT(coincide(at(ball, matrix), at(model::Sphere{2.0 * radius, {}}, matrix * scaled({-0.5, 0.5, 0.5}))));
     const double height = real(1, 9);
     const model::Cylinder tube = cylinder(height, radius, radius);
@@ -218,13 +218,13 @@ TEST_CASE("surfaces that differ by 10^-10 of the model stay separate quadrics") 
   }
 }
 
-TEST_CASE("equal ellipsoids across six decades coincide") {
+TEST_CASE("equal ellipsoids coincide for semi-axes across six decades") {
   CHECK(rc::check([] {
-    const glm::dmat4 turn = moved(vector(-9, 9)) * rotation();
+    const glm::dmat4 turn = moved(vector(-9, 9)) * random_rotation();
     const glm::dvec3 sizes(factor(), factor(), factor());
     const model::Sphere unit{1, {}};
     const glm::dmat4 first = turn * scaled(sizes);
-    RC_ASSERT(coincide(at(unit, first), at(unit, first * rotation())));
+    RC_ASSERT(coincide(at(unit, first), at(unit, first * random_rotation())));
     const facet::Geometry scene = scene_of({at(unit, first)});
     const facet::Quadric& quadric = scene.quadrics.quadrics()[0];
     for (int axis = 0; axis < 3; ++axis) {

@@ -49,7 +49,7 @@ TEST_CASE("combining a single area returns its exact coordinates") {
   CHECK(flat::minkowski(alone).outlines == alone[0].outlines);
 }
 
-TEST_CASE("Boolean operations on empty areas have the right result") {
+TEST_CASE("empty areas count as nothing in a union and empty an intersection") {
   const std::array first_empty{Area{}, rectangle(1, 1)};
   const std::array last_empty{rectangle(1, 1), Area{}};
   for (const auto& areas : {first_empty, last_empty}) {
@@ -145,7 +145,7 @@ TEST_CASE("a distant or large area does not change coordinates of another near t
     CHECK(flat::area_of(flat::intersect(std::array{rectangle(10, 10), half})) ==
           doctest::Approx(100 - rest).epsilon(1e-5));
     CHECK(flat::area_of(flat::subtract(std::array{rectangle(10, 10), half})) == doctest::Approx(rest).epsilon(1e-5));
-    // The near one of two offsets is the same as without the far one.
+    // The offset of a near area is the same with and without the far area.
     const Area alone = flat::offset(rectangle(10, 4), 1.5, flat::Corner::round, {.fn = 24});
     const Area both = flat::offset(flat::unite(std::array{rectangle(10, 4), moved(rectangle(far / 2, 8), far / 4, 0)}),
                                    1.5, flat::Corner::round, {.fn = 24});

@@ -43,7 +43,7 @@ TEST_CASE("polygon paths without overlapping sides stay unchanged") {
   const Paths paths{{{0, 0}, {9, 0}, {9, 0}, {9, 9}, {0, 9}}, {{2, 2}, {4, 2}, {3, 5}}, {{9, 9}, {12, 9}, {12, 12}}};
   CHECK(flat::without_overlaps(paths) == paths);
   CHECK(flat::without_overlaps({}).empty());
-  // One begins where the other ends.
+  // A side begins where another one ends.
   const Paths touching{{{0, 0}, {4, 0}, {4, 4}}, {{4, 0}, {8, 0}, {8, -4}}};
   CHECK(flat::without_overlaps(touching) == touching);
 }

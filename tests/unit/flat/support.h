@@ -33,8 +33,8 @@ double difference(const Area& a, const Area& b);
 /// Fails the test if they differ by more than OpenSCAD's rounding on export, or in the numbers of outlines and corners.
 void check_as_openscad(const Area& area, const std::string& name);
 
-/// Same without the number of corners, which differs between OpenSCAD's Clipper 6.2 and version 6.4 where round strokes
-/// turn.
+/// Like check_as_openscad() without the number of corners, which differs between OpenSCAD's Clipper 6.2 and version 6.4
+/// where round strokes turn.
 void check_area_as_openscad(const Area& area, const std::string& name);
 
 /// Fails the test if an outline violates the orientation guaranteed by area.h: outer outlines and holes alternate.

@@ -48,7 +48,7 @@ TEST_CASE("numbers of SVG paths need no spaces where SVG allows it") {
   CHECK(path("M0 0a5 5 0 01.5 5z").outlines == path("M0 0 a5,5 0 0,1 0.5,5 z").outlines);
 }
 
-TEST_CASE("an SVG arc without radius is a line and one to its own start is empty") {
+TEST_CASE("an SVG arc without radius is a line and an arc to its own start is empty") {
   CHECK(path("M0 0A0 5 0 0 1 10 0L10 10z").outlines == path("M0 0L10 0L10 10z").outlines);
   CHECK(path("M0 0L10 0A5 5 0 1 1 10 0L10 10z").outlines == path("M0 0L10 0L10 10z").outlines);
 }
@@ -57,11 +57,12 @@ TEST_CASE("invalid SVG is rejected with its line number") {
   CHECK(message("") == "line 1: invalid XML: No document element found");
   CHECK(message("<html/>") == "line 1: not an SVG file: the outermost element is not svg; save it as SVG");
   CHECK(message("<svg>\n<g>\n</svg>") == "line 3: invalid XML: Start-end tags mismatch");
-  CHECK(message("<svg>\n<path d='M0 0 L1,x'/></svg>") == "line 2: invalid path data at \"x\"");
-  CHECK(message("<svg><path d='0 0'/></svg>") == "line 1: invalid path data at \"0 0\"");
-  CHECK(message("<svg><path d='M0 0a1 1 0 2 0 1 1'/></svg>") == "line 1: invalid path data at \"2 0 1 1\"");
+  CHECK(message("<svg>\n<path d='M0 0 L1,x'/></svg>") == "line 2: invalid path data at \"x\"; correct it");
+  CHECK(message("<svg><path d='0 0'/></svg>") == "line 1: invalid path data at \"0 0\"; correct it");
+  CHECK(message("<svg><path d='M0 0a1 1 0 2 0 1 1'/></svg>") == "line 1: invalid path data at \"2 0 1 1\"; correct it");
   CHECK(message("<svg><g><path transform='turn(3)'/></g></svg>") ==
-        "line 1: transform=\"turn(3)\" is not a list of matrix(), translate(), scale(), rotate(), skewX(), skewY()");
+        "line 1: transform=\"turn(3)\" is not a list of matrix(), translate(), scale(), rotate(), skewX(), skewY(); "
+        "correct it");
   CHECK(message("<svg viewBox='0 0 0 1'/>") ==
         "line 1: the viewBox of the svg has no size; set its width and height above 0");
   CHECK(message("<svg><polygon points='1 2 x'/></svg>") ==
@@ -83,9 +84,9 @@ TEST_CASE("deep nesting in SVG is rejected and entities are not expanded") {
   for (int i = 0; i < 100'000; ++i) deep += "</g>";
   CHECK(message(deep + "</svg>") == "line 1: elements are nested more than 1000 deep; ungroup some");
   const std::string bomb = "<!DOCTYPE svg [<!ENTITY a 'M0 0'><!ENTITY b '&a;&a;&a;&a;'>]><svg><path d='&b;'/></svg>";
-  CHECK(message(bomb) == "line 1: invalid path data at \"&b;\"");
+  CHECK(message(bomb) == "line 1: invalid path data at \"&b;\"; correct it");
 }
 
-TEST_CASE("a mutated SVG file is read or rejected") {
+TEST_CASE("a mutated SVG file is read or rejected with a printable message") {
   flat::check_mutations(".svg", [](const std::string& bytes) { flat::read_svg(bytes, {}); });
 }

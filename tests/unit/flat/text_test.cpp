@@ -47,7 +47,7 @@ TEST_CASE("the direction of text follows its script or the option") {
   check_as_openscad(flat::text({.text = "aбγ — “x”"}), "text_mixed");
 }
 
-TEST_CASE("a missing font is replaced by fontconfig") {
+TEST_CASE("a missing font is replaced as in OpenSCAD") {
   check_as_openscad(flat::text({.text = "Arial?", .font = "Arial:style=Bold Italic"}), "text_substitute");
 }
 
@@ -84,7 +84,7 @@ TEST_CASE("a bitmap font is rejected with its name if it has one") {
                        "font without a name cannot be scaled; use another font", InputError);
 }
 
-TEST_CASE("invalid parameters of text are rejected") {
+TEST_CASE("text with an unknown alignment or beyond size limits is rejected") {
   CHECK_THROWS_WITH_AS(flat::text({.text = "x", .halign = "middle"}),
                        "halign of text() is \"middle\"; use \"left\", \"center\" or \"right\"", InputError);
   CHECK_THROWS_WITH_AS(flat::text({.text = "x", .valign = "\n"}),

@@ -78,7 +78,8 @@ TEST_CASE("100 MB of repeated text are rejected in one line quickly and in littl
       {"cube(", "1,", "m.csg:1:8000006: more than 4000000 values in one node; split the node"},
       {"cube(", "size=1,", "m.csg:1:28000011: more than 4000000 values in one node; split the node"},
       {"cube(", "1",
-       "m.csg:1:6: number out of range: 1111111111111111111111111111111111111111... exceeds the range of doubles"},
+       "m.csg:1:6: number out of range: 1111111111111111111111111111111111111111... exceeds the range of doubles; "
+       "correct it"},
       {"", "a",
        "m.csg:1:104857601: expected `(` after aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa..., found the end of the file"},
       {"", "group(){", "m.csg:1:800008: braces are nested more than 100000 deep; split the model"},

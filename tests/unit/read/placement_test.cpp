@@ -112,7 +112,7 @@ TEST_CASE("an alpha without a colour keeps the default colour") {
   CHECK_FALSE(colour_of("color([-1, -1, -1, 0.5]) { cube(1); }"));
   CHECK(opacity_of("color([-1, -1, -1, 0.5]) { cube(1); }") == 0.5);
   CHECK(opacity_of("color([1, 0, 0, -1]) { cube(1); }") == 1);
-  // The outermost complete one of nested colours counts; if none is complete, the innermost counts.
+  // The outermost complete colour of nested ones counts or, if none is complete, the innermost.
   const std::string within = "color([-1, -1, -1, 0.5]) { color([1, 0, 0, 1]) { cube(1); } }";
   CHECK(colour_of(within) == glm::dvec3(1, 0, 0));
   CHECK(opacity_of(within) == 1);

@@ -141,7 +141,7 @@ TEST_CASE("a polyhedron's single reversed face is turned") {
 namespace {
 
 /// Number of convex pieces of the model's only polyhedron.
-std::size_t pieces(const std::string& text) {
+std::size_t piece_count(const std::string& text) {
   const csgsim::model::Tree tree = read(text);
   const csgsim::model::Counts counts = csgsim::model::count(tree);
   CHECK(counts.primitives == 1);
@@ -157,9 +157,9 @@ std::size_t pieces(const std::string& text) {
 }  // namespace
 
 TEST_CASE("a bent face of a polyhedron is split at a convex or a concave edge") {
-  // The raised corner may or may not be on the diagonal along which the quadrangle is cut.
-  CHECK(pieces(polyhedron("[[0,0,0],[1,0,0],[1,1,0],[0,1,0],[0,0,1],[1,0,1],[1,1,1.25],[0,1,1]]", outward_box_faces)) <=
-        2);
+  // The raised corner is on the diagonal along which a quadrangle is cut, or it is not.
+  CHECK(piece_count(polyhedron("[[0,0,0],[1,0,0],[1,1,0],[0,1,0],[0,0,1],[1,0,1],[1,1,1.25],[0,1,1]]",
+                               outward_box_faces)) <= 2);
 }
 
 TEST_CASE("a polyhedron bent by less than 0.1 degrees is one primitive in a Boolean") {
@@ -220,13 +220,13 @@ TEST_CASE("a bow-tie face of zero net area contributes to the winding") {
 }
 
 TEST_CASE("a concave polyhedron is one primitive of several convex pieces") {
-  CHECK(pieces(polyhedron("[[0,0,0],[1,0,0],[0,1,0],[0,0,1],[0.1,0.1,0.1]]",
-                          "[[0,2,1],[0,1,3],[0,3,2],[1,2,4],[2,3,4],[3,1,4]]")) > 1);
+  CHECK(piece_count(polyhedron("[[0,0,0],[1,0,0],[0,1,0],[0,0,1],[0.1,0.1,0.1]]",
+                               "[[0,2,1],[0,1,3],[0,3,2],[1,2,4],[2,3,4],[3,1,4]]")) > 1);
 }
 
 TEST_CASE("two solids in one polyhedron are two pieces of it") {
-  CHECK(pieces(polyhedron("[[0,0,0],[1,0,0],[0,1,0],[0,0,1],[5,0,0],[6,0,0],[5,1,0],[5,0,1]]",
-                          "[[0,1,2],[0,3,1],[0,2,3],[1,3,2],[4,5,6],[4,7,5],[4,6,7],[5,7,6]]")) == 2);
+  CHECK(piece_count(polyhedron("[[0,0,0],[1,0,0],[0,1,0],[0,0,1],[5,0,0],[6,0,0],[5,1,0],[5,0,1]]",
+                               "[[0,1,2],[0,3,1],[0,2,3],[1,3,2],[4,5,6],[4,7,5],[4,6,7],[5,7,6]]")) == 2);
 }
 
 TEST_CASE("a polyhedron of one triangle or two with a common edge is rejected as open") {
@@ -235,8 +235,8 @@ TEST_CASE("a polyhedron of one triangle or two with a common edge is rejected as
 }
 
 TEST_CASE("a polyhedron's face without area closes the gap between its neighbours") {
-  CHECK(pieces(polyhedron("[[0,0,0],[1,0,0],[0,1,0],[0,0,1],[0.5,0,0]]",
-                          "[[0,4,1,2],[0,3,1],[0,1,4],[0,2,3],[1,3,2]]")) == 1);
+  CHECK(piece_count(polyhedron("[[0,0,0],[1,0,0],[0,1,0],[0,0,1],[0.5,0,0]]",
+                               "[[0,4,1,2],[0,3,1],[0,1,4],[0,2,3],[1,3,2]]")) == 1);
 }
 
 TEST_CASE("a rotated box with coordinates of 6 digits is one polyhedron") {

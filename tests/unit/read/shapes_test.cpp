@@ -10,7 +10,7 @@ using csgsim::read_test::read;
 
 namespace {
 
-std::size_t pieces(const std::string& text) {
+std::size_t piece_count(const std::string& text) {
   const Tree tree = read(text);
   CHECK(csgsim::model::count(tree).primitives == 1);
   return tree.primitives.size();
@@ -19,10 +19,10 @@ std::size_t pieces(const std::string& text) {
 }  // namespace
 
 TEST_CASE("an extrusion is one primitive and one piece if its area is convex") {
-  CHECK(pieces("linear_extrude(height = 2) { square([1, 1]); }") == 1);
-  CHECK(pieces("linear_extrude(height = 2) { polygon([[0, 0], [2, 0], [2, 1], [1, 1], [1, 2], [0, 2]]); }") > 1);
-  CHECK(pieces("linear_extrude(height = 2) { union() { square([1, 1]); multmatrix([[1, 0, 0, 5], [0, 1, 0, 0], "
-               "[0, 0, 1, 0], [0, 0, 0, 1]]) { circle(r = 1); } } }") == 2);
+  CHECK(piece_count("linear_extrude(height = 2) { square([1, 1]); }") == 1);
+  CHECK(piece_count("linear_extrude(height = 2) { polygon([[0, 0], [2, 0], [2, 1], [1, 1], [1, 2], [0, 2]]); }") > 1);
+  CHECK(piece_count("linear_extrude(height = 2) { union() { square([1, 1]); multmatrix([[1, 0, 0, 5], [0, 1, 0, 0], "
+                    "[0, 0, 1, 0], [0, 0, 0, 1]]) { circle(r = 1); } } }") == 2);
 }
 
 TEST_CASE("only a convex prism with round holes is a difference instead of pieces") {
@@ -44,7 +44,7 @@ TEST_CASE("only a convex prism with round holes is a difference instead of piece
 }
 
 TEST_CASE("areas are combined before they are extruded") {
-  CHECK(pieces("linear_extrude(height = 2) { intersection() { square([2, 2]); circle(r = 1, $fn = 8); } }") == 1);
+  CHECK(piece_count("linear_extrude(height = 2) { intersection() { square([2, 2]); circle(r = 1, $fn = 8); } }") == 1);
   CHECK(outline(read("linear_extrude(height = 2) { difference() { square([1, 1]); square([2, 2]); } }")) == "nothing");
   CHECK(outline(read("linear_extrude(height = 2) { difference() { group(); square([2, 2]); } }")) == "nothing");
   CHECK(outline(read("linear_extrude(height = 2) { intersection() { square([1, 1]); group(); } }")) == "nothing");
@@ -138,10 +138,10 @@ TEST_CASE("a flat shape alone is a plate about z = 0 but next to a solid it is d
 }
 
 TEST_CASE("solids are dropped where flat shapes are expected and vice versa") {
-  CHECK(pieces("linear_extrude(height = 2) { cube(1); square([1, 1]); }") == 1);
+  CHECK(piece_count("linear_extrude(height = 2) { cube(1); square([1, 1]); }") == 1);
   CHECK(read("linear_extrude(height = 2) { cube(1); }").primitives.empty());
   CHECK(read("projection() { square([1, 1]); }").primitives.empty());
-  CHECK(pieces("linear_extrude(height = 1) { projection() { square([5, 1]); cube([2, 3, 4]); } }") == 1);
+  CHECK(piece_count("linear_extrude(height = 1) { projection() { square([5, 1]); cube([2, 3, 4]); } }") == 1);
 }
 
 TEST_CASE("an empty file name yields an empty shape") {

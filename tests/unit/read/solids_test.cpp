@@ -9,7 +9,7 @@ using csgsim::read_test::read;
 namespace {
 
 template <typename Shape>
-Shape only(std::string_view text) {
+Shape only_shape(std::string_view text) {
   const csgsim::model::Tree tree = read(text);
   REQUIRE(tree.primitives.size() == 1);
   return std::get<Shape>(tree.primitives[0].shape);
@@ -18,45 +18,45 @@ Shape only(std::string_view text) {
 }  // namespace
 
 TEST_CASE("a cube takes a size per side or one for all and a centre flag") {
-  const Cube box = only<Cube>("cube(size = [1, 2.5, 3], center = true);");
+  const Cube box = only_shape<Cube>("cube(size = [1, 2.5, 3], center = true);");
   CHECK(box.size == glm::dvec3(1, 2.5, 3));
   CHECK(box.center);
-  CHECK(only<Cube>("cube(center = false, size = 4);").size == glm::dvec3(4));
-  CHECK(only<Cube>("cube([1, 2, 3], true);").center);
-  CHECK(only<Cube>("cube(center = true, [1, 2, 3]);").size == glm::dvec3(1, 2, 3));
-  CHECK_FALSE(only<Cube>("cube(2);").center);
+  CHECK(only_shape<Cube>("cube(center = false, size = 4);").size == glm::dvec3(4));
+  CHECK(only_shape<Cube>("cube([1, 2, 3], true);").center);
+  CHECK(only_shape<Cube>("cube(center = true, [1, 2, 3]);").size == glm::dvec3(1, 2, 3));
+  CHECK_FALSE(only_shape<Cube>("cube(2);").center);
 }
 
 TEST_CASE("a sphere takes a radius or a diameter") {
-  const Sphere ball = only<Sphere>("sphere($fn = 12, $fa = 5, $fs = 0.5, r = 3);");
+  const Sphere ball = only_shape<Sphere>("sphere($fn = 12, $fa = 5, $fs = 0.5, r = 3);");
   CHECK(ball.radius == 3);
   CHECK(ball.facets == FacetControl{12, 5, 0.5});
-  CHECK(only<Sphere>("sphere(3);").facets == FacetControl{0, 12, 2});
-  CHECK(only<Sphere>("sphere(d = 3);").radius == 1.5);
+  CHECK(only_shape<Sphere>("sphere(3);").facets == FacetControl{0, 12, 2});
+  CHECK(only_shape<Sphere>("sphere(d = 3);").radius == 1.5);
 }
 
 TEST_CASE("a cylinder takes its arguments in any order and form") {
-  const Cylinder cone = only<Cylinder>("cylinder($fn=7, $fa=12, $fs=2, h=5, r1=1, r2=0, center=true);");
+  const Cylinder cone = only_shape<Cylinder>("cylinder($fn=7, $fa=12, $fs=2, h=5, r1=1, r2=0, center=true);");
   CHECK(cone.height == 5);
   CHECK(cone.r1 == 1);
   CHECK(cone.r2 == 0);
   CHECK(cone.center);
   CHECK(cone.facets == FacetControl{7, 12, 2});
-  CHECK(only<Cylinder>("cylinder(5, 1, 2, true);").r2 == 2);
-  CHECK(only<Cylinder>("cylinder(r = 3, h = 1);").r1 == 3);
-  CHECK(only<Cylinder>("cylinder(d = 3, h = 1);").r2 == 1.5);
-  CHECK(only<Cylinder>("cylinder(d1 = 3, r2 = 1, h = 1);").r1 == 1.5);
-  CHECK(only<Cylinder>("cylinder(r = 3, r2 = 1, h = 1);").r2 == 1);
-  CHECK(only<Cylinder>("cylinder(r = 3, r2 = 1, h = 1);").r1 == 3);
+  CHECK(only_shape<Cylinder>("cylinder(5, 1, 2, true);").r2 == 2);
+  CHECK(only_shape<Cylinder>("cylinder(r = 3, h = 1);").r1 == 3);
+  CHECK(only_shape<Cylinder>("cylinder(d = 3, h = 1);").r2 == 1.5);
+  CHECK(only_shape<Cylinder>("cylinder(d1 = 3, r2 = 1, h = 1);").r1 == 1.5);
+  CHECK(only_shape<Cylinder>("cylinder(r = 3, r2 = 1, h = 1);").r2 == 1);
+  CHECK(only_shape<Cylinder>("cylinder(r = 3, r2 = 1, h = 1);").r1 == 3);
 }
 
 TEST_CASE("values of $fa and $fs below 0.01 are raised to 0.01") {
-  CHECK(only<Sphere>("sphere(r = 1, $fa = 0.001, $fs = -3);").facets == FacetControl{0, 0.01, 0.01});
-  CHECK(only<Sphere>("sphere(r = 1, $fn = -1, $fa = 0, $fs = 0);").facets == FacetControl{-1, 0.01, 0.01});
+  CHECK(only_shape<Sphere>("sphere(r = 1, $fa = 0.001, $fs = -3);").facets == FacetControl{0, 0.01, 0.01});
+  CHECK(only_shape<Sphere>("sphere(r = 1, $fn = -1, $fa = 0, $fs = 0);").facets == FacetControl{-1, 0.01, 0.01});
 }
 
 TEST_CASE("an undef argument counts as absent") {
-  CHECK_FALSE(only<Cube>("cube(size = 1, center = undef);").center);
+  CHECK_FALSE(only_shape<Cube>("cube(size = 1, center = undef);").center);
   CHECK(error_of("cube(undef);") == "m.csg:1:1: cube() lacks its size; add size = [x, y, z]");
 }
 

@@ -53,12 +53,13 @@ TEST_CASE("a number too small for a double is zero and empties the solid") {
 }
 
 TEST_CASE("a number too large for a double is rejected") {
-  CHECK(error_of("cube([1,\n 1e999, 1]);") == "m.csg:2:2: number out of range: 1e999 exceeds the range of doubles");
-  CHECK(error_of("cube(-1e309);") == "m.csg:1:6: number out of range: -1e309 exceeds the range of doubles");
+  CHECK(error_of("cube([1,\n 1e999, 1]);") ==
+        "m.csg:2:2: number out of range: 1e999 exceeds the range of doubles; correct it");
+  CHECK(error_of("cube(-1e309);") == "m.csg:1:6: number out of range: -1e309 exceeds the range of doubles; correct it");
   CHECK(error_of("cube(1e99999999999999999999);") ==
-        "m.csg:1:6: number out of range: 1e99999999999999999999 exceeds the range of doubles");
+        "m.csg:1:6: number out of range: 1e99999999999999999999 exceeds the range of doubles; correct it");
   CHECK(error_of("cube(" + std::string(400, '9') + ");") ==
-        "m.csg:1:6: number out of range: " + std::string(40, '9') + "... exceeds the range of doubles");
+        "m.csg:1:6: number out of range: " + std::string(40, '9') + "... exceeds the range of doubles; correct it");
 }
 
 TEST_CASE("columns in error messages count characters and not bytes") {

@@ -25,7 +25,7 @@ void check_only_cube(const solids::Pieces& pieces, double side) {
 
 }  // namespace
 
-TEST_CASE("one of equal pieces of a Minkowski sum is kept and none inside others") {
+TEST_CASE("a Minkowski sum drops duplicate pieces and pieces inside others") {
   const solids::Pieces added{cube(1)};
   const model::Polyhedron large = cube(4);
   const model::Polyhedron small = cube(2);

@@ -161,7 +161,7 @@ TEST_CASE("boxes of a projection are in one group unless axis-parallel lines sep
   CHECK(groups({flat_box(0, 0, 1, 1), flat_box(1, 1, 1, 1)}) == Groups{{0, 1}});
   CHECK(groups({flat_box(0, 0, 1, 1), flat_box(1.5, 0, 1, 1)}) == Groups{{0}, {1}});
   CHECK(groups({flat_box(0, 0, 1, 1), flat_box(0, 1.5, 1, 1)}) == Groups{{0}, {1}});
-  // Only the gap along x opens one along y.
+  // There is a gap along y only after a split at the gap along x.
   CHECK(groups({flat_box(0, 0, 1, 1), flat_box(0, 2, 1, 1), flat_box(5, 0, 1, 4)}) == Groups{{0}, {1}, {2}});
   // A large box contains the first of two small ones.
   CHECK(groups({flat_box(0, 0, 9, 9), flat_box(1, 1, 1, 1), flat_box(20, 1, 1, 1)}) == Groups{{0, 1}, {2}});

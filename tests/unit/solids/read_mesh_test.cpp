@@ -81,7 +81,7 @@ TEST_CASE("a binary STL file may start with 'solid' and has single-precision coo
   }
 }
 
-TEST_CASE("an error in a binary STL file is reported") {
+TEST_CASE("a binary STL file of wrong length or with an infinite coordinate is rejected") {
   const Mesh mesh = solids::parse_meshes(bytes_of("corner.off"), model_file("corner.off"))[0];
   std::string bytes = binary_stl(mesh);
   CHECK(stl_error(bytes + "x") ==
@@ -119,7 +119,7 @@ TEST_CASE("an OFF file may have comments and colours and counts in its first lin
   CHECK(mesh.faces == std::vector<std::vector<std::uint32_t>>{{2, 1, 0}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
 }
 
-TEST_CASE("an error in an OFF file is reported with its place") {
+TEST_CASE("an error in an OFF file is reported with its line and column") {
   CHECK(off_error("") == "m.off:1:1: an OFF file must start with OFF; export it as OFF again");
   CHECK(off_error("OFF\n-1 0 0") ==
         "m.off:2:1: the number of points must be a whole number from 0 to 1, not '-1'; correct it");
@@ -203,7 +203,7 @@ TEST_CASE("PLY is read as text and as binary in either byte order") {
   CHECK(mesh.faces == std::vector<std::vector<std::uint32_t>>{{2, 1, 0}});
 }
 
-TEST_CASE("an error in the header of a PLY file is reported with its place") {
+TEST_CASE("an error in the header of a PLY file is reported with its line and column") {
   CHECK(ply_error("") == "m.ply: the header of a PLY file must end with 'end_header'; export it again");
   CHECK(ply_error("plx\nend_header\n") == "m.ply:1:1: a PLY file must start with 'ply'; export it as PLY again");
   CHECK(ply_error("ply\nend_header\n") == "m.ply:2:1: the header names no format; export it as PLY again");
@@ -225,7 +225,7 @@ TEST_CASE("an error in the header of a PLY file is reported with its place") {
             .find("it may be a cloud of points: export a mesh of faces") != std::string::npos);
 }
 
-TEST_CASE("an error in the elements of a PLY file is reported with its place") {
+TEST_CASE("an error in PLY elements is reported with its line and column or its byte") {
   const std::string points = std::string(ply_header) + "0 0 0\n1 0 0\n0 1 0\n";
   CHECK(ply_error(std::string(ply_header) + "0 zero 0\n") ==
         "m.ply:10:3: a value must be a finite number, not 'zero'; correct it");
@@ -246,7 +246,7 @@ TEST_CASE("an error in the elements of a PLY file is reported with its place") {
   CHECK(ply_error(bytes) == fmt::format("m.ply: at byte {}: a value is not finite; correct it", first + 8));
 }
 
-TEST_CASE("an error in an OBJ file is reported with its place") {
+TEST_CASE("an error in an OBJ file is reported with its line and column") {
   const auto error = [](const std::string& text) { return error_of([&] { solids::parse_obj(text, "m.obj"); }); };
   CHECK(error("v 0 0\n") == "m.obj:1:5: a point needs three coordinates; complete it");
   CHECK(error("v 0 zero 0\n") == "m.obj:1:5: a coordinate must be a finite number, not 'zero'; correct it");
@@ -264,7 +264,7 @@ TEST_CASE("an error in an OBJ file is reported with its place") {
   CHECK(error("").empty());
 }
 
-TEST_CASE("an error in an AMF file is reported with its place") {
+TEST_CASE("an error in an AMF file is reported with its line and column") {
   const auto error = [](const std::string& text) { return error_of([&] { solids::parse_amf(text, "m.amf"); }); };
   CHECK(error("<stl/>") == "m.amf:1:1: no <amf> element; correct it");
   CHECK(error("<amf>\n<object>").starts_with("m.amf:2:"));
@@ -292,7 +292,7 @@ TEST_CASE("a damaged 3MF package is rejected") {
   CHECK(refused > 100);
 }
 
-TEST_CASE("mesh files of other kinds or without an extension are rejected") {
+TEST_CASE("a mesh file of unsupported extension is rejected and the supported are listed") {
   CHECK(error_of([] { solids::parse_meshes("", "m.vrml"); }) ==
         "m.vrml: meshes are read from .stl, .off, .obj, .ply, .amf and .3mf files; convert it");
 }

@@ -9,7 +9,7 @@ namespace {
 
 using Long = glm::vec<3, long double>;
 
-/// Whether a ray from the point crosses the triangle: nothing if it passes too close to an edge or the plane.
+/// Whether a ray from the point crosses the triangle; empty if it passes too close to an edge or to the plane.
 std::optional<bool> crosses(const Long& a, const Long& b, const Long& c, const Long& from, const Long& along) {
   const Long normal = glm::cross(b - a, c - a);
   const long double size = glm::length(normal);

@@ -23,7 +23,7 @@ constexpr Arithmetic point_price{6, 6, 0, 0};
 constexpr Arithmetic section_price{40, 60, 6, 2};
 
 /// Halving a curve computes degree (degree + 1) / 2 points, each coordinate by an addition and a halving.
-Arithmetic halves_price(std::uint64_t degree, std::uint64_t coordinates) {
+Arithmetic halving_cost(std::uint64_t degree, std::uint64_t coordinates) {
   return {degree * (degree + 1) / 2 * coordinates * 2, 0, 0, 0};
 }
 
@@ -85,7 +85,7 @@ Curve square_of_two() { return {1, true, {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-
 TEST_CASE("a net patch takes the hand-counted operations for one and for five nodes") {
   // A middle halves five cubics of three coordinates each. Two points are compared with a plane, and two inner
   // coefficients of each side with a line.
-  const Arithmetic middle = times(5, halves_price(3, 3));
+  const Arithmetic middle = times(5, halving_cost(3, 3));
   struct Row {
     double tolerance;
     swept::Flatness flatness;
@@ -110,7 +110,7 @@ TEST_CASE("a net patch takes the hand-counted operations for one and for five no
     CHECK(counts.sections == 0);
     // A halving splits four cubics.
     check_equal(counts.arithmetic, sum_of({times(row.nodes, middle), times(row.nodes, flat_price),
-                                           times(row.lines, line_price), times(4 * row.halvings, halves_price(3, 3))}));
+                                           times(row.lines, line_price), times(4 * row.halvings, halving_cost(3, 3))}));
     CHECK(work.done() == 100 * row.nodes);
   }
 }
@@ -157,9 +157,9 @@ TEST_CASE("halving a sweep patch halves contour and trajectory once for all patc
         CHECK(counts.tests == 2 * 5);
         CHECK(counts.halvings == (is_first ? 2 : 1));
         CHECK(counts.sections == (is_first ? 2 : 0));
-        std::vector<Arithmetic> parts{times(5 * 5, point_price), times(5, flat_price), halves_price(degree, 2)};
+        std::vector<Arithmetic> parts{times(5 * 5, point_price), times(5, flat_price), halving_cost(degree, 2)};
         if (is_first) {
-          parts.push_back(halves_price(along, 3));
+          parts.push_back(halving_cost(along, 3));
           parts.push_back(times(2, section_price));
         }
         check_equal(counts.arithmetic, sum_of(parts));
@@ -182,7 +182,7 @@ TEST_CASE("a twisted side has four elements if a quarter's deviation is acceptab
   CHECK(counts.points == 5 * 5 + 4 * 2);
   CHECK(counts.tests == 5 * 2 + 4 * 2);
   check_equal(counts.arithmetic, sum_of({times(25 + 8, point_price), times(5, flat_price), times(8, line_price),
-                                         halves_price(1, 2), halves_price(1, 3), times(2, section_price)}));
+                                         halving_cost(1, 2), halving_cost(1, 3), times(2, section_price)}));
 }
 
 TEST_CASE("halves a trajectory that swings to both sides, though its middle is on the chord") {

@@ -10,7 +10,7 @@ using namespace swept;
 
 namespace {
 
-Curve any_curve() {
+Curve random_curve() {
   Curve curve;
   curve.degree = *rc::gen::inRange<std::uint32_t>(1, 4);
   curve.closed = *rc::gen::arbitrary<bool>();
@@ -24,7 +24,7 @@ Curve any_curve() {
 
 TEST_CASE("segments of a B-spline equal the sum of its basis functions") {
   CHECK(rc::check([] {
-    const Curve curve = any_curve();
+    const Curve curve = random_curve();
     const std::vector<Segment> segments = swept::bernstein_segments(curve);
     RC_ASSERT(segments.size() == curve.points.size() - (curve.closed ? 0 : curve.degree));
     for (std::size_t k = 0; k < segments.size(); ++k) {
@@ -38,7 +38,7 @@ TEST_CASE("segments of a B-spline equal the sum of its basis functions") {
 
 TEST_CASE("a curve's segments join and a closed curve ends where it starts") {
   CHECK(rc::check([] {
-    const Curve curve = any_curve();
+    const Curve curve = random_curve();
     const std::vector<Segment> segments = swept::bernstein_segments(curve);
     for (std::size_t k = 1; k < segments.size(); ++k) RC_ASSERT(segments[k].first() == segments[k - 1].last());
     if (curve.closed) {
@@ -52,7 +52,7 @@ TEST_CASE("a curve's segments join and a closed curve ends where it starts") {
 
 TEST_CASE("the halves of a curve's segment are the same curve and meet at identical numbers") {
   CHECK(rc::check([] {
-    const Segment segment = swept::bernstein_segments(any_curve()).front();
+    const Segment segment = swept::bernstein_segments(random_curve()).front();
     const auto [first, second] = swept::halves(segment);
     RC_ASSERT(first.first() == segment.first());
     RC_ASSERT(second.last() == segment.last());
@@ -73,7 +73,7 @@ TEST_CASE("the slope of a curve's segment is the difference quotient of close po
   }
 }
 
-TEST_CASE("an invalid curve is reported with a fix") {
+TEST_CASE("a curve with an invalid degree or number of points is rejected") {
   CHECK(swept::fault_of(Curve{4, false, {}}) == "degree 4 is above 3; use 0 (constant), 1, 2 or 3");
   CHECK(swept::fault_of(Curve{3, false, {{}, {}, {}}}) == "an open curve of degree 3 needs at least 4 points, not 3");
   CHECK(swept::fault_of(Curve{1, true, {{}, {}}}) == "a closed curve of degree 1 needs at least 3 points, not 2");

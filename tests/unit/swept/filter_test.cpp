@@ -82,12 +82,12 @@ bool is_inside_side(const Place& place, const Place& one, const Place& other) {
   return false;
 }
 
-double off_segment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
+double segment_distance(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
   return glm::length(glm::cross(p - a, p - b)) / glm::distance(a, b);
 }
 
 /// Counts corners of leaves that are on the side of another leaf but off its line, by pairwise comparison.
-int cracks(const std::vector<Element>& leaves) {
+int count_cracks(const std::vector<Element>& leaves) {
   int count = 0;
   constexpr std::array<std::size_t, 4> around{0, 1, 3, 2};
   for (const Element& large : leaves) {
@@ -97,8 +97,8 @@ int cracks(const std::vector<Element>& leaves) {
       for (std::size_t corner = 0; corner < 4; ++corner) {
         for (std::size_t side = 0; side < 4; ++side) {
           if (is_inside_side(others[corner], places[side], places[(side + 1) % 4]) &&
-              off_segment(small.corners[around[corner]], large.corners[around[side]],
-                          large.corners[around[(side + 1) % 4]]) > 1e-9)
+              segment_distance(small.corners[around[corner]], large.corners[around[side]],
+                               large.corners[around[(side + 1) % 4]]) > 1e-9)
             ++count;
         }
       }
@@ -296,11 +296,11 @@ TEST_CASE("the filter removes all cracks from random nets") {
   CHECK(rc::check([&] {
     const auto surface = swept::surface_of(random_net(4, 4, 40));
     const swept::Accuracy accuracy{0.2};
-    before += cracks(swept_test::leaves_of(*surface, 0, 0, accuracy));
+    before += count_cracks(swept_test::leaves_of(*surface, 0, 0, accuracy));
     Repaired repaired;
     repair(*surface, accuracy, swept::filter, repaired);
     RC_ASSERT(repaired.record.fault.empty());
-    RC_ASSERT(cracks(leaves_of(repaired.record)) == 0);
+    RC_ASSERT(count_cracks(leaves_of(repaired.record)) == 0);
   }));
   CHECK((!testing::draws_usual_cases() || before > 500));
 }
@@ -348,7 +348,7 @@ TEST_CASE("the filter's peak counts of held elements and vertices equal a recoun
   CHECK((!testing::draws_usual_cases() || cases > 30));
 }
 
-TEST_CASE("the quadtree repair makes the filter's mesh but holds all of it") {
+TEST_CASE("the quadtree repair makes the same mesh as the filter but holds all of it") {
   CHECK(rc::check([] {
     const auto surface = swept::surface_of(random_net(4, 4, 40));
     const swept::Accuracy accuracy{0.5};
@@ -395,7 +395,7 @@ TEST_CASE("patches share all vertices on their common sides after either repair"
         const glm::dvec3& b = made.points[element[(i + 1) % element.size()]];
         const glm::dvec3& c = made.points[element[(i + 2) % element.size()]];
         const bool is_side = (is_at(a.x, b.x) && is_at(b.x, c.x)) || (is_at(a.y, b.y) && is_at(b.y, c.y));
-        RC_ASSERT(!is_side || off_segment(b, a, c) < 1e-9);
+        RC_ASSERT(!is_side || segment_distance(b, a, c) < 1e-9);
       }
     }
     // Euler characteristic: faces, edges and vertices of a disc.

@@ -38,7 +38,7 @@ Curve function(std::uint32_t degree, const std::vector<double>& values) {
 
 Sweep block() { return {square(1), line(10)}; }
 
-std::string making(const Sweep& sweep) {
+std::string sweep_error(const Sweep& sweep) {
   return testing::error_of([&] { swept::make_swept_solid(sweep, {0.1}); });
 }
 
@@ -140,13 +140,13 @@ TEST_CASE("on a closed trajectory the scale along u and v and the rotation must 
       "360 degrees in total, and end the scale at its initial value";
   Sweep ring{square(1), circle(9, 8, true)};
   ring.rotation = function(1, {0, 360});
-  CHECK(making(ring) == "");
+  CHECK(sweep_error(ring) == "");
   ring.rotation = function(1, {0, 180});
-  CHECK(making(ring) == open);
+  CHECK(sweep_error(ring) == open);
   ring.rotation = function(0, {0});
   for (const glm::dvec3& end : {glm::dvec3{1.5, 1, 0}, glm::dvec3{1, 1.5, 0}}) {
     ring.scale = {1, false, {{1, 1, 0}, end}};
-    CHECK(making(ring) == open);
+    CHECK(sweep_error(ring) == open);
   }
 }
 
@@ -154,12 +154,12 @@ TEST_CASE("a trajectory that stands still at its start or middle or end is rejec
   for (const std::size_t segment : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
     std::vector<glm::dvec3> points{{0, 0, 0}, {0, 0, 3}, {0, 0, 6}};
     points.insert(points.begin() + static_cast<std::ptrdiff_t>(segment), points[segment]);
-    CHECK(making({square(1), {1, false, points}}) ==
+    CHECK(sweep_error({square(1), {1, false, points}}) ==
           "all points of segment " + std::to_string(segment + 1) + " of the trajectory coincide; remove points");
   }
 }
 
-TEST_CASE("rotation forwards and backwards adds up and may total a right angle") {
+TEST_CASE("a segment is short if its rotation back and forth totals at most 90 degrees") {
   const auto is_short = [](const Curve& rotation) {
     Sweep sweep = block();
     sweep.rotation = rotation;
@@ -225,7 +225,7 @@ TEST_CASE("a patch with one bent side is subdivided whichever side it is") {
   CHECK(leaves_of(sweep, 2, {0.1}) >= 8);  // bent in the west
 }
 
-TEST_CASE("a surface is rejected just beyond its limit on levels or elements or work") {
+TEST_CASE("a surface at its limits on levels or elements or work is accepted but not beyond") {
   Sweep sweep{circle(3, 8), line(10)};
   sweep.scale = {2, false, {{1, 1, 0}, {3, 3, 0}, {1, 1, 0}}};
   const std::unique_ptr<swept::Surface> surface = swept::surface_of(sweep);

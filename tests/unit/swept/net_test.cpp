@@ -11,8 +11,8 @@ using namespace csgsim::swept_test;
 
 namespace {
 
-double to_triangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-  // Distance to the nearest point of a lattice on the triangle: coarse, but independent of the judged code.
+double distance_to_triangle(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  // Distance to the nearest point of a lattice on it: coarse, but independent of the judged code.
   constexpr int steps = 12;
   double nearest = glm::distance(p, a);
   for (int i = 0; i <= steps; ++i) {
@@ -81,7 +81,8 @@ TEST_CASE("points of a net's surface are within 1.5 tolerances of their element"
                                             (leaf.square.y + v * size) / swept::whole_side);
           const auto& c = leaf.corners;
           const double coarse = std::max(glm::distance(c[0], c[3]), glm::distance(c[1], c[2])) / 12;
-          const double off = std::min(to_triangle(point, c[0], c[1], c[2]), to_triangle(point, c[3], c[1], c[2]));
+          const double off =
+              std::min(distance_to_triangle(point, c[0], c[1], c[2]), distance_to_triangle(point, c[3], c[1], c[2]));
           RC_ASSERT(off < 1.5 * tolerance + coarse);
         }
       }
@@ -115,7 +116,7 @@ TEST_CASE("a tolerance that the levels of subdivision cannot reach is rejected")
         "smoother curve");
 }
 
-TEST_CASE("an invalid net is reported with a fix") {
+TEST_CASE("a net with too few or unequally long rows of points is rejected") {
   CHECK(swept::fault_of(swept::Net{}) == "a patch needs at least 4 rows of points, not 0");
   const std::vector<glm::dvec3> row(4);
   CHECK(swept::fault_of(swept::Net{{row, row, row, {}}}) == "a row of a patch needs at least 4 points, not 0");

@@ -185,7 +185,7 @@ TEST_CASE("a trajectory through the y axis direction yields a closed oriented me
   CHECK(fault_of(swept::make_swept_solid(sweep, {0.05})) == "");
 }
 
-TEST_CASE("an upright ring is rotated at both places along the y axis and keeps its volume") {
+TEST_CASE("an upright ring that runs along the y axis at two places keeps its volume") {
   Sweep sweep{circle(1, 12), circle(9, 16)};
   for (glm::dvec3& point : sweep.contour.points) point.x *= 0.5;
   const swept::SweptSolid solid = swept::make_swept_solid(sweep, {0.02});
@@ -194,7 +194,7 @@ TEST_CASE("an upright ring is rotated at both places along the y axis and keeps 
   CHECK(volume(solid.mesh) == doctest::Approx(2 * pi * 9 * pi * 0.5).epsilon(0.02));
 }
 
-TEST_CASE("any sweep is closed and oriented outwards and both repairs have equal volumes") {
+TEST_CASE("random sweeps are closed with equal face counts and volumes by either repair") {
   CHECK(rc::check([] {
     Sweep sweep;
     sweep.contour = circle(1 + 0.01 * *rc::gen::inRange(0, 100), *rc::gen::inRange<std::size_t>(4, 9));

@@ -23,7 +23,7 @@ swept::Sweep along(const Curve& trajectory) {
   return {{1, true, {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}}, trajectory};
 }
 
-std::string making_spine(const swept::Sweep& sweep) {
+std::string spine_error(const swept::Sweep& sweep) {
   return testing::error_of([&] { const Spine spine(sweep); });
 }
 
@@ -272,7 +272,7 @@ TEST_CASE("a smooth trajectory with a corner above 0.001 rad at equal points is 
     const glm::dvec3 next(std::cos(angle), std::sin(angle), 0);
     Curve curve{2, is_closed, {{-1, 0, 0}, {0, 0, 0}, {0, 0, 0}, next}};
     if (is_closed) curve.points = {{0, 0, 0}, next, {0, 3, 0}, {-3, 0, 0}, {-1, 0, 0}, {0, 0, 0}};
-    return making_spine(along(curve));
+    return spine_error(along(curve));
   };
   const auto error_at = [](int segment) {
     return "the trajectory has a corner where its segment " + std::to_string(segment) +
@@ -285,7 +285,7 @@ TEST_CASE("a smooth trajectory with a corner above 0.001 rad at equal points is 
   CHECK(bent(1, true) == error_at(6));
   // The last point of a closed curve equals the one before it.
   Curve first{2, true, {{0, 0, 0}, {0, 0, 0}, {1, 1, 0}, {0, 3, 0}, {-3, 0, 0}}};
-  CHECK(making_spine(along(first)) == error_at(1));
+  CHECK(spine_error(along(first)) == error_at(1));
 }
 
 TEST_CASE("a closed trajectory may rotate its contour by a full turn even if a scale is 0") {
@@ -295,7 +295,7 @@ TEST_CASE("a closed trajectory may rotate its contour by a full turn even if a s
   sweep.rotation = {1, false, {{0, 0, 0}, {360, 0, 0}}};
   for (const glm::dvec3& scale : {glm::dvec3(1, 1, 0), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0)}) {
     sweep.scale = {0, false, {scale}};
-    CHECK(making_spine(sweep) == "");
+    CHECK(spine_error(sweep) == "");
   }
   const Spine spine(sweep);
   CHECK(spine.is_closed());

@@ -32,7 +32,7 @@ inline glm::dmat4 turn_about(int axis, double angle) {
   return turn;
 }
 
-inline glm::dmat4 rotation() {
+inline glm::dmat4 random_rotation() {
   return turn_about(0, real(-4, 4)) * turn_about(1, real(-4, 4)) * turn_about(2, real(-4, 4));
 }
 
@@ -73,9 +73,9 @@ inline Subject random_subject() {
   const double size = std::pow(10.0, real(-3, 3));
   const glm::dvec3 squeeze(std::pow(10.0, real(-1, 1)), std::pow(10.0, real(-1, 1)), 1.0);
   const glm::dvec3 far_off = *rc::gen::arbitrary<bool>() ? glm::dvec3(0) : vector(-5000, 5000) * size;
-  const glm::dmat4 place = shift(far_off) * rotation() * scaling(size * squeeze);
+  const glm::dmat4 place = shift(far_off) * random_rotation() * scaling(size * squeeze);
   const bool is_uniform = *rc::gen::arbitrary<bool>();
-  const glm::dmat4 used = is_uniform ? shift(far_off) * rotation() * scaling(glm::dvec3(size)) : place;
+  const glm::dmat4 used = is_uniform ? shift(far_off) * random_rotation() * scaling(glm::dvec3(size)) : place;
   Subject subject;
   const int kind = *rc::gen::inRange(0, 3);
   const double r1 = real(0, 4);

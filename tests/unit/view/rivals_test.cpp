@@ -13,7 +13,7 @@ namespace {
 std::int64_t between(std::int64_t low, std::int64_t high) { return *rc::gen::inRange<std::int64_t>(low, high + 1); }
 
 /// Functions that are nearly equal or cross in many ways.
-std::vector<FixedLinear> functions(std::size_t count, const view::PixelRect& rect) {
+std::vector<FixedLinear> random_functions(std::size_t count, const view::PixelRect& rect) {
   const int kind = *rc::gen::inRange(0, 7);
   const std::int64_t slope = *rc::gen::element<std::int64_t>(1, 9, 300, std::int64_t{1} << 30U);
   const FixedLinear base{between(-slope, slope), between(-slope, slope), between(-20 * slope, 20 * slope)};
@@ -58,7 +58,7 @@ void open_at(Drawn& drawn, std::int64_t x, std::int64_t y) {
   for (FixedLinear& one : boundary.backs) one.c += begins - ends + thickness;
 }
 
-Drawn draw() {
+Drawn random_drawn() {
   Drawn drawn;
   const std::int32_t size = *rc::gen::element(0, 1, 3, 12, 30);
   const std::int32_t x = *rc::gen::inRange(-40, 40);
@@ -66,9 +66,9 @@ Drawn draw() {
   drawn.rect = {x, y, x + *rc::gen::inRange(0, size + 1), y + *rc::gen::inRange(0, size + 1)};
   drawn.shift = *rc::gen::element(0U, 3U, 12U);
   Boundary& boundary = drawn.boundary;
-  boundary.fronts = functions(*rc::gen::element<std::size_t>(0, 1, 5, 17, 70), drawn.rect);
-  boundary.backs = functions(*rc::gen::element<std::size_t>(0, 1, 5, 17, 70), drawn.rect);
-  boundary.edges = functions(*rc::gen::element<std::size_t>(0, 0, 2, 20), drawn.rect);
+  boundary.fronts = random_functions(*rc::gen::element<std::size_t>(0, 1, 5, 17, 70), drawn.rect);
+  boundary.backs = random_functions(*rc::gen::element<std::size_t>(0, 1, 5, 17, 70), drawn.rect);
+  boundary.edges = random_functions(*rc::gen::element<std::size_t>(0, 0, 2, 20), drawn.rect);
   for (FixedLinear& one : boundary.backs) one = {-one.a, -one.b, -one.c};
   if (between(0, 3) > 0) open_at(drawn, between(x, drawn.rect.x1), between(y, drawn.rect.y1));
   return drawn;
@@ -159,7 +159,7 @@ void require_ends(const AtPixel& at, const view::AllRivals& found, const view::R
   }
 }
 
-void require_right(const Drawn& drawn, Tally& tally) {
+void require_sufficient_rivals(const Drawn& drawn, Tally& tally) {
   const Boundary& boundary = drawn.boundary;
   const view::Rivals all{all_of(boundary.fronts), all_of(boundary.backs), all_of(boundary.edges)};
   const view::AllRivals found = view::rivals(boundary, drawn.rect, drawn.shift);
@@ -194,7 +194,7 @@ Boundary bowl(std::int64_t side, std::int32_t width) {
 TEST_CASE("rivals include each boundary at which a solid begins or ends in hard cases") {
   Tally tally;
   CHECK(rc::check([&] {
-    for (int i = 0; i < 10; ++i) require_right(draw(), tally);
+    for (int i = 0; i < 10; ++i) require_sufficient_rivals(random_drawn(), tally);
   }));
   MESSAGE(tally.leads, " pixels with a front, ", tally.left_out, " left out");
   if (!testing::draws_usual_cases()) return;
@@ -202,7 +202,7 @@ TEST_CASE("rivals include each boundary at which a solid begins or ends in hard 
   CHECK(tally.left_out > 100'000);
 }
 
-TEST_CASE("faces spread over the picture have fewer than 60 rivals on average") {
+TEST_CASE("each of many faces spread over the picture has under 60 rivals on average") {
   for (const std::int64_t side : {10, 50, 200}) {
     CAPTURE(side);
     const Boundary boundary = bowl(side, 1024);
