@@ -115,7 +115,7 @@ TEST_CASE("LinearEvaluator matches adder-by-adder trees of degree 2") {
   }));
 }
 
-TEST_CASE("PixelReplay matches the reference though it skips disabled pixels") {
+TEST_CASE("PixelReplay matches the reference with and without skipping disabled pixels") {
   CHECK(rc::check([] {
     constexpr std::uint32_t bits = 40;
     const isa::ArrayShape shape{*rc::gen::inRange(1U, 12U), *rc::gen::inRange(1U, 12U), bits};
