@@ -15,7 +15,7 @@ TEST_CASE("filled() returns a vector of the given size and value for any page si
   }
 }
 
-TEST_CASE("have_pages() does not change memory that is already written") {
+TEST_CASE("prefault_pages() does not change memory that is already written") {
   std::vector<std::uint64_t> words(1U << 20U);
   for (std::size_t i = 0; i < words.size(); ++i) words[i] = i * i;
   prefault_pages(words.data(), words.size() * sizeof words[0]);
