@@ -107,7 +107,7 @@ TEST_CASE("equalisation samples with limited reach affect only the pixels around
   CHECK(changed > 1000);
 }
 
-TEST_CASE("equalisation works with few colour bits") {
+TEST_CASE("equalisation with 3 to 23 colour bits matches its definition") {
   const std::string ball = "sphere($fn = 12, $fa = 12, $fs = 2, r = 5);";
   for (const unsigned bits : {3U, 4U, 8U, 16U, 23U}) {
     CAPTURE(bits);
