@@ -49,7 +49,7 @@ TEST_CASE("combining a single area returns its exact coordinates") {
   CHECK(flat::minkowski(alone).outlines == alone[0].outlines);
 }
 
-TEST_CASE("Boolean operations on empty areas have the right result") {
+TEST_CASE("empty areas add nothing to unions and hulls and make intersections empty") {
   const std::array first_empty{Area{}, rectangle(1, 1)};
   const std::array last_empty{rectangle(1, 1), Area{}};
   for (const auto& areas : {first_empty, last_empty}) {
