@@ -94,7 +94,7 @@ TEST_CASE("processor and node transistors match the table in docs/hardware.md") 
   }
 }
 
-TEST_CASE("a pixel grows with a wider ALU and with quadratic expressions") {
+TEST_CASE("a pixel has more transistors with a wider ALU or with quadratic expressions") {
   Machine machine = kinds::load("pixel-planes-4");
   for (const std::uint32_t reads : {1U, 2U}) {
     machine.memory_reads = reads;
