@@ -350,7 +350,7 @@ TEST_CASE("planes near common corners by about the tolerance yield valid polytop
   CHECK(cuts > 5000);
 }
 
-TEST_CASE("an empty solid is an empty polytope and stays empty") {
+TEST_CASE("an empty solid yields an empty polytope that stays empty when clipped") {
   facet::PlaneTable planes(glm::dvec3(0), 1.0);
   const facet::Halfspace halfspace = planes.add({{0, 0, 1}, 0});
   CHECK(convex::make_polytope({}, planes).empty());
