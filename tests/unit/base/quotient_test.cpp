@@ -4,7 +4,7 @@
 
 using csgsim::quotient_up;
 
-TEST_CASE("quotient_up() is the smallest sufficient number of pieces") {
+TEST_CASE("quotient_up() returns the smallest number of pieces that covers the amount") {
   for (unsigned amount = 0; amount < 70; ++amount) {
     for (unsigned piece = 1; piece < 70; ++piece) {
       const unsigned pieces = quotient_up(amount, piece);

@@ -131,7 +131,7 @@ TEST_CASE("quantity() selects an SI prefix and uses none for seconds above one")
   CHECK(quantity(4e15, "") == "4,000 T");
 }
 
-TEST_CASE("quantity() is accurate to half a unit of its third digit") {
+TEST_CASE("quantity() rounds the value to three digits from 1 to 999 before the unit") {
   CHECK(rc::check([] {
     const double value = std::pow(10.0, *rc::gen::inRange(-1100, 1400) / 100.0);
     const std::string text = quantity(value, "J");

@@ -36,7 +36,7 @@ std::vector<std::uint64_t> reference_pixels(const reference::ReferenceArray& arr
 }
 
 std::vector<std::uint64_t> pixels_of_view(const systemc::PixelView& view, const isa::ArrayShape& shape) {
-  // Initial ones check that everything is overwritten.
+  // Every bit starts as 1, so that a bit which the reads do not overwrite is detected.
   std::vector<std::uint64_t> words(std::size_t{(shape.width + 63) / 64} * shape.height, ~std::uint64_t{0});
   view.read_enable(shape.width, shape.height, words);
   std::vector<std::uint32_t> values(std::size_t{shape.width} * shape.height, ~std::uint32_t{0});

@@ -124,7 +124,7 @@ TEST_CASE("the sequence of each gate computes its truth table with any operands"
   }
 }
 
-TEST_CASE("GateMapper finds the fastest sequence of each gate") {
+TEST_CASE("a gate gets the sequence of commands with the fewest clocks") {
   const CommandSet nand = example();
   GateMapper mapper(nand);
   CHECK(clocks_of(mapper, Gate::zero) == 4);
@@ -143,7 +143,7 @@ TEST_CASE("GateMapper finds the fastest sequence of each gate") {
   }
 }
 
-TEST_CASE("a sequence of the file is used unless it overwrites an operand too early") {
+TEST_CASE("a gate takes the file's sequence unless its target is an operand read later") {
   const CommandSet set = read(set_of(command("NAND", "1110")) +
                               "[sequence]\nMOVE = [\"T1 = NAND x x\", \"T2 = NAND T1 T1\", \"T1 = NAND T2 T2\", "
                               "\"target = NAND T1 T1\"]\n");
@@ -160,7 +160,7 @@ TEST_CASE("a sequence of the file is used unless it overwrites an operand too ea
   CHECK(aliased.sequence(Gate::conjunction, {0, 1, 2, 1}).size() == 2);
 }
 
-TEST_CASE("expand() leaves commands other than gates unchanged") {
+TEST_CASE("expanding gates leaves reads and writes and leaf commands unchanged") {
   const CommandSet nand = example();
   GateMapper mapper(nand);
   const RowCommands rows{{.op = RowOp::read, .from = 3}, {.op = RowOp::write, .to = 4}, {.op = RowOp::leaf, .bit = 2}};
@@ -176,7 +176,7 @@ TEST_CASE("the error for a gate without a sequence has the position of the comma
       "in [sequence]");
 }
 
-TEST_CASE("a search for a gate that the set cannot compute ends with an error") {
+TEST_CASE("the search for a gate that the commands cannot compute ends with an error") {
   // Monotone functions do not compute a choice; three operands and five latches have millions of them.
   const CommandSet set = read(set_of(command("AND", "0001") + command("OR", "0111"), 4));
   GateMapper mapper(set);
@@ -184,7 +184,7 @@ TEST_CASE("a search for a gate that the set cannot compute ends with an error") 
   CHECK(testing::error_of(message).starts_with("set.toml:4:1: no sequence of these commands was found for SEL"));
 }
 
-TEST_CASE("the error for an invalid command set states position and cause") {
+TEST_CASE("an invalid command set is rejected with the position and the mistake") {
   const std::string nand = command("NAND", "1110");
   const auto expects = [](const std::string& text, const std::string& message) {
     CAPTURE(text);

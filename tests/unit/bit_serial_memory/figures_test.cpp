@@ -119,7 +119,7 @@ TEST_CASE("the energies of the memories follow from the currents in DRAMsim3's D
   }
 }
 
-TEST_CASE("parameters of the memories beyond DRAM timing match the documented designs") {
+TEST_CASE("sizes and command clocks of the memories match the documented designs") {
   for (const std::string& name : names) {
     CAPTURE(name);
     const machines::Machine machine = kinds::load(name);

@@ -349,7 +349,7 @@ TEST_CASE("the write latch is loaded once per mask and again after the mask chan
   }
 }
 
-TEST_CASE("a store through a latch takes one command and one more for a complement") {
+TEST_CASE("a masked store takes two commands with a write latch and three for a complement") {
   for (const Design design : {Design::and_or_not, Design::majority}) {
     const auto count = [&](Bit value, bool inverted) {
       return commands_of(design, true, [&](ColumnLogic& logic) { logic.store(1, value, Mask::enable, inverted); })

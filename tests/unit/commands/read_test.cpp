@@ -87,7 +87,7 @@ TEST_CASE("commands rotate about the axes of the model and scale about its origi
   CHECK(near(moved(tree, 0, {1, 2, 3, 1}), {-4, -18, 22}));
 }
 
-TEST_CASE("the last colour command that applies to a whole solid decides") {
+TEST_CASE("a primitive has the colour of the last colour command on a solid with it") {
   const model::Tree tree =
       tree_of("A = block 1 1 1\ncolour A 1 0 0\nB = sphere 1\nC = A + B\nE = C + A\ncolour C 0 0 1\nObject = C + E\n");
   CHECK(*tree.primitives[0].colour == glm::dvec3(0, 0, 1));
@@ -113,7 +113,7 @@ TEST_CASE("the location of a primitive is the line of the .jan file that creates
   CHECK(tree.primitives[1].location.column == 3);
 }
 
-TEST_CASE("fig. 2.3 as commands equals its .csg to six digits") {
+TEST_CASE("thesis fig. 2.3 as a .jan file equals its .csg file to six digits") {
   const facet::Geometry written = facet::make_geometry(tree_of(text_of("thesis_fig_2_3.jan")));
   const facet::Geometry exported = facet::make_geometry(read::read_csg_text(text_of("thesis_fig_2_3.csg"), "fig.csg"));
   CHECK(written.halfspaces() == exported.halfspaces());

@@ -45,7 +45,7 @@ TEST_CASE("a drilled cube has the same volume for any length of the tool") {
   }
 }
 
-TEST_CASE("small parts next to huge ones keep their volume") {
+TEST_CASE("a small part left by subtracting huge cubes has the expected volume") {
   for (const char* const far : {"1e6", "1e9", "1e11"}) {
     CAPTURE(far);
     // The huge cube is subtracted again, except for a slab of thickness 1 whose corner the small cube partly fills.
@@ -68,7 +68,7 @@ TEST_CASE("a needle has the volume of its profile") {
   CHECK(closed_volume(surface) == doctest::Approx(expected).epsilon(1e-6));
 }
 
-TEST_CASE("difficult models convert to closed meshes of the right volume") {
+TEST_CASE("the models of volumes.txt convert to closed meshes of the listed volumes") {
   std::ifstream file(models + "volumes.txt");
   std::string name;
   double volume = 0;
@@ -83,7 +83,7 @@ TEST_CASE("difficult models convert to closed meshes of the right volume") {
   CHECK(count == 10);
 }
 
-TEST_CASE("converting separates two edges with the same end points") {
+TEST_CASE("a model with two edges between the same points converts to a closed mesh") {
   closed_volume(testing::converted(read::read_csg_file(models + "edges_that_repeat.csg")));
 }
 

@@ -14,7 +14,7 @@ double height(const TestModel& model, const convex::ShadowVolume& volume, const 
 /// End of a segment towards the light: the light itself or a point far outside the model.
 glm::dvec3 end_of_segment(const TestModel& model, const convex::Light& light, const glm::dvec3& point);
 
-/// Along an axis, in any direction, near or inside a solid, or far away.
+/// A light along an axis, in any direction, near or inside a solid, or far away.
 convex::Light random_light(const TestModel& model, RandomPoints& random);
 
 }  // namespace csgsim::testing

@@ -39,7 +39,7 @@ convex::Polytope wide_box(const facet::Convex& solid, const facet::PlaneTable& p
   return polytope;
 }
 
-/// Empty if part of the initial box remains, that is, if the solid is unbounded.
+/// The polytope, or an empty one if part of the initial box remains, that is, if the solid is unbounded.
 convex::Polytope if_closed(convex::Polytope polytope) {
   const bool is_open = std::any_of(polytope.faces.begin(), polytope.faces.end(),
                                    [](const convex::Face& face) { return face.halfspace.plane == no_plane; });
@@ -54,7 +54,7 @@ convex::Polytope clipped_one_by_one(const facet::Convex& solid, const facet::Pla
   return if_closed(std::move(polytope));
 }
 
-/// The same polytope to the bit, according to the other tests here, but fast for thousands of half-spaces.
+/// Equals clipped_one_by_one() to the bit, as other tests of this file check, but is fast for many half-spaces.
 convex::Polytope carved_in_order(const facet::Convex& solid, const facet::PlaneTable& planes) {
   convex::Carver carver(wide_box(solid, planes), planes);
   for (const facet::Halfspace& halfspace : solid.halfspaces) carver.clip(halfspace);
@@ -350,7 +350,7 @@ TEST_CASE("planes near common corners by about the tolerance yield valid polytop
   CHECK(cuts > 5000);
 }
 
-TEST_CASE("an empty solid is an empty polytope and stays empty") {
+TEST_CASE("an empty solid yields an empty polytope that stays empty when clipped") {
   facet::PlaneTable planes(glm::dvec3(0), 1.0);
   const facet::Halfspace halfspace = planes.add({{0, 0, 1}, 0});
   CHECK(convex::make_polytope({}, planes).empty());

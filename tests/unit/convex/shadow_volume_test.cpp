@@ -79,7 +79,7 @@ ShadowVolume volume_of(const TestModel& model, const glm::dvec4& place) {
 
 }  // namespace
 
-TEST_CASE("a box has the right shadow planes for each direction of the light") {
+TEST_CASE("a box has the expected lit faces and silhouette edges for each light") {
   const TestModel box("cube(size=[2,2,2],center=true);");
   struct Expected {
     glm::dvec4 light;

@@ -27,7 +27,7 @@ TestModel demo_model(const std::string& name) {
 
 namespace {
 
-/// Far above the tolerance; relative to the diagonal.
+/// A point closer than this to a plane, relative to the diagonal, is not judged; far above the tolerance.
 constexpr double doubtful = 1e-8;
 
 bool evaluate(const model::Tree& tree, const std::vector<bool>& held) {
@@ -47,7 +47,7 @@ bool evaluate(const model::Tree& tree, const std::vector<bool>& held) {
   return tree.root != model::no_index && value[tree.root];
 }
 
-/// Also returns the distance from the nearest plane.
+/// Whether the model contains the point, and the point's distance from the nearest plane.
 std::pair<bool, double> examine(const TestModel& model, const glm::dvec3& point) {
   std::vector<bool> held;
   double nearest = 1e300;

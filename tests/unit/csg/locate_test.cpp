@@ -7,7 +7,7 @@
 using namespace csgsim;
 using csg::Known;
 
-TEST_CASE("a plane that fits no width decides a block only where rounding cannot matter") {
+TEST_CASE("an unrepresentable plane decides a block only where rounding cannot matter") {
   CHECK(rc::check([] {
     const double scale = *rc::gen::element(0.01, 1.0, 1e3, 1e9);
     const auto real = [&](int most) { return scale * *rc::gen::inRange(-most, most) / 16.0; };

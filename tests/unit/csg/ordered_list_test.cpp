@@ -14,7 +14,7 @@ using csg::OrderedList;
 
 // ---- Simulation of a pixel.
 
-/// Empty if the pixel ends with a label other than that of TRUE.
+/// Whether a pixel with these primitives stays visible; empty if it ends with a label other than that of TRUE.
 std::optional<bool> execute(const OrderedList& list, const std::vector<bool>& in) {
   std::uint32_t label = 0;
   for (const csg::ListLeaf& leaf : list.leaves) {
@@ -47,7 +47,7 @@ csg::Destination destination(std::uint32_t way) {
   return way == answer_false ? csg::Destination::hidden : csg::Destination::leaf;
 }
 
-/// Positions or answers that follow for each value of the leaf (not of its primitive).
+/// The position or the answer that follows each value of a leaf (not of its primitive).
 struct Ways {
   std::uint32_t if_true;
   std::uint32_t if_false;

@@ -11,7 +11,7 @@ constexpr view::FixedLinear plane{3, -2, 7};
 
 }  // namespace
 
-TEST_CASE("Tested finds each plane and rectangle once, also after sealing") {
+TEST_CASE("Tested reports a test as known after the same plane and rectangle were added") {
   csg::Tested tested;
   CHECK(tested.add(plane, {0, 0, 9, 9}) == csg::Finding::by_test);
   CHECK(tested.add(plane, {0, 0, 9, 9}) == csg::Finding::known);
@@ -38,7 +38,7 @@ TEST_CASE("a row takes its extremes from the row above with the same columns") {
   CHECK(row.add(plane, {0, 5, 9, 6}) == csg::Finding::by_test);
 }
 
-TEST_CASE("Counted counts a test, two values for a row, and a box for a known test") {
+TEST_CASE("Counted charges a half-space, two values if from a row, or a box if known") {
   csg::Tested above;
   above.add(plane, {2, 5, 9, 5});
   above.seal();

@@ -162,7 +162,7 @@ TEST_CASE("errors in debugger commands show the column and suggest the nearest n
   CHECK(debug("") == "");
 }
 
-TEST_CASE("the debugger reads the words and abbreviations of gdb") {
+TEST_CASE("the debugger accepts gdb's command names and abbreviations") {
   const std::array<std::pair<const char*, const char*>, 14> words{{{"n", "step"},
                                                                    {"next 2", "step 2"},
                                                                    {"s 3", "step 3"},

@@ -149,7 +149,7 @@ TEST_CASE("the divider tests a half-space at most once per cell of its rectangle
   }));
 }
 
-TEST_CASE("keep_by_leaders() before keep_extremes() does not change the result") {
+TEST_CASE("dropping half-spaces behind leading ones first does not change the kept ones") {
   CHECK(rc::check([] {
     const Sides made = any_side(true);
     Sides first = made;

@@ -29,7 +29,7 @@ observe::Frame drawn(const std::string& csg, const testing::Setup& setup) {
 
 }  // namespace
 
-TEST_CASE("hatching lines cover the third quarter of each period at every sample offset") {
+TEST_CASE("hatching lines fill the third quarter of each period at any angle and offset") {
   const std::string box = testing::box_text({0, 0, -40}, {48, 9, 0});
   for (const double angle : {0.0, 30.0, 45.0, -70.0, 90.0}) {
     for (const glm::dvec2& aside : {glm::dvec2{0, 0}, glm::dvec2{0.25, -0.375}, {-0.5, -0.125}, {0.3125, 0.4375}}) {

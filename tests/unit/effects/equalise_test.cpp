@@ -108,7 +108,7 @@ TEST_CASE("equalisation with a limited reach ranks a pixel among the samples wit
   CHECK(changed > 1000);
 }
 
-TEST_CASE("equalisation replaces levels by ranks with 3 to 23 colour bits too") {
+TEST_CASE("equalisation with 3 to 23 colour bits matches its definition") {
   const std::string ball = "sphere($fn = 12, $fa = 12, $fs = 2, r = 5);";
   for (const unsigned bits : {3U, 4U, 8U, 16U, 23U}) {
     CAPTURE(bits);

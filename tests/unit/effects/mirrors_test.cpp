@@ -177,7 +177,7 @@ TEST_CASE("mirrors in random models match rays in perspective views") {
   check(random_models(101, view::Projection::perspective), 1000);
 }
 
-TEST_CASE("mirrors in mirrors are visible up to the requested depth") {
+TEST_CASE("drawing mirrors in mirrors changes colours but no depths") {
   const testing::Setup once = view_of_room(64, 56, view::Projection::orthographic, to_depth(1), room());
   const testing::Setup twice = view_of_room(64, 56, view::Projection::orthographic, to_depth(2), room());
   CHECK_FALSE(same(drawn(room(), once), drawn(room(), twice)));
@@ -201,7 +201,7 @@ TEST_CASE("a picture of mirrors is identical on all machines and with all strate
   CHECK(same(drawn(room(), setup), first));
 }
 
-TEST_CASE("glass in front of a mirror and its mirror image match rays") {
+TEST_CASE("glass in front of a mirror and in its image matches rays") {
   const std::string model = "union(){" + room() + tinted({0.3, 0.9, 0.9}, 0.4, box_text({-7, -6, 1}, {1, -5, 6})) + "}";
   const testing::Setup setup = view_of_room(64, 56, view::Projection::orthographic, to_depth(1), model);
   const auto compiled = testing::compile_text(model, setup);

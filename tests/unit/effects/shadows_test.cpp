@@ -273,7 +273,7 @@ TEST_CASE("a lamp in an open box lights its inside and a closed box blocks it") 
         drawn("union(){" + open + behind + "}", dark).colour);
 }
 
-TEST_CASE("shadows are identical for any pruning and machine") {
+TEST_CASE("shadows are the same without pruning and on a scan-line machine and with lists") {
   const std::string lights = lamp({9, -7, 14}, {1, 0.5, 0.2}) + "[[lights]]\ndirection = [-1, 0.2, -0.7]\n";
   for (const std::uint64_t seed : {7U, 9U, 31U}) {
     CAPTURE(seed);

@@ -274,7 +274,7 @@ TEST_CASE("too little memory for transparency is an error that suggests fixes") 
   }
 }
 
-TEST_CASE("a screen door of opacity n/16 covers n pixels of each 4 x 4 block") {
+TEST_CASE("a screen door of opacity n/16 shows n pixels of each 4 x 4 block") {
   std::set<std::size_t> before;
   for (unsigned pixels = 0; pixels <= effects::max_pattern_pixels; ++pixels) {
     CAPTURE(pixels);
@@ -293,7 +293,7 @@ TEST_CASE("a screen door of opacity n/16 covers n pixels of each 4 x 4 block") {
   }
 }
 
-TEST_CASE("max_overlap() is the number of rectangles at the most covered pixel") {
+TEST_CASE("max_overlap() returns the largest number of rectangles that share a pixel") {
   const bool holds = rc::check("the count equals that of the pixel in most rectangles", [] {
     std::vector<view::PixelRect> all;
     std::array<unsigned, 64> covered{};

@@ -68,7 +68,7 @@ TEST_CASE("strategy auto takes no more clocks than any strategy and colouring it
     CHECK(best.facts->compile.colouring != "auto");
     for (const emit::Colouring colouring : {emit::Colouring::field, emit::Colouring::rebroadcast}) {
       for (const emit::Strategy strategy : emit::default_strategies()) {
-        // Strategy stored needs more memory, and auto does not try products.
+        // Strategy stored needs more memory, and products is not among the candidates.
         if (strategy == emit::Strategy::stored || strategy == emit::Strategy::products) continue;
         for (const unsigned bits : {3U, 4U, 5U, 6U}) {
           how.options.strategy = strategy;

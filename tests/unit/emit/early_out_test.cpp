@@ -99,7 +99,7 @@ TEST_CASE("a query guards at least sixteen times its clocks and guards are neste
   }
 }
 
-TEST_CASE("early out skips hidden primitives and its clocks sum to those of the run") {
+TEST_CASE("early out skips hidden primitives and all clocks add up to the total") {
   const isa::Program program = testing::compile_text(behind_a_cube, setup()).program;
   testing::Setup how = setup();
   how.options.pruning.early_out = false;
@@ -124,7 +124,7 @@ TEST_CASE("early out skips hidden primitives and its clocks sum to those of the 
   CHECK(of(with_queries, isa::Purpose::shade).clocks < of(without_queries, isa::Purpose::shade).clocks);
 }
 
-TEST_CASE("clocks_of_run() matches a run with skips") {
+TEST_CASE("measure_clocks() returns the clocks of a run with skips") {
   const isa::Program program = testing::compile_text(behind_a_cube, setup()).program;
   CHECK(functional::measure_clocks(program, testing::machine_of(program.shape)) == run(program).result.clocks);
 }

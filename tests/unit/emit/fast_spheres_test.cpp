@@ -368,7 +368,7 @@ TEST_CASE("spheres lit in the bits of Z1 look the same as with a separate field"
 }
 
 TEST_CASE("the field of squares has no linear part and the minimum width") {
-  /// Reads the field when the picture starts, with the farthest depth everywhere.
+  /// Reads the field once, after the first set_constant from instruction 3 on, when all depths are the farthest.
   struct Look : engine::Observer {
     isa::Field field;
     std::vector<std::uint32_t> values;

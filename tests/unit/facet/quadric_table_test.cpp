@@ -228,7 +228,7 @@ TEST_CASE("equal ellipsoids coincide for semi-axes across six decades") {
     const facet::Geometry scene = scene_of({at(unit, first)});
     const facet::Quadric& quadric = scene.quadrics.quadrics()[0];
     for (int axis = 0; axis < 3; ++axis) {
-      // The ends of the axes lie on it, as exactly as points of this size can be represented.
+      // The ends of the axes lie on the quadric, as exactly as points of this size can be represented.
       glm::dvec3 end(0);
       end[axis] = 1;
       const double most =

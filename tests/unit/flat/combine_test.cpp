@@ -49,7 +49,7 @@ TEST_CASE("combining a single area returns its exact coordinates") {
   CHECK(flat::minkowski(alone).outlines == alone[0].outlines);
 }
 
-TEST_CASE("empty areas count as nothing in a union and empty an intersection") {
+TEST_CASE("empty areas add nothing to unions and hulls and make intersections empty") {
   const std::array first_empty{Area{}, rectangle(1, 1)};
   const std::array last_empty{rectangle(1, 1), Area{}};
   for (const auto& areas : {first_empty, last_empty}) {

@@ -56,7 +56,7 @@ TEST_CASE("polygons with crossing paths follow the even-odd rule") {
   check_as_openscad(flat::polygon(star, {}), "polygon_star");
 }
 
-TEST_CASE("a polygon may touch itself") {
+TEST_CASE("a polygon that touches itself matches OpenSCAD") {
   const std::vector<glm::dvec2> points{{0, 0}, {4, 0}, {4, 4}, {8, 4}, {8, 8}, {4, 8}, {4, 4}, {0, 4}};
   check_as_openscad(flat::polygon(points, {}), "polygon_touching");
 }

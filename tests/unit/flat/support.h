@@ -30,11 +30,12 @@ std::size_t corners(const Area& area);
 /// Area of the symmetric difference; each operand follows the even-odd rule.
 double difference(const Area& a, const Area& b);
 
-/// Fails the test if they differ by more than OpenSCAD's rounding on export, or in the numbers of outlines and corners.
+/// Fails the test if the area and OpenSCAD's export `name` differ by more than the rounding of the export, or in the
+/// numbers of outlines and corners.
 void check_as_openscad(const Area& area, const std::string& name);
 
-/// Like check_as_openscad() without the number of corners, which differs between OpenSCAD's Clipper 6.2 and version 6.4
-/// where round strokes turn.
+/// Same check without the number of corners, which differs between OpenSCAD's Clipper 6.2 and version 6.4 where round
+/// strokes turn.
 void check_area_as_openscad(const Area& area, const std::string& name);
 
 /// Fails the test if an outline violates the orientation guaranteed by area.h: outer outlines and holes alternate.

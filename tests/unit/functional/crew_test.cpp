@@ -30,7 +30,7 @@ TEST_CASE("a crew runs each job exactly once for any number of jobs and threads"
   }
 }
 
-TEST_CASE("a sleeping crew wakes for new jobs and an idle one is destroyed cleanly") {
+TEST_CASE("a sleeping crew runs new jobs and an unused crew can be destroyed") {
   const Crew idle(4);
   Crew crew(2);
   for (int call = 0; call < 3; ++call) {

@@ -23,7 +23,7 @@ std::uint64_t clocks_on_mc68000(const processors::Operations& operations) {
 
 }  // namespace
 
-TEST_CASE("box and half-space tests take a node and the display processor the host's clocks") {
+TEST_CASE("host tasks take the same MC68000 clocks on a node and the display processor") {
   const Figures figures = figures_of("");
   for (const multi_processor::TestClocks& tests : {figures.display_tests, figures.node_tests}) {
     CHECK(tests.primitive == clocks_on_mc68000(host::recipe("boxes")));
@@ -60,7 +60,7 @@ TEST_CASE("a node in assembly takes the clocks of the MC68000 manual") {
   CHECK(figures.transform_clocks == products + quotient + plane);
 }
 
-TEST_CASE("another node processor changes only the parameters that are priced by it") {
+TEST_CASE("another node processor changes only the parameters that are left to it") {
   const Figures figures = figures_of("+node.processor=i486dx2+node.cell_clocks=422");
   CHECK(figures.node_processor.compiler_factor == 1500);
   CHECK(figures.operations.read == 2);  // 1.5, rounded up

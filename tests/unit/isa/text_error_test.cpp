@@ -150,7 +150,7 @@ TEST_CASE("preparation counts beyond the limit are rejected and so is their sum"
             "; use a smaller model");
 }
 
-TEST_CASE("model preparation and prunings are read and their errors have a position") {
+TEST_CASE("preparation and pruning directives are read if unique and before the segments") {
   const std::string segment = ".segment width=8 height=8\n";
   const isa::Program program =
       parse(array + ".prepare_model supports=7\n.pruning name=\"space\" tried=3\n" + segment, "t");
@@ -163,7 +163,7 @@ TEST_CASE("model preparation and prunings are read and their errors have a posit
   CHECK(error_of(array + ".pruning tries=3\n").find("the nearest is 'tried'") != std::string::npos);
 }
 
-TEST_CASE("rejects missing or misplaced or repeated directives in a Program's text") {
+TEST_CASE("directives that are repeated or out of order are rejected with their position") {
   CHECK(error_of("").starts_with("t: there is no .array"));
   CHECK(error_of(".model unions=1\n" + array).starts_with("t:1:2: .model comes before .array"));
   CHECK(error_of(array + "enable_all").starts_with("t:2:1: the instruction is in no segment"));

@@ -60,7 +60,7 @@ std::string message_of_change(std::string_view from, std::string_view to) { retu
 
 }  // namespace
 
-TEST_CASE("a pixel has the transistors of its logic and of its memory if synthesized") {
+TEST_CASE("a pixel's transistors are those of logic and memory or unknown if unsynthesized") {
   Machine machine = kinds::load("pixel-planes-4");
   const std::uint64_t logic = *machines::pixel_transistors(machine, 0);
   CHECK(logic > 100);
@@ -94,7 +94,7 @@ TEST_CASE("processor and node transistors match the table in docs/hardware.md") 
   }
 }
 
-TEST_CASE("a pixel grows with a wider ALU and with quadratic expressions") {
+TEST_CASE("a pixel has more transistors with a wider ALU or with quadratic expressions") {
   Machine machine = kinds::load("pixel-planes-4");
   for (const std::uint32_t reads : {1U, 2U}) {
     machine.memory_reads = reads;
@@ -144,7 +144,7 @@ TEST_CASE("every built-in machine has the name by which it is loaded") {
   }
 }
 
-TEST_CASE("multi-machine studies cover every built-in machine except the expensive ones") {
+TEST_CASE("multi-machine studies cover every built-in machine except bit-serial memories") {
   std::vector<std::string_view> names = kinds::built_in_names();
   std::erase_if(names,
                 [](std::string_view name) { return kinds::load(std::string(name)).kind->name == "bit-serial-memory"; });

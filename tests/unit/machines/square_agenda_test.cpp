@@ -88,7 +88,7 @@ TEST_CASE("IndexSet visits numbers at the ends of 64-bit words in order") {
   CHECK(visited(IndexSet(64), 5).empty());
 }
 
-TEST_CASE("next_in_turn() returns the next number and 0 after the last") {
+TEST_CASE("next_in_turn() returns the following number and 0 after the last") {
   CHECK(pixel_square::next_in_turn(0, 1) == 0);
   CHECK(pixel_square::next_in_turn(0, 2) == 1);
   CHECK(pixel_square::next_in_turn(1, 2) == 0);

@@ -248,7 +248,7 @@ TEST_CASE("a group's first square includes the group's work if it has boxes or e
   CHECK(clocks({.steps = {}, .group_boxes = 5, .group_entries = 9}) == none + 5 * 7 + 9);
 }
 
-TEST_CASE("an ideal parameter of a pixel-square machine has its documented meaning") {
+TEST_CASE("ideal parameters of a pixel-square machine remove limits and take no clocks") {
   const auto own = [](const std::string& key) {
     return machines::own<Figures>(kinds::load("pixel-square+" + key + "=ideal"));
   };

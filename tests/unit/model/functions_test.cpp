@@ -9,7 +9,7 @@ using namespace csgsim;
 
 namespace {
 
-/// Judge: binary numbers, rounded once to a double, with Boost's functions, which share no code with ours.
+/// Numbers of 50 digits, rounded once to a double; Boost's functions share no code with those under test.
 using Real = boost::multiprecision::cpp_bin_float_50;
 
 constexpr int cases = 20'000;

@@ -105,7 +105,7 @@ TEST_CASE("the clocks by opcode and by purpose and by primitive each add up to t
   }));
 }
 
-TEST_CASE("stats list the memory in use and the machine's account") {
+TEST_CASE("stats in JSON have the clocks and seconds and memory in use and the account") {
   isa::Program one = program();
   one.facts->fields = {{"Z2", {0, 7}, isa::FieldRole::depth}, {"mask", {9, 1}, isa::FieldRole::mask}};
   machines::Machine machine = machines::blank(pixel_planes::kind);

@@ -215,7 +215,7 @@ TEST_CASE("advice tries every processor as host and states the gain with the hos
         }) == 1);
 }
 
-TEST_CASE("a change is worth its gain with the host or else without it") {
+TEST_CASE("a change's worth is the time it saves with the host or else without it") {
   CHECK(observe::worth({400'000, 400'000}, {300'000, 300'000}, 10'000'000) ==
         "30 ms per frame instead of 40 ms (25.0 % less)");
   CHECK(observe::worth({400'000, 8'000'000}, {410'000, 2'000'000}, 10'000'000) ==
@@ -236,7 +236,7 @@ TEST_CASE("a change is worth its gain with the host or else without it") {
   CHECK(observe::best_knob({knobs[2]}).empty());
 }
 
-TEST_CASE("frame rates without and with the host") {
+TEST_CASE("the frame rate with the host is that of the slower of machine and host") {
   CHECK(machines::frame_rates(10'000'000, 400'000, 0) == machines::FrameRates{25, 25});
   CHECK(machines::frame_rates(10'000'000, 400'000, 400'000) == machines::FrameRates{25, 25});
   CHECK(machines::frame_rates(10'000'000, 400'000, 2'000'000) == machines::FrameRates{25, 5});

@@ -33,7 +33,7 @@ TEST_CASE("without lights a face gets 0.3 ambient and 0.7 times the default ligh
   CHECK(is_near(middle_of(wall, {}), part * yellow));
 }
 
-TEST_CASE("walls of a subtracted solid are green or in its colour") {
+TEST_CASE("walls cut by a subtracted solid are green or in that solid's colour") {
   const std::string cut = box({-1, 4, -1}, {1, 5.5, 1});
   const double part = 0.3 + 0.7 * 0.75 / std::sqrt(1.0057);
   CHECK(is_near(middle_of("difference(){" + wall + cut + "}", {}), part * green));

@@ -104,10 +104,10 @@ scene::Scene many_lights() {
 
 }  // namespace
 
-TEST_CASE("the machine draws random models as the ray oracle does (orthographic)") {
+TEST_CASE("random models in the default light match the ray oracle (orthographic)") {
   check(draw_both(1, view::Projection::orthographic, {}));
 }
-TEST_CASE("the machine draws random models as the ray oracle does (perspective)") {
+TEST_CASE("random models in the default light match the ray oracle (perspective)") {
   check(draw_both(101, view::Projection::perspective, {}));
 }
 TEST_CASE("random models in several point lights match the ray oracle (orthographic)") {

@@ -154,7 +154,7 @@ TEST_CASE("objects beyond a point light cast no shadow") {
   for (const std::int32_t x : {-8, 0, 3, 8}) CHECK(is_lit(stage, x, 0));
 }
 
-TEST_CASE("a solid's far sides face away from the light and are not in shadow") {
+TEST_CASE("shadows change no colour of a lone ball") {
   const std::string ball = testing::coloured({0.5, 0.5, 0.5}, "sphere($fn=16,$fa=12,$fs=2,r=8);");
   Stage stage(ball, lit_by(slanted));
   Stage plain(ball, lit_by(slanted));
