@@ -44,7 +44,7 @@ std::uint64_t clocks_of_last_flip(NodeKind kind, const std::vector<std::uint16_t
 
 }  // namespace
 
-TEST_CASE("all programs classify points of random trees as the tree does") {
+TEST_CASE("every method's program classifies points as the random tree does") {
   unsigned of_bits = 0;
   rc::check([&of_bits](std::uint32_t seed, bool is_small) {
     const RandomTree random(seed, is_small ? 20 : 60);
