@@ -28,7 +28,7 @@ class Blocks(unittest.TestCase):
         self.assertEqual(pages.with_block(once, "a", "| 2 |\n"), once)
 
     def test_reports_a_missing_block(self):
-        with self.assertRaisesRegex(pages.Missing, "'b' is there 0 times"):
+        with self.assertRaisesRegex(pages.Missing, "'b' occurs 0 times"):
             pages.with_block(PAGE, "b", "")
 
 
@@ -76,7 +76,7 @@ class Made(unittest.TestCase):
     def test_reports_a_false_claim(self):
         maker = self.maker()
         maker.make(manifest.Page("P.md", {"n": "3"}), self.entry("sentence", holds=["n > 2", "n > 3"]))
-        self.assertEqual(maker.wrong, ["P.md: this holds no longer: n > 3"])
+        self.assertEqual(maker.wrong, ["P.md: this claim no longer holds: n > 3"])
 
     def test_runs_the_same_command_once(self):
         runs = Runs("/nowhere")
