@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""./setup.sh on systems with other package managers: it names the packages of cmake/packages.txt and never ends with a
-missing command. The managers are stand-ins on a PATH that has only the tools that every system has."""
+"""./setup.sh on systems with other package managers: it names the packages of cmake/packages.txt and never prints
+"not found" for a command. The managers are stand-ins on a PATH that has only the tools that every system has."""
 
 import os
 import pathlib

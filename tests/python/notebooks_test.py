@@ -94,7 +94,7 @@ def carried_out(name):
     notebook, names = run(name)
     for cell, stored in zip(notebook["cells"], read(name)["cells"]):
         if cell != stored:
-            raise AssertionError(f"{name}.ipynb: the stored output of a cell is old; notebooks_test.py CSGSIM SOURCE write renews it:"
+            raise AssertionError(f"{name}.ipynb: the stored output of a cell is outdated; run notebooks_test.py CSGSIM SOURCE write:"
                                  f"\n{''.join(cell['source'])}")
     return names, printed_by(notebook)
 

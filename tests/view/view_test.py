@@ -263,7 +263,7 @@ class Attacks(unittest.TestCase):
             self.assertIn(status, (400, 403, 404))
             self.assertNotIn(b"root:", body)
 
-    def test_reads_only_files_that_the_model_imports(self):
+    def test_rejects_files_that_the_model_does_not_import(self):
         for source in ('import(file="/etc/passwd");', 'import(file="../../../../../../etc/passwd");', 'surface(file="/etc/hostname");'):
             status, answer = self.server.post("draw", {"source": source})
             self.assertEqual(status, 422)
