@@ -127,7 +127,7 @@ TEST_CASE("a status tree propagates a flip up to the first unchanged node") {
   CHECK(clocks_of_last_flip(NodeKind::difference, {0, 1}) == leaf + up + subtracted + changed);
 }
 
-TEST_CASE("bits take clocks per level of the tree, and each level shifts twice as far") {
+TEST_CASE("the bit-parallel method takes clocks for each level and each bit of its shifts") {
   // The union of 0 and (1 minus 2), with one extra level.
   const Tree tree{{{NodeKind::primitive, 0, 0, 0},
                    {NodeKind::primitive, 1, 0, 0},
