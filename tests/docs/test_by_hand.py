@@ -94,10 +94,10 @@ class Held(unittest.TestCase):
                "  colour       5476311 (0x538fd7), #538fd7\n  mask         0\n")
 
     def test_reads_the_fields_that_the_debugger_prints(self):
-        self.assertEqual(one_pixel_story.told(self.PRINTED), [{(0, 0): {"E": 1, "Z2": 166, "Z1": 128, "colour": 5476311, "mask": 0}}])
+        self.assertEqual(one_pixel_story.printed_states(self.PRINTED), [{(0, 0): {"E": 1, "Z2": 166, "Z1": 128, "colour": 5476311, "mask": 0}}])
 
     def test_reports_a_field_that_differs(self):
-        machine = one_pixel_story.told(self.PRINTED)[0][0, 0]
+        machine = one_pixel_story.printed_states(self.PRINTED)[0][0, 0]
         same = by_hand.Pixel(True, 128, 166, False, 5476311)
         one_pixel_story.compare("a step", (0, 0), same, machine)
         for other in (by_hand.Pixel(False, 128, 166, False, 5476311), by_hand.Pixel(True, 127, 166, False, 5476311),
