@@ -41,7 +41,7 @@ void erase(std::string& text, const std::string& begin, const std::string& end) 
 }
 
 /// A file's content without the parts that vary between runs: times and options (stats) or the date (waves).
-std::string steady(const std::string& path) {
+std::string without_varying_parts(const std::string& path) {
   std::string text = cli::content(path);
   if (path.ends_with(".json")) {
     erase(text, "\"configuration\"", "\"wall_seconds\"");
@@ -70,9 +70,9 @@ Bench::Bench(Command command) : command_(std::move(command)) {
   const Ended ended = run();
   CAPTURE(ended.err);
   REQUIRE(ended.code == 0);
-  for (const std::string& name : command_.outputs) wanted_[name] = steady(out(name));
+  for (const std::string& name : command_.outputs) wanted_[name] = without_varying_parts(out(name));
   if (!command_.table.empty()) {
-    for (const std::string& name : {command_.table, title()}) wanted_[name] = steady(out(name));
+    for (const std::string& name : {command_.table, title()}) wanted_[name] = without_varying_parts(out(name));
   }
   command_.lines_before = lines_before;
   REQUIRE(wrong_in_success(ended).empty());
@@ -124,7 +124,7 @@ std::string Bench::wrong_in_outputs() const {
       if (was_there) return name + " is gone";
       continue;
     }
-    const std::string content = steady(out(name));
+    const std::string content = without_varying_parts(out(name));
     if (content != old(name) && content != wanted_.at(name)) return name + " is neither the old file nor the new one";
   }
   return {};
@@ -173,7 +173,7 @@ std::string Bench::wrong_in_success(const Ended& ended) const {
   if (ended.code != 0 || !ended.err.empty()) return "failed: " + ended.err;
   for (const auto& [name, content] : wanted_) {
     if (!fs::exists(out(name))) return name + " is missing";
-    if (steady(out(name)) != content) return name + " is not what it is without a fault";
+    if (without_varying_parts(out(name)) != content) return name + " is not what it is without a fault";
   }
   return left_behind();
 }
