@@ -102,8 +102,8 @@ struct Failed {
 std::string wrong_in_order(const Bench& bench) {
   Failed failed;
   std::ifstream(bench.report()) >> failed.word >> failed.kind >> failed.number >> failed.after >> failed.renames;
-  if (failed.word != "failed") return "the fault did not happen";
-  if (bench.replaced() > failed.renames) return "a file was in its place before the call that failed";
+  if (failed.word != "failed") return "the report has no failed call";
+  if (bench.replaced() > failed.renames) return "a file was renamed into place before the call that failed";
   const bool makes_files = failed.kind == "write" || failed.kind == "open" || failed.kind == "close";
   const bool syncs_files = failed.kind == "fsync" && failed.number <= bench.command().outputs.size();
   const bool is_late = bench.command().table.empty() && (makes_files || syncs_files) && failed.renames > 0;
@@ -117,7 +117,7 @@ std::string wrong_after(const Bench& bench, const std::string& fault, Ends ends,
   std::string wrong = wrong_in(bench, ended, ends);
   if (wrong.empty() && ends != Ends::in_success) wrong = wrong_in_order(bench);
   if (wrong.empty() && !csgsim::testing::cli::content(bench.report()).starts_with("failed "))
-    wrong = "the fault did not happen";
+    wrong = "the report has no failed call";
   if (!wrong.empty() || !goes_on) return wrong;
   const std::string wrong_then = bench.wrong_in_success(bench.run());
   return wrong_then.empty() ? "" : "when it goes on: " + wrong_then;
