@@ -80,7 +80,7 @@ TEST_CASE("a division of 64 by 32 bits is correct and takes the clocks of its in
   }
 }
 
-TEST_CASE("the price of a 64-bit division is that of a quotient with equally many one and zero bits") {
+TEST_CASE("the price of a 64-bit division is that of a quotient with half of its bits 1") {
   const Quotient found = divided(0x5555'5555ULL * 3, 3);
   REQUIRE(std::popcount(found.quotient) == 16);
   CHECK(found.clocks == 1576);
