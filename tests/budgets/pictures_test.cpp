@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t side = 512;
 constexpr std::uint32_t background = 0xffffff;
-constexpr std::uint32_t nothing_there = (1U << 20U) - 1;  ///< depth of the triangles' background
+constexpr std::uint32_t background_depth = (1U << 20U) - 1;  ///< depth of the triangles' background
 constexpr double far_away = 512;
 
 const std::vector<Triangle> triangles{
@@ -111,8 +111,8 @@ void judge_pixel(const observe::Frame& frame, std::uint32_t pixel, bool with_sha
   if (*dark) ++tally.dark;
   const std::uint32_t depth = frame.depth[pixel];
   const std::uint32_t colour = frame.colour[pixel];
-  const double off = depth - (1 + seen->z * (nothing_there - 3) / far_away);
-  const bool right = nothing ? depth == nothing_there && colour == background
+  const double off = depth - (1 + seen->z * (background_depth - 3) / far_away);
+  const bool right = nothing ? depth == background_depth && colour == background
                              : off < 0.1 && off > -1.1 && colour_is(colour, triangles[seen->triangle], x, y, *dark);
   if (!right) ++tally.wrong;
 }

@@ -341,7 +341,7 @@ def main():
         if sys.argv[1:] != ["--check"]:
             path.write_text(program.text())
         elif path.read_text() != program.text():
-            sys.exit(f"{path} is outdated; run write.py")
+            sys.exit(f"{path} is outdated; run tests/budgets/write.py")
 
 
 if __name__ == "__main__":

@@ -52,8 +52,11 @@ void stand_in(const Folder& folder, const std::string& name, const std::string& 
 Outcome run_beside(const Folder& folder, const std::vector<std::string>& words);
 /// The argument `PATH=...` of env, with the folder first.
 std::string path_with(const Folder& folder);
+/// Path of tests/models/NAME.csg in the source tree.
 std::string model(const std::string& name);
+/// The parsed content of a JSON file.
 nlohmann::json json(const std::string& path);
+/// Whether the text is exactly one line, including its line end.
 bool one_line(const std::string& text);
 /// Returns the outcome after a check that its exit code is 0.
 Outcome succeeded(Outcome outcome);
@@ -61,7 +64,9 @@ Outcome succeeded(Outcome outcome);
 void fails(const Outcome& outcome, int code, const std::vector<std::string>& texts);
 /// Checks that a model is rejected: exit code 1, one line of error that contains the text, no file left behind.
 void refuses(const std::string& path, const std::string& text);
+/// The same check for a model with this text, written to a file m.csg.
 void refuses_text(const std::string& csg, const std::string& text);
+/// Runs csgsim with these words and checks for exit code 2 and one line of error that contains the text.
 void misused(const std::string& words, const std::string& text);
 
 }  // namespace csgsim::testing::cli

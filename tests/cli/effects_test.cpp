@@ -64,7 +64,7 @@ TEST_CASE("effects draw the same picture at each level and on machines whose hos
   CHECK(draws_the_same(folder, "--machine pixel-planes-5 --level cycle"));
 }
 
-TEST_CASE("an error in a scene file has its place and exit code 1 and in an option code 2") {
+TEST_CASE("a wrong key has exit code 1 and a place in a scene file and code 2 in an option") {
   const Folder folder;
   write(folder / "scene.toml", "[effects.shadow]\n");
   const std::string render = "render " + model("old_example002") + small;
@@ -75,7 +75,7 @@ TEST_CASE("an error in a scene file has its place and exit code 1 and in an opti
   misused(render + "--set ambient.intensity=7", "ambient.intensity");
 }
 
-TEST_CASE("an error names what a machine lacks and a machine that has it") {
+TEST_CASE("an error names what a machine lacks for an effect") {
   const Folder folder;
   const std::string render = "render " + model("old_example002") + small + "--set effects.shadows.on=true ";
   fails(run(render + "--machine pixel-square"), 1, {"pixel-planes-4", "--set effects.shadows.on=false"});

@@ -42,7 +42,7 @@ TEST_CASE("every command ends with exit code 2 for wrong arguments") {
   }
 }
 
-TEST_CASE("arguments that no option takes are named in csgsim's own words") {
+TEST_CASE("an unexpected argument and a missing value are named with the help to read") {
   const std::string render = "render " + model("sphere");
   misused(render + " more", "unexpected argument 'more'; csgsim render takes only MODEL; see csgsim render --help");
   misused(render + " one more", "unexpected argument 'one'; csgsim render takes only MODEL; see csgsim render --help");

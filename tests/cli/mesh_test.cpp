@@ -53,7 +53,7 @@ TEST_CASE("mesh rejects unknown names and files without a surface") {
         {"sphere.csg: only sweeps and patches of command files (.jan) can be meshed"});
 }
 
-TEST_CASE("a .jan command file draws as its .csg and its errors name their place") {
+TEST_CASE("a .jan command file draws the picture of its .csg and its errors have a place") {
   const Folder folder;
   const std::string view = " --camera 42,-38,41,10,5.5,2 --size 96x96 -o ";
   succeeded(run("render " + commands("thesis_fig_2_3") + view + (folder / "one.png")));

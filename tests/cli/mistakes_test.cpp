@@ -152,9 +152,7 @@ TEST_CASE("wrong lists, shards and dimensions of studies are named, with what is
   check_section("Studies");
 }
 
-TEST_CASE("the debugger reads the words of gdb and answers wrong commands with their place") {
-  check_section("Debugger");
-}
+TEST_CASE("the debugger accepts gdb's commands and reports the place of wrong commands") { check_section("Debugger"); }
 
 TEST_CASE("the table of mistakes covers every command, and every section is tested") {
   const Table table = read_table();

@@ -42,7 +42,7 @@ TEST_CASE("every machine draws the same picture with --pruning all, none and aut
   }
 }
 
-TEST_CASE("render says which prunings were tried and which left out, and what they cost") {
+TEST_CASE("render reports the tried and the omitted prunings and their cost") {
   const Folder folder;
   const std::string render = "render " + model("old_example002") + " --size 48x48 --verbose -o " + (folder / "p.ppm") +
                              " --stats " + (folder / "p.json");

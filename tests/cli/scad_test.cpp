@@ -49,7 +49,7 @@ TEST_CASE("a failed assert() of OpenSCAD is an error at its line, after the trac
   CHECK(included.err.ends_with("\nlib/parts.scad:3: Assertion (x < 3) failed: \"too big\"\n"));
 }
 
-TEST_CASE("the first of several errors of OpenSCAD ends the command") {
+TEST_CASE("the first of several OpenSCAD errors is reported last and with its place") {
   const std::string two = "printf 'ERROR: one%s\nERROR: two\n' ";
   CHECK(draw_source(two + "' in file part.scad, line 12' >&2; exit 1").err ==
         "openscad: ERROR: two\npart.scad:12: one\n");

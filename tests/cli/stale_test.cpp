@@ -123,7 +123,7 @@ TEST_CASE("a study rejects a folder measured with other options") {
   }
 }
 
-TEST_CASE("accuracy measures the given strategy and prunings") {
+TEST_CASE("accuracy measures more clocks with --pruning none than with the default") {
   const Folder folder;
   write(folder / "m.csg", "difference() { sphere(r = 6, $fn = 24); " + multmatrix + multmatrix + " }");
   write(folder / "mine.toml", machine_text());

@@ -143,7 +143,7 @@ TEST_CASE("an interrupted sweep resumes when its command is repeated") {
   CHECK(content(output + "/sweep.json") == content(whole + "/sweep.json"));
 }
 
-TEST_CASE("a point that does not fit gives a reason and the study fails only if none fits") {
+TEST_CASE("a point that exceeds the memory gives a reason and sweep fails if all points do") {
   const Folder folder;
   const std::string command = "sweep " + model("old_example011") +
                               " --size 48x36 --no-plots --strategy stack,list --z-bits 20,24 -o " + (folder / "s");
@@ -159,7 +159,7 @@ TEST_CASE("a point that does not fit gives a reason and the study fails only if 
   CHECK(one_line(none.err));
 }
 
-TEST_CASE("studies reject empty ranges and unknown names before they measure") {
+TEST_CASE("sweep rejects invalid ranges and unknown names before it measures") {
   const Folder folder;
   const std::string sweep = "sweep " + model("old_example011") + " -o " + (folder / "s") + " ";
   misused(sweep + "--stack-bits 8..3", "3..8");

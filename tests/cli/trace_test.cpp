@@ -123,7 +123,7 @@ TEST_CASE("the exported directory has the counted cells and each corner in its c
   CHECK(corners_in_cells > 20);
 }
 
-TEST_CASE("trace charges item buffers for list priority and picture tests for projection") {
+TEST_CASE("trace adds the time of item buffers and of tests in the picture to projection") {
   const Folder folder;
   succeeded(
       run(trace(" --directories kd-tree --cast primary --facet-test space,projected --item-buffer "

@@ -28,7 +28,7 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 
 }  // namespace
 
-TEST_CASE("render and run answer in at most 12 lines in a fixed order on every machine") {
+TEST_CASE("render and run print at most 12 lines in a fixed order on every machine") {
   for (const std::string_view machine : csgsim::kinds::built_in_names()) {
     CAPTURE(machine);
     const Folder folder;

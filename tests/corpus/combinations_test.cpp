@@ -56,7 +56,7 @@ bool supports(std::string_view machine, emit::Strategy strategy) {
 }
 
 /// Whether the machine may give that reason with the strategy: it lacks the strategy, or its limits are exceeded.
-bool may_refuse(std::string_view machine, emit::Strategy strategy, const std::string& said) {
+bool may_reject(std::string_view machine, emit::Strategy strategy, const std::string& said) {
   const auto says = [&](std::string_view words) { return said.find(words) != said.npos; };
   if (!supports(machine, strategy)) return says("divides the model itself");
   if (strategy == emit::Strategy::products) return says("products");
@@ -75,7 +75,7 @@ void compare(const Seen& seen, const observe::Frame& first, std::string_view mac
     CHECK(supports(machine, strategy));
   } catch (const InputError& error) {
     const std::string said = error.what();
-    CHECK_MESSAGE(may_refuse(machine, strategy, said), said);
+    CHECK_MESSAGE(may_reject(machine, strategy, said), said);
     if (supports(machine, strategy)) MESSAGE("refused: " << said);
   }
 }

@@ -90,7 +90,7 @@ def main():
     if arguments.pairs:
         arguments.tally.print()
     if failures:
-        print(f"{len(failures)} models are wrong: {' '.join(failures)}", file=sys.stderr)
+        print(f"{len(failures)} models differ from OpenSCAD's meshes: {' '.join(failures)}", file=sys.stderr)
     return 1 if failures else 0
 
 

@@ -69,7 +69,7 @@ std::vector<Reference> read_references(const std::string& model) {
     if (name != model) continue;
     Reference reference{.camera = read_camera(words), .size = values.width, .pixels = {}};
     words >> reference.near >> reference.far >> reference.diagonal;
-    if (!words) throw std::runtime_error("views.txt: cannot be read: " + line);
+    if (!words) throw std::runtime_error("views.txt: malformed line; run tests/corpus/references.py: " + line);
     // The perspective picture is above the orthographic one.
     const bool is_second = reference.camera.projection == view::Projection::orthographic;
     const auto first = values.pixels.begin() + (is_second ? size : 0);
@@ -77,7 +77,7 @@ std::vector<Reference> read_references(const std::string& model) {
     references.push_back(std::move(reference));
   }
   if (references.size() != 2 || std::ssize(values.pixels) != 2 * size) {
-    throw std::runtime_error(model + ": expected two references");
+    throw std::runtime_error(model + ": a picture or a view is missing in references; run tests/corpus/references.py");
   }
   return references;
 }

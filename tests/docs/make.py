@@ -71,7 +71,7 @@ class Maker:
         self.made[entry.page] = text.encode()
         for claim in entry.keys.get("holds", []):
             if not eval(claim, names, names):  # pylint: disable=eval-used
-                self.wrong.append(f"{entry.page}: this holds no longer: {claim}")
+                self.wrong.append(f"{entry.page}: this claim no longer holds: {claim}")
 
     def picture(self, entry, _):
         folder = self.table(entry) if "table" in entry.keys else self.figures.runs.run(entry.keys["command"]).folder

@@ -19,7 +19,7 @@ def with_block(text, name, body):
     """The page with a new body for a block."""
     found = [match for match in BLOCK.finditer(text) if match["name"] == name]
     if len(found) != 1:
-        raise Missing(f"block '{name}' is there {len(found)} times; it is <!-- made: {name} --> ... <!-- end -->")
+        raise Missing(f"block '{name}' occurs {len(found)} times; write it once: <!-- made: {name} --> ... <!-- end -->")
     return text[: found[0].start("body")] + body.strip("\n") + "\n" + text[found[0].end("body"):].lstrip("\n")
 
 
@@ -41,7 +41,7 @@ def places(text, words):
     """The spans of the sentence's numbers in the page, in order."""
     found = list(pattern(words).finditer(text))
     if len(found) != 1:
-        raise Missing(f"the sentence is there {len(found)} times: {words}")
+        raise Missing(f"the sentence occurs {len(found)} times, not once: {words}")
     return [found[0].span(n + 1) for n in range(len(found[0].groups()))]
 
 
@@ -58,7 +58,7 @@ def with_numbers(text, words, names):
 def part_span(text, begin, end):
     """The text between two marks."""
     if text.count(begin) != 1:
-        raise Missing(f"the mark {begin} is there {text.count(begin)} times")
+        raise Missing(f"the mark {begin} occurs {text.count(begin)} times, not once")
     first = text.index(begin) + len(begin)
     last = text.find(end, first)
     if last < 0:

@@ -52,7 +52,7 @@ class Paths(unittest.TestCase):
             for result in RESULTS[heading]:
                 self.assertGreater((folder / result).stat().st_size, 0, result)
 
-    def test_every_path_is_followed(self):
+    def test_every_path_of_the_readme_has_expected_results(self):
         found = re.findall(r"^### (.*)$", markdown.read("README.md").split("\n## Three paths\n")[1].split("\n## ")[0], re.MULTILINE)
         self.assertEqual(found, list(RESULTS))
 
@@ -63,7 +63,7 @@ class Paths(unittest.TestCase):
         self.assertEqual(state(), before)
 
     @unittest.skipUnless(shutil.which("fish"), "fish is missing")
-    def test_the_first_path_works_in_fish(self):
+    def test_the_first_path_gives_its_results_in_fish(self):
         self.follow("fish", "Students")
 
 

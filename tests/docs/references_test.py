@@ -77,7 +77,7 @@ class References(unittest.TestCase):
                 doi, link = re.fullmatch(r"\[(10\.\d{4,5}/\S+)\]\(https://doi\.org/(\S+)\)", row[4]).groups()
                 self.assertEqual(link.replace("%28", "(").replace("%29", ")"), doi, row[0])
 
-    def test_wrong_forms_are_found(self):
+    def test_citations_in_other_forms_are_detected(self):
         for text in ("Fuchs, Poulton et al. 1985", "Sato and others 1985", "Crow, SIGGRAPH 1977", "Nobody 1999", "Roth, 1982"):
             self.assertTrue(CITATION.search(text), text)
 

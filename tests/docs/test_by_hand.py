@@ -25,7 +25,7 @@ def hand():
 
 
 class Camera(unittest.TestCase):
-    def test_the_eye_looks_along_a_triple_of_pythagoras(self):
+    def test_the_eye_is_50_units_from_the_centre(self):
         # The vector from 30,-24,36 to 6,6,4 is -24, 30, -32: 576 + 900 + 1024 is 50 squared.
         self.assertEqual(by_hand.DISTANCE, 50)
         for part, hundredths in zip(by_hand.FORWARD, (-48, 60, -64)):
@@ -54,7 +54,7 @@ class Planes(unittest.TestCase):
     def test_a_shift_rounds_down(self):
         self.assertEqual(Plane(525, 269, -7503, 4).at(7, 5), -156)  # -2483 / 16 is -155.2
 
-    def test_rejects_a_plane_that_is_off(self):
+    def test_rejects_a_plane_that_differs_from_the_rounded_one(self):
         planes = [rounded(box, face) for box in by_hand.BOXES for face in by_hand.FACES]
         off = rounded("A", Z4)
         planes = [Plane(off.a, off.b + 1, off.c, off.shift) if plane == off else plane for plane in planes]
@@ -63,12 +63,12 @@ class Planes(unittest.TestCase):
 
 
 class Rules(unittest.TestCase):
-    def test_the_pixels_ray_meets_the_boxes_as_in_doubles(self):
+    def test_integer_depths_are_within_1_1_steps_of_depths_in_doubles(self):
         judge = hand()
         for box, face in (("A", Z4), ("N", Y8), ("B", X12)):
             self.assertAlmostEqual(judge.depth(box, face, 7, 5), judge.exact(box, face, 7, 5), delta=1.1)
 
-    def test_a_box_is_half_open(self):
+    def test_a_box_contains_its_front_but_not_its_back(self):
         judge = hand()
         front, back = judge.front("B", 7, 5), judge.back("B", 7, 5)
         self.assertEqual([judge.holds("B", z, 7, 5) for z in (front - 1, front, back - 1, back)], [False, True, True, False])
@@ -79,11 +79,11 @@ class Rules(unittest.TestCase):
         self.assertFalse(steps["B mask"].mask)
         self.assertEqual(steps["N in B shade"].z2, hand().back("N", 7, 5))
 
-    def test_a_pixel_outside_the_model_keeps_nothing(self):
+    def test_a_pixel_outside_the_model_keeps_the_initial_depth_and_background(self):
         last = hand().pixel(0, 0)[-1][1]
         self.assertEqual((last.z2, last.colour), (255, by_hand.BACKGROUND))
 
-    def test_an_unlit_facet_has_the_ambient_part(self):
+    def test_an_unlit_facet_has_the_ambient_part_of_its_colour(self):
         self.assertEqual(by_hand.colour("B", X12, True), 0x493913)  # 0.3 of 0.95, 0.75, 0.25
 
 
@@ -93,11 +93,11 @@ class Held(unittest.TestCase):
     PRINTED = ("> print 0,0\n  E            1\n  Z2           166 (0xa6)\n  Z1           128 (0x80)\n"
                "  colour       5476311 (0x538fd7), #538fd7\n  mask         0\n")
 
-    def test_reads_the_printed_output(self):
-        self.assertEqual(one_pixel_story.told(self.PRINTED), [{(0, 0): {"E": 1, "Z2": 166, "Z1": 128, "colour": 5476311, "mask": 0}}])
+    def test_reads_the_fields_that_the_debugger_prints(self):
+        self.assertEqual(one_pixel_story.printed_states(self.PRINTED), [{(0, 0): {"E": 1, "Z2": 166, "Z1": 128, "colour": 5476311, "mask": 0}}])
 
     def test_reports_a_field_that_differs(self):
-        machine = one_pixel_story.told(self.PRINTED)[0][0, 0]
+        machine = one_pixel_story.printed_states(self.PRINTED)[0][0, 0]
         same = by_hand.Pixel(True, 128, 166, False, 5476311)
         one_pixel_story.compare("a step", (0, 0), same, machine)
         for other in (by_hand.Pixel(False, 128, 166, False, 5476311), by_hand.Pixel(True, 127, 166, False, 5476311),
@@ -106,7 +106,7 @@ class Held(unittest.TestCase):
             with self.assertRaises(one_pixel_story.Differs):
                 one_pixel_story.compare("a step", (0, 0), other, machine)
 
-    def test_clocks_are_bits(self):
+    def test_an_instruction_takes_the_clocks_of_its_bits(self):
         for text, wanted in (("enable_all", 1), ("keep_max Z1, -97*y + 1152 (w11 >> 2) <8>", 22), ("linear_gt Z1, 3*x (w14 >> 4) <8>", 14),
                              ("copy Z2, Z1 <8>", 8), ("field_lt Z1, Z2 <8>", 16), ("skip_if_none 20", 11)):
             self.assertEqual(by_hand.clocks(text, 8, 2), wanted, text)

@@ -28,7 +28,7 @@ class Blocks(unittest.TestCase):
         self.assertEqual(pages.with_block(once, "a", "| 2 |\n"), once)
 
     def test_reports_a_missing_block(self):
-        with self.assertRaisesRegex(pages.Missing, "'b' is there 0 times"):
+        with self.assertRaisesRegex(pages.Missing, "'b' occurs 0 times"):
             pages.with_block(PAGE, "b", "")
 
 
@@ -39,7 +39,7 @@ class Sentences(unittest.TestCase):
         made = pages.with_numbers(PAGE, self.WORDS, {"clocks": 2345678})
         self.assertIn("It takes 2,345,678 clocks and 2345.7\nms.", made)
 
-    def test_reports_changed_words(self):
+    def test_reports_words_that_the_page_lacks(self):
         with self.assertRaisesRegex(pages.Missing, "0 times"):
             pages.with_numbers(PAGE, "It costs {clocks} clocks", {"clocks": 1})
 
@@ -76,7 +76,7 @@ class Made(unittest.TestCase):
     def test_reports_a_false_claim(self):
         maker = self.maker()
         maker.make(manifest.Page("P.md", {"n": "3"}), self.entry("sentence", holds=["n > 2", "n > 3"]))
-        self.assertEqual(maker.wrong, ["P.md: this holds no longer: n > 3"])
+        self.assertEqual(maker.wrong, ["P.md: this claim no longer holds: n > 3"])
 
     def test_runs_the_same_command_once(self):
         runs = Runs("/nowhere")
@@ -101,7 +101,7 @@ class Manifests(unittest.TestCase):
         self.assertIn("there is no page", self.wrong('page = "nowhere.md"\n'))
         self.assertIn("there is no 'blocks'", self.wrong('page = "README.md"\n[[blocks]]\nname = "a"\n'))
 
-    def test_an_allowed_number_needs_a_known_reason(self):
+    def test_rejects_an_allowed_number_without_a_known_kind_of_reason(self):
         self.assertIn("'reason' that begins", self.wrong('page = "README.md"\n[[allowed]]\nnear = "a"\nreason = "so"\n'))
 
 
@@ -125,18 +125,18 @@ class Coverage(unittest.TestCase):
         text = "In 1985 it took 12,345 of 17 clocks, 3 %, 65536 and 4 pages; `9999` and [this](a-1234.md).\n\n    csgsim --size 12345\n"
         self.assertEqual([number for number, _ in self.found(text)], ["12,345", "17", "3", "65536"])
 
-    def test_ignores_made_numbers(self):
+    def test_ignores_numbers_that_a_block_or_sentence_generates(self):
         page = manifest.Page("P.md", {}, [manifest.Entry("sentence", "P.md", {"words": ["takes {a} clocks and {b} ms"]})])
         self.assertEqual(self.found(PAGE.replace("| 1 |", "| 5,000 |")), [("1,234", ""), ("5.0", "")][:1])
         self.assertEqual(self.found(PAGE, page), [])
 
-    def test_an_allowed_number_has_its_reason(self):
+    def test_a_number_in_an_allowed_section_has_its_reason(self):
         page = manifest.Page("P.md", {}, [], [{"section": "P", "reason": "definition: so"}])
         self.assertEqual(self.found(PAGE, page)[0], ("1,234", "definition: so"))
 
 
 class Markdown(unittest.TestCase):
-    def test_anchors_equal_those_of_a_forge(self):
+    def test_repeated_headings_have_numbered_anchors_and_code_has_none(self):
         text = "# What a `wire` is, once\n## A\n## A\n```\n# no heading\n```\n"
         self.assertEqual(markdown.anchors(text), {"what-a-wire-is-once", "a", "a-1"})
 

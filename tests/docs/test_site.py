@@ -61,7 +61,7 @@ class Site(unittest.TestCase):
     def test_builds_without_a_warning(self):
         self.assertEqual((self.built.returncode, self.built.stdout, self.built.stderr), (0, "", ""))
 
-    def test_has_every_page_of_the_order(self):
+    def test_has_every_page_that_the_book_lists(self):
         for _, rows in order.parts():
             for path, _, _ in rows:
                 page = self.folder / path.removeprefix("docs/").replace(".md", ".html")
@@ -95,7 +95,7 @@ class Site(unittest.TestCase):
         self.assertIn("Gumshoe", script)
         self.assertEqual(re.findall(r"(?m)^(?:import|export)\b.*", script), [])
 
-    def test_finds_a_word(self):
+    def test_the_search_index_lists_the_page_of_a_word(self):
         index = (self.folder / "searchindex.js").read_text(encoding="utf-8")
         index = json.loads(re.sub(r"(?<=[{,])(\w+):", r'"\1":', index.removeprefix("Search.setIndex(").rstrip(" );\n")))
         for word, page in (("multipli", "lessons"), ("quadric", "shapes"), ("kunii", None)):

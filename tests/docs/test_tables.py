@@ -65,7 +65,7 @@ class Comparisons(unittest.TestCase):
 
 
 class Sources(unittest.TestCase):
-    def test_cites_the_thesis_in_whole_words(self):
+    def test_replaces_the_key_of_the_thesis_by_words(self):
         for source, words in (
                 ("the processor on which the programs of Jansen 1987 ran", "the processor on which the programs of the thesis ran"),
                 ("one of the three that Jansen 1987, section 7.4.2, names; it", "one of the three that thesis 7.4.2 names; it"),
@@ -83,7 +83,7 @@ class Sources(unittest.TestCase):
         self.assertEqual(machine.in_words_of_pages("rows hold x and y"), "rows hold x and y")
         self.assertEqual(machine.in_words_of_pages("(4 x 70 clocks)"), "(4 × 70 clocks)")
 
-    def test_cites_sources_of_machines_in_whole_words(self):
+    def test_sources_of_machines_have_no_fragments_of_citations(self):
         for path in sorted((ROOT / "hw/machines").glob("*.toml")):
             for line in machine.figures(None, path.stem).splitlines():
                 self.assertNotRegex(line, r"(of|on|that|by) thesis (?!\d|fig|table)|thesis [\d.]+, (?!for)[a-z]|× (and|or|in)\b")

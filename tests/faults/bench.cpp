@@ -41,7 +41,7 @@ void erase(std::string& text, const std::string& begin, const std::string& end) 
 }
 
 /// A file's content without the parts that vary between runs: times and options (stats) or the date (waves).
-std::string steady(const std::string& path) {
+std::string without_varying_parts(const std::string& path) {
   std::string text = cli::content(path);
   if (path.ends_with(".json")) {
     erase(text, "\"configuration\"", "\"wall_seconds\"");
@@ -70,9 +70,9 @@ Bench::Bench(Command command) : command_(std::move(command)) {
   const Ended ended = run();
   CAPTURE(ended.err);
   REQUIRE(ended.code == 0);
-  for (const std::string& name : command_.outputs) wanted_[name] = steady(out(name));
+  for (const std::string& name : command_.outputs) wanted_[name] = without_varying_parts(out(name));
   if (!command_.table.empty()) {
-    for (const std::string& name : {command_.table, title()}) wanted_[name] = steady(out(name));
+    for (const std::string& name : {command_.table, title()}) wanted_[name] = without_varying_parts(out(name));
   }
   command_.lines_before = lines_before;
   REQUIRE(wrong_in_success(ended).empty());
@@ -107,7 +107,7 @@ Ended Bench::run(const Conditions& conditions) const {
 std::string Bench::wrong_in_words(const Ended& ended) const {
   if (ended.signal != 0) return "ended by signal " + std::to_string(ended.signal);
   if (ended.code != 1) return "exit code " + std::to_string(ended.code) + ", " + ended.err;
-  if (!cli::one_line(ended.err)) return "not one line: " + ended.err;
+  if (!cli::one_line(ended.err)) return "the error is not one line: " + ended.err;
   std::vector<std::string> named{folder_ / "out", folder_ / "tmp"};
   for (const auto& [name, content] : wanted_) named.push_back(out(name));
   if (wanted_.empty()) named.emplace_back("/dev/stdout");
@@ -121,10 +121,10 @@ std::string Bench::wrong_in_outputs() const {
   for (const std::string& name : command_.outputs) {
     const bool was_there = command_.table.empty() || command_.lines_before > 0;
     if (!fs::exists(out(name))) {
-      if (was_there) return name + " is gone";
+      if (was_there) return name + " no longer exists";
       continue;
     }
-    const std::string content = steady(out(name));
+    const std::string content = without_varying_parts(out(name));
     if (content != old(name) && content != wanted_.at(name)) return name + " is neither the old file nor the new one";
   }
   return {};
@@ -133,7 +133,7 @@ std::string Bench::wrong_in_outputs() const {
 std::string Bench::wrong_in_table() const {
   if (command_.table.empty()) return {};
   if (fs::exists(out(title())) && cli::content(out(title())) != wanted_.at(title()))
-    return "the file beside the table says otherwise";
+    return "the title file next to the table has other content";
   const std::string text = cli::content(out(command_.table));
   const bool is_there = fs::exists(out(command_.table));
   if (command_.lines_before > 0 ? is_there && text == table_before() : !is_there) return {};
@@ -141,7 +141,7 @@ std::string Bench::wrong_in_table() const {
   const std::vector<std::string> wanted = lines_of(wanted_.at(command_.table));
   if (lines.size() < std::max<std::size_t>(1, command_.lines_before)) return "the table has lost lines";
   if (text.back() != '\n') return "the table ends in part of a line";
-  if (lines.front() != wanted.front()) return "the table begins otherwise";
+  if (lines.front() != wanted.front()) return "the table has another header";
   const std::set<std::string> known(wanted.begin(), wanted.end());
   const std::set<std::string> found(lines.begin(), lines.end());
   if (found.size() != lines.size()) return "the table has a line twice";
@@ -153,7 +153,7 @@ std::string Bench::left_behind() const {
     if (!fs::exists(folder_ / folder)) continue;
     for (const auto& entry : fs::directory_iterator(folder_ / folder)) {
       const std::string name = entry.path().filename().native();
-      if (std::string(folder) == "tmp" || !wanted_.contains(name)) return "left behind: " + entry.path().native();
+      if (std::string(folder) == "tmp" || !wanted_.contains(name)) return "unexpected file: " + entry.path().native();
     }
   }
   return {};
@@ -173,7 +173,8 @@ std::string Bench::wrong_in_success(const Ended& ended) const {
   if (ended.code != 0 || !ended.err.empty()) return "failed: " + ended.err;
   for (const auto& [name, content] : wanted_) {
     if (!fs::exists(out(name))) return name + " is missing";
-    if (steady(out(name)) != content) return name + " is not what it is without a fault";
+    if (without_varying_parts(out(name)) != content)
+      return name + " differs from its content after a run without faults";
   }
   return left_behind();
 }

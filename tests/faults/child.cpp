@@ -24,7 +24,7 @@ std::string read_all(int number) {
   return text;
 }
 
-void take_on(const Conditions& conditions) {
+void apply(const Conditions& conditions) {
   for (const auto& [name, value] : conditions.environment) ::setenv(name.c_str(), value.c_str(), 1);
   std::signal(SIGXFSZ, conditions.is_signalled ? SIG_DFL : SIG_IGN);
   const struct rlimit no_core {};
@@ -50,7 +50,7 @@ Ended run(const std::function<void()>& work, const Conditions& conditions) {
   REQUIRE(child >= 0);
   if (child == 0) {
     connect(pipe[1]);
-    take_on(conditions);
+    apply(conditions);
     work();
     std::_Exit(97);
   }

@@ -38,7 +38,7 @@ constexpr Trial more_trials[] = {
     {"close", "EINTR", Ends::in_success},   {"memfd_create", "EMFILE", Ends::in_failure},
 };
 
-bool is_everything() { return std::getenv("CSGSIM_FAULTS") != nullptr; }
+bool is_full_run() { return std::getenv("CSGSIM_FAULTS") != nullptr; }
 
 Conditions with_fault(const Bench& bench, const std::string& fault) {
   Conditions conditions;
@@ -102,8 +102,8 @@ struct Failed {
 std::string wrong_in_order(const Bench& bench) {
   Failed failed;
   std::ifstream(bench.report()) >> failed.word >> failed.kind >> failed.number >> failed.after >> failed.renames;
-  if (failed.word != "failed") return "the fault did not happen";
-  if (bench.replaced() > failed.renames) return "a file was in its place before the call that failed";
+  if (failed.word != "failed") return "the report has no failed call";
+  if (bench.replaced() > failed.renames) return "a file was renamed into place before the call that failed";
   const bool makes_files = failed.kind == "write" || failed.kind == "open" || failed.kind == "close";
   const bool syncs_files = failed.kind == "fsync" && failed.number <= bench.command().outputs.size();
   const bool is_late = bench.command().table.empty() && (makes_files || syncs_files) && failed.renames > 0;
@@ -117,7 +117,7 @@ std::string wrong_after(const Bench& bench, const std::string& fault, Ends ends,
   std::string wrong = wrong_in(bench, ended, ends);
   if (wrong.empty() && ends != Ends::in_success) wrong = wrong_in_order(bench);
   if (wrong.empty() && !csgsim::testing::cli::content(bench.report()).starts_with("failed "))
-    wrong = "the fault did not happen";
+    wrong = "the report has no failed call";
   if (!wrong.empty() || !goes_on) return wrong;
   const std::string wrong_then = bench.wrong_in_success(bench.run());
   return wrong_then.empty() ? "" : "when it goes on: " + wrong_then;
@@ -139,14 +139,14 @@ void try_calls(const Bench& bench, const Trial& trial, std::size_t calls, std::s
   for (const std::size_t n : chosen) {
     const std::string fault = std::string(trial.kind) + ":" + std::to_string(n) + ":" + trial.error;
     const bool is_study = !bench.command().table.empty() && trial.ends != Ends::in_success;
-    const bool goes_on = is_study && (is_everything() || n == chosen[chosen.size() / 2]);
+    const bool goes_on = is_study && (is_full_run() || n == chosen[chosen.size() / 2]);
     CAPTURE(fault);
     const std::string wrong = wrong_after(bench, fault, trial.ends, goes_on);
     CHECK(wrong == "");
     ++runs;
     if (wrong.empty()) ++clean;
   }
-  if (is_everything() && runs > 0) print_row(bench, trial, calls, runs, clean);
+  if (is_full_run() && runs > 0) print_row(bench, trial, calls, runs, clean);
 }
 
 /// Number of calls of each kind to try in a short run.
@@ -157,16 +157,16 @@ std::size_t usual_most(const Bench& bench) {
 
 /// Runs all trials of a command; a `most` of 0 restricts it to the full run (./setup.sh faults).
 void try_command(const std::string& name) {
-  if (command(name).most == 0 && !is_everything()) return;
+  if (command(name).most == 0 && !is_full_run()) return;
   CAPTURE(name);
   const Bench bench(command(name));
   Counts counts = count_calls(bench);
   for (const Trial& trial : trials) {
     const std::size_t calls = counts[trial.kind];
-    try_calls(bench, trial, calls, is_everything() ? calls : usual_most(bench));
+    try_calls(bench, trial, calls, is_full_run() ? calls : usual_most(bench));
   }
-  for (const Trial& trial : single_trials) try_calls(bench, trial, counts[trial.kind], is_everything() ? 8 : 1);
-  if (!is_everything()) return;
+  for (const Trial& trial : single_trials) try_calls(bench, trial, counts[trial.kind], is_full_run() ? 8 : 1);
+  if (!is_full_run()) return;
   for (const Trial& trial : more_trials) try_calls(bench, trial, counts[trial.kind], 8);
 }
 

@@ -102,26 +102,26 @@ TEST_CASE("the trace of fig. 2.3's object in subsegments runs to its golden resu
   check_run("thesis_fig_2_3_nodes");
 }
 
-TEST_CASE("fig. 2.3's object compiles to its trace") {
+TEST_CASE("fig. 2.3's object compiles to its golden trace") {
   check_compilation("thesis_fig_2_3", "thesis_fig_2_3", "pixel-planes-4", to_fig_2_3);
 }
-TEST_CASE("the carburettor compiles to its trace") {
+TEST_CASE("the carburettor compiles to its golden trace") {
   check_compilation("carburettor", "carburettor", "pixel-planes-4",
                     {{220, -255, 135}, {2, 0, 5}, view::Projection::perspective});
 }
-TEST_CASE("the terrain vehicle compiles to its trace") {
+TEST_CASE("the terrain vehicle compiles to its golden trace") {
   check_compilation("terrain_vehicle", "terrain_vehicle", "pixel-planes-4",
                     {{560, -590, 420}, {-5, 0, 68}, view::Projection::perspective});
 }
-TEST_CASE("a drilled cube compiles to its trace") {
+TEST_CASE("a drilled cube compiles to its golden trace") {
   check_compilation("old_example002", "old_example002", "pixel-planes-4", to_drilled_cube, {200, 150});
 }
-TEST_CASE("a drilled cube compiles to its trace of lines") {
+TEST_CASE("a drilled cube compiles to its golden trace of lines") {
   check_compilation("old_example002_lines", "old_example002", "scan-line", to_drilled_cube, {100, 75});
 }
-TEST_CASE("fig. 2.3's object compiles to its trace of squares") {
+TEST_CASE("fig. 2.3's object compiles to its golden trace of squares") {
   check_compilation("thesis_fig_2_3_squares", "thesis_fig_2_3", "pixel-square", to_fig_2_3, {150, 100});
 }
-TEST_CASE("fig. 2.3's object compiles to its trace of subsegments") {
+TEST_CASE("fig. 2.3's object compiles to its golden trace of subsegments") {
   check_compilation("thesis_fig_2_3_nodes", "thesis_fig_2_3", "multi-processor", to_fig_2_3, {96, 64});
 }

@@ -49,7 +49,7 @@ class Options(unittest.TestCase):
                     subprocess.run(["ninja", "-C", self.build, file], check=True, capture_output=True)
                 self.assertEqual(self.configure(f"-DCSGSIM_{part}=ON").returncode, 0)
 
-    def test_a_plain_build_is_optimised_and_has_no_tests(self):
+    def test_the_default_build_is_a_release_without_tests(self):
         self.assertEqual(self.configure().returncode, 0)
         cache = (self.build / "CMakeCache.txt").read_text()
         self.assertIn("CMAKE_BUILD_TYPE:STRING=Release\n", cache)
@@ -65,7 +65,7 @@ class Options(unittest.TestCase):
         self.assertIn("-DCSGSIM_PYTHON=OFF", said)
         self.assertEqual(self.configure(*(option.format("OFF") for option in off)).returncode, 0)
 
-    def test_the_suite_needs_all_parts(self):
+    def test_rejects_a_build_of_the_tests_without_a_part(self):
         refused = self.configure("-DCSGSIM_BUILD_TESTS=ON", "-DCSGSIM_TEXT=OFF")
         self.assertNotEqual(refused.returncode, 0)
         self.assertIn("-DCSGSIM_TEXT=ON", " ".join(refused.stderr.split()))

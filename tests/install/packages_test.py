@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""./setup.sh on systems with other package managers: it names the packages of cmake/packages.txt and never ends with a
-missing command. The managers are stand-ins on a PATH that has only the tools that every system has."""
+"""./setup.sh on systems with other package managers: it names the packages of cmake/packages.txt and never prints
+"not found" for a command. The managers are stand-ins on a PATH that has only the tools that every system has."""
 
 import os
 import pathlib
@@ -47,7 +47,7 @@ class Setup(unittest.TestCase):
     def setup(self, *words, **variables):
         return subprocess.run(["sh", ROOT / "setup.sh", *words], env={"PATH": str(self.path), **variables}, capture_output=True, text=True)
 
-    def test_every_row_has_every_manager(self):
+    def test_rows_have_a_column_for_each_manager_and_no_need_is_listed_twice(self):
         self.assertEqual(MANAGERS, list(PROGRAMS))
         for row in SYSTEMS:
             self.assertEqual(len(row), 6, row)
@@ -58,7 +58,7 @@ class Setup(unittest.TestCase):
         needs = [row[1] for row in PACKAGES]
         self.assertEqual(len(needs), len(set(needs)))
 
-    def test_packages_are_those_of_the_table(self):
+    def test_packages_prints_the_packages_of_the_table(self):
         for manager in MANAGERS:
             with self.subTest(manager):
                 printed = self.setup("packages", manager)
@@ -70,7 +70,7 @@ class Setup(unittest.TestCase):
         self.assertEqual(refused.returncode, 2)
         self.assertIn("name apt, dnf, pacman, zypper, apk or brew", refused.stderr)
 
-    def test_other_systems_get_the_command_that_installs_what_is_missing(self):
+    def test_build_prints_the_command_that_installs_missing_packages_on_each_system(self):
         for system in SYSTEMS[1:]:
             manager = system[1]
             with self.subTest(manager):
@@ -99,7 +99,7 @@ class Setup(unittest.TestCase):
         self.assertIn("SystemC", refused.stderr)
         self.assertNotIn("not found", refused.stderr)
 
-    def test_the_check_can_be_omitted(self):
+    def test_csgsim_skip_packages_omits_the_check_for_packages(self):
         self.stand_in("cmake", "echo configured; exit 7")
         self.stand_in("dnf")
         self.stand_in("rpm")

@@ -76,7 +76,7 @@ Drawn draw(engine::Engine& engine, const isa::Program& program, const machines::
 
 }  // namespace
 
-TEST_CASE("a kind defined in one folder draws and times a frame equally at both levels") {
+TEST_CASE("a kind defined in a single folder has equal pictures and clocks at both levels") {
   const machines::Machine machine = described(description);
   CHECK(machine.picture == machines::Size{24, 18});
   const isa::Program program = program_for(machine);

@@ -52,7 +52,7 @@ isa::Program any_divided_program(const machines::Machine& machine) {
       RC_LOG() << error.what() << "\n";
     }
   }
-  RC_FAIL("the host refuses every model");
+  RC_FAIL("the host rejects every random model");
   return {};
 }
 

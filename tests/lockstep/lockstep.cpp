@@ -104,7 +104,7 @@ void check_clocks(const engine::RunResult& result, const Recorder& run, const is
   require(result.shown_clocks == expected.shown_clocks && result.interval_clocks == expected.interval_clocks,
           fmt::format("{} engine: shown after {} clocks and again after {}, not {} and {}", level, result.shown_clocks,
                       result.interval_clocks, expected.shown_clocks, expected.interval_clocks));
-  require(result.account == expected.account, fmt::format("{} engine: another account", level));
+  require(result.account == expected.account, fmt::format("{} engine: the account differs from the prediction", level));
   require(run.boundaries.size() + result.skipped == instructions_of(program),
           fmt::format("{} engine: {} instructions carried out and {} skipped, of {}", level, run.boundaries.size(),
                       result.skipped, instructions_of(program)));
@@ -127,7 +127,7 @@ Results check_lockstep(engine::Engine& judge, engine::Engine& engine, const isa:
   check_states(lockstep.divergence(), program, engine.level());
   require(expected.boundaries.size() == actual.boundaries.size(),
           fmt::format("{} instruction boundaries, not {}", actual.boundaries.size(), expected.boundaries.size()));
-  require(lockstep.compared() == actual.boundaries.size(), "not every boundary was compared");
+  require(lockstep.compared() == actual.boundaries.size(), "some instruction boundaries were not compared");
   require(expected.segments == actual.segments, "the ends of the segments differ");
   require(expected_result.overflows == actual_result.overflows,
           fmt::format("{} overflows, not {}", actual_result.overflows, expected_result.overflows));

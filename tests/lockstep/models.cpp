@@ -81,8 +81,8 @@ void compare(engine::Engine& judge, engine::Engine& engine, const std::string& m
     }
   }
   if (judged.size() != traced.size() || expected.clocks != actual.clocks) {
-    throw std::runtime_error(fmt::format("{}: {} takes {} clocks, {} {}", model, judge.level(), expected.clocks,
-                                         engine.level(), actual.clocks));
+    throw std::runtime_error(fmt::format("{}: {} takes {} clocks but {} takes {}", model, judge.level(),
+                                         expected.clocks, engine.level(), actual.clocks));
   }
   fmt::print("{}: {} instructions, {} clocks, equal\n", model, judged.size(), actual.clocks);
 }

@@ -73,7 +73,7 @@ const std::map<std::string, Property> properties{{"frame-buffer", whole_pictures
 const machines::Kind& kind_of(const std::string& name) {
   for (const machines::Kind* const kind : kinds::all())
     if (kind->name == name) return *kind;
-  throw std::invalid_argument("no kind is called " + name);
+  throw std::invalid_argument("there is no kind " + name);
 }
 
 /// Rejects Programs that do not run on the machine or take too long; records whether one was accepted.

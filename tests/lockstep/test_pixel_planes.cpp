@@ -315,7 +315,7 @@ TEST_CASE("each of consecutive Programs starts with cleared pixels") {
   CHECK(empty.picture == std::vector<std::uint32_t>(64, 0));
 }
 
-TEST_CASE("an exception of a listener leaves run() and the machine remains usable") {
+TEST_CASE("run() rethrows a listener's exception and the machine remains usable") {
   struct Thrower final : RunListener {
     void after_instruction(const Retired&, const PixelView&) override { throw std::runtime_error("enough"); }
   } thrower;

@@ -136,7 +136,7 @@ TEST_CASE("a second frame on a pixel-square machine takes the same clocks as the
   CHECK(first.account == second.account);
 }
 
-TEST_CASE("an observer's exception leaves the run and the next frame is drawn correctly") {
+TEST_CASE("run() rethrows an observer's exception and the next frame is drawn correctly") {
   const auto engine = engine::make_cycle_engine(machine_8x8());
   Thrower thrower;
   engine::Observer* const observers[] = {&thrower};

@@ -140,7 +140,7 @@ TEST_CASE("a frame enters the chain while the previous one leaves it") {
   CHECK(engine::make_cycle_engine(machine)->run(frames.front(), {}).interval_clocks == 16);
 }
 
-TEST_CASE("an exception of a listener leaves run() and the machine remains usable") {
+TEST_CASE("run() rethrows a listener's exception and the machine remains usable") {
   struct Thrower final : engine::Observer {
     void after_instruction(const engine::Step&, const engine::PixelState&) override {
       throw std::runtime_error("enough");
@@ -154,7 +154,7 @@ TEST_CASE("an exception of a listener leaves run() and the machine remains usabl
   CHECK(engine->run(program, {}).scanned_out == std::vector<std::uint32_t>{1, 4, 7, 10, 1, 4, 7, 10, 1, 4, 7, 10});
 }
 
-TEST_CASE("an observer that reads a state without requesting it is an error") {
+TEST_CASE("rejects an observer that reads a state without requesting it") {
   struct Curious final : engine::Observer {
     [[nodiscard]] bool reads_after(const Instruction&) const override { return false; }
     void after_instruction(const engine::Step&, const engine::PixelState& state) override {

@@ -82,7 +82,7 @@ void TimedMachine::check_timeline(const isa::Program& program) const {
   for (const auto& spans : timeline.issued)
     carried_out += static_cast<std::size_t>(std::ranges::count_if(spans, [](const auto& one) { return one.end > 0; }));
   if (carried_out != retired_.size())
-    throw Difference(fmt::format("{} instructions in the timeline, {} carried out", carried_out, retired_.size()));
+    throw Difference(fmt::format("the timeline has {} instructions, {} retired", carried_out, retired_.size()));
   std::vector<std::vector<machines::ClockSpan>> at_last_pixel;
   for (std::uint32_t s = 0; s < program.segments.size(); ++s) {
     const isa::Region& region = program.segments[s].region;
@@ -95,7 +95,7 @@ void TimedMachine::check_timeline(const isa::Program& program) const {
     const std::uint64_t expected = spans[one.segment][one.index].end;
     const std::uint64_t clock = one.edge - 1;
     if (clock == expected) continue;
-    throw Difference(fmt::format("segment {}, instruction {} ({}): carried out in clock {}, by the timeline in {}",
+    throw Difference(fmt::format("segment {}, instruction {} ({}): retired in clock {}, in the timeline in {}",
                                  one.segment, one.index, isa::name_of(opcode), clock, expected));
   }
 }

@@ -1,4 +1,4 @@
-// What hw/processors/*.toml says of an MC68000, held against programs that run on one.
+// Compares figures in hw/processors/*.toml with the clocks of programs on the emulated MC68000.
 
 #include "hw/processors/processor.h"
 #include "tests/m68000/mean_clocks.h"
@@ -80,7 +80,7 @@ TEST_CASE("a division of 64 by 32 bits is correct and takes the clocks of its in
   }
 }
 
-TEST_CASE("the price of a 64-bit division is that of a quotient with equally many 1 and 0") {
+TEST_CASE("the price of a 64-bit division is that of a quotient with half of its bits 1") {
   const Quotient found = divided(0x5555'5555ULL * 3, 3);
   REQUIRE(std::popcount(found.quotient) == 16);
   CHECK(found.clocks == 1576);

@@ -197,7 +197,7 @@ TEST_CASE("a rotation through X shifts X in and the shifted-out bit sets X and C
   }
 }
 
-TEST_CASE("a byte takes a word on the stack and one byte elsewhere") {
+TEST_CASE("a byte moves the stack pointer by two and another address register by one") {
   Processor processor = before({0x1f03, 0x1103, 0x121f});  // move.b d3,-(sp); move.b d3,-(a0); move.b (sp)+,d1
   processor.step();
   CHECK(processor.a[7] == data_at - 2);

@@ -305,7 +305,7 @@ TEST_CASE("the recipe of colours has 0.8 to 1.2 times its assembly's clocks") {
   check("colours", clocks / runs);
 }
 
-TEST_CASE("the recipe of supports has 0.8 to 1.2 times its assembly's clocks") {
+TEST_CASE("the recipe of support points has 0.8 to 1.2 times its assembly's clocks") {
   Random random;
   double clocks = 0;
   for (int i = 0; i < runs; ++i) {
@@ -323,7 +323,7 @@ TEST_CASE("the recipe of supports has 0.8 to 1.2 times its assembly's clocks") {
   check("supports", clocks / runs);
 }
 
-TEST_CASE("the recipe of tests has 0.8 to 1.2 times its assembly's clocks") {
+TEST_CASE("the recipe of rectangle tests has 0.8 to 1.2 times its assembly's clocks") {
   Random random;
   double clocks = 0;
   for (int i = 0; i < runs; ++i) {

@@ -44,7 +44,7 @@ std::uint64_t clocks_of_last_flip(NodeKind kind, const std::vector<std::uint16_t
 
 }  // namespace
 
-TEST_CASE("all programs classify points of random trees as the tree does") {
+TEST_CASE("every method's program classifies points as the random tree does") {
   unsigned of_bits = 0;
   rc::check([&of_bits](std::uint32_t seed, bool is_small) {
     const RandomTree random(seed, is_small ? 20 : 60);
@@ -127,7 +127,7 @@ TEST_CASE("a status tree propagates a flip up to the first unchanged node") {
   CHECK(clocks_of_last_flip(NodeKind::difference, {0, 1}) == leaf + up + subtracted + changed);
 }
 
-TEST_CASE("bits take clocks per level of the tree, and each level shifts twice as far") {
+TEST_CASE("the bit-parallel method takes clocks for each level and each bit of its shifts") {
   // The union of 0 and (1 minus 2), with one extra level.
   const Tree tree{{{NodeKind::primitive, 0, 0, 0},
                    {NodeKind::primitive, 1, 0, 0},

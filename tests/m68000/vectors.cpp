@@ -36,7 +36,7 @@ class Reader {
   template <class Number>
   Number next() {
     Number number{};
-    if (at_ + sizeof number > bytes_.size()) throw std::runtime_error("the file ends too soon");
+    if (at_ + sizeof number > bytes_.size()) throw std::runtime_error("the file ends within a number");
     std::memcpy(&number, bytes_.data() + at_, sizeof number);
     at_ += sizeof number;
     return number;

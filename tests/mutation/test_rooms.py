@@ -33,10 +33,10 @@ def targets():
 
 
 class Rooms(unittest.TestCase):
-    def test_every_room_has_judges_and_no_other(self):
+    def test_exactly_the_rooms_that_are_not_exempt_have_judges(self):
         self.assertEqual(rooms() - WITHOUT_JUDGES, set(JUDGES_OF))
 
-    def test_every_judge_is_built(self):
+    def test_every_judge_is_a_cmake_target(self):
         known = targets()
         asked = {judge for judges in JUDGES_OF.values() for judge in judges} | BY_CASE
         self.assertEqual({judge for judge in asked if target_of(judge) not in known}, set())
@@ -51,7 +51,7 @@ class Survivors(unittest.TestCase):
 
 
 class Choice(unittest.TestCase):
-    def test_each_room_gets_its_share_or_as_many_as_are_asked_for(self):
+    def test_count_is_shared_among_rooms_and_per_room_applies_to_each(self):
         self.assertEqual(mutate.shares(mutate.parsed(["--count", "8"]), 3), [3, 3, 2])
         self.assertEqual(mutate.shares(mutate.parsed(["--per-room", "10"]), 3), [10, 10, 10])
 
@@ -62,7 +62,7 @@ class Choice(unittest.TestCase):
         with self.assertRaises(SystemExit):
             mutate.rooms_in(["host/views"])
 
-    def test_the_table_counts_what_compiles_by_room_and_in_all(self):
+    def test_the_table_counts_mutants_by_room_and_in_total(self):
         rows = [{"room": room, "result": result} for room, result in (
             ("host/view", "failed"), ("host/view", "timeout"), ("host/view", "survived"), ("host/view", "uncompilable"),
             ("host/csg", "failed"))]
@@ -80,7 +80,7 @@ class Choice(unittest.TestCase):
             self.assertEqual(here, mutants.in_random_order(Path(folder), files, 4))
             self.assertNotEqual(here, mutants.in_random_order(ROOT, files, 5))
 
-    def test_a_build_folder_that_came_from_another_tree_is_noticed(self):
+    def test_detects_a_build_folder_of_another_source_tree(self):
         with tempfile.TemporaryDirectory() as folder:
             build = Path(folder)
             self.assertFalse(Judges(ROOT, build, 1).is_of_another_tree())

@@ -100,7 +100,7 @@ TEST_CASE("the inside of a hollow frustum is seen through both of its ends") {
   check_seen(look_from(funnel, {0.5, 0.25, -10}, {0, 0, 5}));
   check_seen(look_from(funnel, {0.5, 0.25, 6}, {4, 3, 8}));
 }
-TEST_CASE("a cone with its apex at the eye is an edge test or facets") {
+TEST_CASE("a cone with its apex at the eye is drawn by an edge test or as facets") {
   Quarters quarters;
   CurvedLook how;
   how.may_be_faceted = true;
@@ -145,7 +145,7 @@ TEST_CASE("the near plane cuts balls and cylinders and cones and ellipsoids open
                   near);
   }
 }
-TEST_CASE("the near plane touches a ball from the front and from behind") {
+TEST_CASE("balls that touch the near plane are drawn correctly") {
   look_from(ball({0, 0, 0}, 4), {0, -8, 0}, {0, 0, 0}, 4);
   look_from(unite({ball({0, 0, 0}, 4), ball({0, 16, 0}, 4)}), {0, -8, 0}, {0, 0, 0}, 12);
 }

@@ -68,7 +68,7 @@ std::string faults_of(std::uint64_t seed, view::Projection projection, Variants 
   for (const Setup& other : variants_of(how, seed, which)) {
     others += testing::draw(testing::compile_again(*first, other)) == frame ? 0U : 1U;
   }
-  if (others > 0) faults += fmt::format("{} ways draw another picture; ", others);
+  if (others > 0) faults += fmt::format("{} variants draw another picture; ", others);
   tally.covered += verdict.covered;
   tally.wrong += verdict.wrong;
   tally.quadrics += verdict.quadrics;
@@ -83,7 +83,7 @@ void check_scenes(view::Projection projection) {
     const std::string faults = faults_of(*rc::gen::arbitrary<std::uint64_t>(), projection, Variants::some, tally);
     if (!faults.empty()) RC_FAIL(faults);
   }));
-  MESSAGE(tally.scenes, " scenes, ", tally.refused, " refused, ", tally.quadrics, " quadrics, of these ", tally.edges,
+  MESSAGE(tally.scenes, " scenes, ", tally.refused, " rejected, ", tally.quadrics, " quadrics, of these ", tally.edges,
           " edges and ", tally.inside, " around the eye, ", tally.covered, " pixels covered, ", tally.wrong, " wrong");
   if (!testing::draws_usual_cases()) return;
   CHECK(tally.covered > 5 * tally.scenes);

@@ -27,11 +27,11 @@ const std::string gem =
 
 }  // namespace
 
-TEST_CASE("the intersection of a ball and a cylinder and a cone is one convex solid") {
+TEST_CASE("the intersection of a ball and a cylinder and a cone is drawn correctly") {
   check_seen(lens);
   check_seen(placed(rotation(40, 25), lens));
 }
-TEST_CASE("a block minus the intersection of a ball and a cylinder and a cone is correct") {
+TEST_CASE("a block minus the common part of ball and cylinder and cone is drawn correctly") {
   check_seen(subtract({box({-6, -2, -6}, {6, 6, 6}), lens}));
   check_seen(subtract({box({-6, -2, -6}, {6, 6, 6}), placed(rotation(40, 25), lens)}));
 }
@@ -45,7 +45,7 @@ TEST_CASE("the intersection of a ball and a cylinder and a cone is seen from ins
   look_curved(lens, {{0.5, -1, 0.25}, {1, 4, 2}, Projection::perspective}, how);
   look_curved(subtract({block, lens}), {{0.5, -1, 0.25}, {1, -4, -2}, Projection::perspective}, how);
 }
-TEST_CASE("two intersecting balls form a lens and three a triangle of arcs") {
+TEST_CASE("the intersections of two balls and of three balls are drawn correctly") {
   check_seen(intersect({ball({-2, 0, 0}, 6), ball({2, 0, 0}, 6)}));
   check_seen(intersect({ball({-2, 0, 0}, 6), ball({2, 0, 0}, 6), ball({0, 1, 3}, 6)}));
 }

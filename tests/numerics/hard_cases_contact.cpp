@@ -22,7 +22,7 @@ const std::string one = box({0, 0, 0}, {8, 8, 8});
 
 }  // namespace
 
-TEST_CASE("a union of cubes that share an edge is correct") {
+TEST_CASE("a union of cubes that share an edge is drawn correctly") {
   check_seen(unite({one, box({8, 8, 0}, {16, 16, 8})}));
   check_seen(unite({one, box({8, 0, 8}, {16, 8, 16})}));
 }

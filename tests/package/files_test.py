@@ -42,7 +42,7 @@ class Installed(unittest.TestCase):
         self.assertGreater(links, 300)
         self.assertEqual(broken, [])
 
-    def test_a_link_to_a_source_file_becomes_its_name(self):
+    def test_installation_replaces_a_link_to_a_source_file_by_its_name(self):
         docs, data = WORK / "doc", WORK / "data"
         shutil.rmtree(docs, ignore_errors=True)
         for folder in (docs / "docs", data / "examples/models"):

@@ -102,7 +102,7 @@ class Pictures(unittest.TestCase):
             csgsim.render(FIGURE, **SMALL, output=file)
             self.assertEqual(file.read_bytes(), picture)
 
-    def test_a_page_equals_that_of_render(self):
+    def test_a_report_equals_that_of_the_command_render(self):
         """Includes the half-spaces of the model, which stories of pixels name."""
         pages = []
         with tempfile.TemporaryDirectory() as folder:
@@ -122,7 +122,7 @@ class Pictures(unittest.TestCase):
             del stats["configuration"], stats["knobs"]
             self.assertEqual(stats, {key: value for key, value in said.items() if key in stats})
 
-    def test_draws_a_text_as_its_file(self):
+    def test_draws_a_text_as_the_file_that_contains_it(self):
         text = pathlib.Path(FIGURE).read_text(encoding="utf-8")
         stats, picture = support.stats("render", FIGURE, **SMALL)
         drawing = csgsim.render(FIGURE, text=text, **SMALL, progress="none")
@@ -170,7 +170,7 @@ class Pictures(unittest.TestCase):
                     told.pop("configuration", None)
                 self.assertEqual(support.without_time(run.stats), support.without_time(stats))
 
-    def test_rows_of_a_program_equal_its_lines(self):
+    def test_instruction_rows_of_a_program_equal_the_lines_of_its_text(self):
         program = csgsim.compile(FIGURE, **SMALL)
         lines = [line for line in program.text().splitlines() if line.startswith("  ")]
         rows = program.instructions
@@ -225,12 +225,12 @@ class Reports(unittest.TestCase):
         with self.assertRaisesRegex(KeyError, "no table 'front'; it has points"):
             csgsim.data_frame(result, "front")
 
-    def test_data_frames_without_pandas_name_the_package(self):
+    def test_data_frame_without_pandas_raises_an_error_that_names_the_package(self):
         with unittest.mock.patch.dict(sys.modules, {"pandas": None}):
             with self.assertRaisesRegex(ImportError, "apt install python3-pandas"):
                 csgsim.data_frame([])
 
-    def test_every_study_lists_its_options(self):
+    def test_every_study_has_options_and_study_runs_one_by_name(self):
         self.assertEqual(csgsim.studies(), [name for name in csgsim.studies() if csgsim.options(name)])
         self.assertIn("advise", csgsim.studies())
         told = support.study("subdivide", FIGURE, size="64x48", subdivisions="2")
@@ -238,7 +238,7 @@ class Reports(unittest.TestCase):
         self.assertEqual(list(asked), list(told))
         self.assertEqual(support.without_build(asked["points"]), support.without_build(told["points"]))
 
-    def test_a_study_in_a_folder_resumes(self):
+    def test_a_study_in_a_folder_reuses_measured_points(self):
         with tempfile.TemporaryDirectory() as folder:
             first = csgsim.sweep(FIGURE, size="32x32", strategy="stack", output=folder, no_plots=True)
             both = csgsim.sweep(FIGURE, size="32x32", strategy=["stack", "list"], output=folder, no_plots=True)
@@ -291,7 +291,7 @@ class Errors(unittest.TestCase):
             told = "csgsim: " * isinstance(error, csgsim.UsageError) + without_help(str(error))
             self.assertEqual(told, without_help(ended.stderr.rstrip("\n")))
 
-    def test_errors_have_their_place(self):
+    def test_errors_state_file_line_and_column(self):
         error = self.refused(csgsim.Error, "part.csg:2:", csgsim.render, "part.csg", text="cube(1);\nsphere(oops);")
         self.assertEqual((error.file, error.line), ("part.csg", 2))
         self.assertGreater(error.column, 1)
@@ -306,7 +306,7 @@ class Errors(unittest.TestCase):
         self.refused(TypeError, "name a model", csgsim.render)
         self.refused(TypeError, "is not a text", csgsim.render, FIGURE, size=object())
 
-    def test_rejects_options_for_terminals(self):
+    def test_rejects_options_of_the_command_line_only_and_zero_bytes(self):
         self.refused(csgsim.UsageError, "--help", csgsim.render, FIGURE, help=True)
         self.refused(csgsim.UsageError, "zero byte", csgsim.render, FIGURE, size="8x8\0x9")
         self.refused(csgsim.UsageError, "zero byte", csgsim.render, f"{FIGURE}\0.csg")
@@ -327,7 +327,7 @@ class Errors(unittest.TestCase):
         self.assertEqual(ended.stdout, "")
         self.assertIn("CsgsimWarning: warning: one depth step at the far end", ended.stderr.splitlines()[-1])
 
-    def test_reports_a_second_clocked_machine_in_a_process(self):
+    def test_rejects_a_second_clocked_machine_in_a_process(self):
         csgsim.render(FIGURE, size="16x16", level="cycle")
         csgsim.render(FIGURE, size="16x16", level="cycle")
         self.refused(csgsim.Error, "a separate process", csgsim.render, FIGURE, size="16x16", level="cycle", machine="scan-line")
@@ -359,7 +359,7 @@ class LongWork(unittest.TestCase):
         self.assertLess(self.interrupted(csgsim.sweep, CARBURETTOR, **large), 20)
         self.assertEqual(csgsim.render(FIGURE, **SMALL).png(), support.stats("render", FIGURE, **SMALL)[1])
 
-    def test_other_threads_continue_and_draw_the_same(self):
+    def test_other_threads_draw_the_same_picture_while_the_main_thread_continues(self):
         usual = csgsim.render(FIGURE, **SMALL).png()
         drawn, turns = [], 0
         levels = ("functional", "functional", "cycle", "cycle")

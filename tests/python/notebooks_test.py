@@ -94,7 +94,7 @@ def carried_out(name):
     notebook, names = run(name)
     for cell, stored in zip(notebook["cells"], read(name)["cells"]):
         if cell != stored:
-            raise AssertionError(f"{name}.ipynb: the stored output of a cell is old; notebooks_test.py CSGSIM SOURCE write renews it:"
+            raise AssertionError(f"{name}.ipynb: the stored output of a cell is outdated; run notebooks_test.py CSGSIM SOURCE write:"
                                  f"\n{''.join(cell['source'])}")
     return names, printed_by(notebook)
 
@@ -110,7 +110,7 @@ def owners(*operands, **options):
 class Notebooks(unittest.TestCase):
     """Each of the tasks of docs/view.md."""
 
-    def test_a_part_on_the_machines_of_the_eighties(self):
+    def test_notebook_part_shows_the_results_of_the_commands(self):
         names, printed = carried_out("part")
         stats, picture = support.stats("render", BRACKET)
         self.assertEqual(names["drawing"].png(), picture)
@@ -121,7 +121,7 @@ class Notebooks(unittest.TestCase):
         told = support.study("compare", BRACKET, machines="pixel-planes-4,scan-line,pixel-planes-5", fragments="none", sides="none")
         self.assertEqual([row["clocks"] for row in names["machines"]], [row["clocks"] for row in told["points"]])
 
-    def test_trees_and_bits(self):
+    def test_notebook_trees_and_bits_shows_the_results_of_the_commands(self):
         names, printed = carried_out("trees_and_bits")
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder, "figure.csgt")
@@ -136,7 +136,7 @@ class Notebooks(unittest.TestCase):
         told = support.study("sweep", CARBURETTOR, **VIEW, no_draw=True, stack_bits="3,4,5")
         self.assertEqual(support.without_build(names["memory"]), support.without_build(told["points"]))
 
-    def test_a_wrong_pixel(self):
+    def test_notebook_wrong_pixel_shows_the_results_of_the_commands(self):
         names, printed = carried_out("wrong_pixel")
         said = support.done("explain", BRACKET, z_bits=8, pixel="344,389", why_not="p2")
         self.assertIn("\n".join(said.splitlines()[:10]), printed)

@@ -48,7 +48,7 @@ class Rates(unittest.TestCase):
         yield from csgsim.sweep(MODEL, **given)
         yield from csgsim.sweep(MODEL, **given, no_draw=True)
 
-    def test_all_reports_have_the_rates_of_render(self):
+    def test_studies_view_and_run_report_the_frame_rates_of_render(self):
         for machine in MACHINES:
             given = {"machine": machine, "size": SIZE, "camera": CAMERA, "curves": "facets"}
             with self.subTest(machine=machine), tempfile.TemporaryDirectory() as folder:

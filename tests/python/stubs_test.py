@@ -67,7 +67,7 @@ def bound(value):
 class Stubs(unittest.TestCase):
     """Names, signatures, options and examples."""
 
-    def test_the_stubs_have_every_name_and_no_other(self):
+    def test_the_stubs_declare_exactly_the_public_names_of_the_module(self):
         public = {name for name in BODY if not name.startswith("_") and name not in OPTIONS.values()}
         self.assertEqual(sorted(public), sorted(csgsim.__all__))
         self.assertEqual(sorted(csgsim.__all__), csgsim.__all__)
@@ -87,7 +87,7 @@ class Stubs(unittest.TestCase):
                 if not is_property:
                     self.assertEqual(list(parameters_of(members[member])), list(parameters_in(bound(value))), f"{name}.{member}")
 
-    def test_attributes_equal_those_of_objects(self):
+    def test_declared_attributes_equal_those_of_the_objects(self):
         drawing = csgsim.render(text="cube(size = 1);", size="8x8")
         for thing in (drawing, csgsim.Machine("scan-line"), csgsim.explain(drawing.program, pixel=(4, 4))):
             name = type(thing).__name__
@@ -101,7 +101,7 @@ class Stubs(unittest.TestCase):
             self.assertEqual(options_in(name), {row["name"]: TYPES[row["takes"]] for row in csgsim.options(command)}, name)
             self.assertIn(f"Unpack[{name}]", ast.unparse(BODY[command]))
 
-    def test_everything_has_a_docstring_with_an_example(self):
+    def test_every_public_name_has_a_docstring_with_an_example(self):
         for name in csgsim.__all__:
             self.assertIn(">>> ", inspect.getdoc(getattr(csgsim, name)), name)
         self.assertTrue((pathlib.Path(csgsim.__file__).parent / "py.typed").exists())

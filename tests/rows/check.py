@@ -88,7 +88,7 @@ def check_rules(commands, clocks):
 
 
 def notices_early(commands, name):
-    """Whether the rules notice a command that is issued 20 clocks too early, at one of 40 places."""
+    """Whether the rules detect a command that is issued 20 clocks too early, at one of 40 places."""
     places = [i for i, command in enumerate(commands) if command[1] == name]
     for place in places[len(places) // 2:][:40]:
         window = list(commands[max(0, place - 100):place + 100])

@@ -58,7 +58,8 @@ int random_frames(const machines::Machine& machine, const AnyFrames& any_frames,
   constexpr unsigned many = 20;  ///< fewer sequences need not contain every opcode
   if (testing::draws_from_fixed_seed() && sequences >= many && code == 0 &&
       sent.size() != possible_instructions(machine))
-    throw std::runtime_error(fmt::format("{} of {} opcodes occurred", sent.size(), possible_instructions(machine)));
+    throw std::runtime_error(
+        fmt::format("only {} of {} opcodes occurred; raise INSTRUCTIONS", sent.size(), possible_instructions(machine)));
   fmt::print("{} clocks compared\n", lockstep.clocks_compared());
   return code;
 }
@@ -98,7 +99,7 @@ int faults(const machines::Machine& machine, const AnyFrames& any_frames, std::u
   for (std::size_t i = 3; i < words.size(); ++i) left_out.insert(std::stoul(words[i]));
   Lockstep lockstep(machine);
   if (sequences_to_detect(lockstep, 0, sequences, frames) != 0)
-    throw std::runtime_error("a difference without a planted fault");
+    throw std::runtime_error("Verilog and SystemC differ without a planted fault");
   int code = 0;
   for (std::uint8_t fault = 1; fault <= planted; ++fault) {
     const unsigned sequence = sequences_to_detect(lockstep, fault, sequences, frames);

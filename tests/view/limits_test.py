@@ -88,7 +88,7 @@ class Limits(unittest.TestCase):
         status, _ = self.server.raw(self.own(f"Connection: close\r\nContent-Length: {most}\r\n\r\n"), body + b" " * (most - len(body)))
         self.assertIn(status, (200, 422))
 
-    def test_rejects_deeply_nested_brackets(self):
+    def test_rejects_json_with_too_deep_nesting_or_too_many_elements(self):
         deep = "[" * 200_000 + "]" * 200_000
         wide = ",".join(f'"k{i}":1' for i in range(300_000))
         for body in (deep, f'{{"knobs":{{"size":{deep}}}}}', f'{{"a":{deep},"b":{{}}}}', f'{{"knobs":{{"set":{deep}}}}}', f'{{{wide}}}',
@@ -100,7 +100,7 @@ class Limits(unittest.TestCase):
                 self.assertRegex(answer, rb"nested deeper|more than|too many")
                 self.assertLess(time.monotonic() - begin, 10)
 
-    def test_slow_connections_block_no_one_and_end(self):
+    def test_slow_connections_time_out_without_delaying_other_requests(self):
         begin = time.monotonic()
         slow = [socket.create_connection(("127.0.0.1", self.server.port), timeout=30) for _ in range(30)]
         for connection in slow:
@@ -117,7 +117,7 @@ class Limits(unittest.TestCase):
         for connection in slow:
             connection.close()
 
-    def test_ends_a_connection_with_a_slow_body(self):
+    def test_a_connection_with_a_slow_body_times_out(self):
         with socket.create_connection(("127.0.0.1", self.server.port), timeout=30) as connection:
             connection.sendall(self.own("Content-Length: 100\r\n\r\n"))
             for _ in range(4):
@@ -127,7 +127,7 @@ class Limits(unittest.TestCase):
         self.assertEqual(status, 408)
         self.assertTrue(json.loads(body)["error"])
 
-    def test_closes_idle_connections_if_there_are_many(self):
+    def test_many_idle_connections_occupy_few_threads_and_descriptors(self):
         idle = [socket.create_connection(("127.0.0.1", self.server.port), timeout=30) for _ in range(200)]
         self.assertEqual(self.server.post("draw", {})[0], 200)
         threads = pathlib.Path(f"/proc/{self.server.process.pid}/status").read_text()
@@ -136,7 +136,7 @@ class Limits(unittest.TestCase):
         for connection in idle:
             connection.close()
 
-    def test_handles_pipelined_requests(self):
+    def test_answers_every_pipelined_request(self):
         one = f"GET /{self.server.token}/view.js HTTP/1.1\r\nHost: {self.server.host}\r\n\r\n"
         last = one.replace("\r\n\r\n", "\r\nConnection: close\r\n\r\n")
         with socket.create_connection(("127.0.0.1", self.server.port), timeout=30) as connection:
@@ -202,7 +202,7 @@ class Evaluation(unittest.TestCase):
             time.sleep(0.05)
         return False
 
-    def test_ends_at_its_time_limit_without_delaying_others(self):
+    def test_an_evaluation_ends_at_its_time_limit_without_delaying_other_requests(self):
         server = self.serve("--evaluation-time", "3")
         self.assertEqual(server.post("draw", {})[0], 200)
         thread, answers = self.begun(server, self.ENDLESS)
@@ -220,7 +220,7 @@ class Evaluation(unittest.TestCase):
         self.assertLess(seconds, 15)
         self.assertTrue(self.openscad_has_ended())
 
-    def test_is_cancelled_by_its_name(self):
+    def test_an_evaluation_is_cancelled_by_its_name(self):
         server = self.serve("--evaluation-time", "600")
         thread, answers = self.begun(server, self.ENDLESS | {"evaluation": "mine"})
         self.assertEqual(server.post("progress", {"evaluation": "other"}), (200, {}))
@@ -236,13 +236,13 @@ class Evaluation(unittest.TestCase):
         self.assertTrue(self.openscad_has_ended())
         self.assertEqual(server.post("draw", {})[0], 200)
 
-    def test_the_default_limit_is_ten_seconds(self):
+    def test_the_default_evaluation_time_is_ten_seconds(self):
         self.assertRegex(" ".join(run("view", "--help").stdout.split()), r"--evaluation-time SECONDS [^\[]*\[[^\]]*; default: 10\]")
         server = self.serve()
         status, _, body = server.get("about")
         self.assertEqual((status, json.loads(body)["evaluation_time"]), (200, 10))
 
-    def test_ctrl_c_ends_it_at_once(self):
+    def test_ctrl_c_ends_server_and_openscad_within_five_seconds(self):
         server = self.serve("--evaluation-time", "600")
         thread, _ = self.begun(server, self.ENDLESS | {"evaluation": "mine"})
         begin = time.monotonic()
@@ -252,7 +252,7 @@ class Evaluation(unittest.TestCase):
         self.assertTrue(self.openscad_has_ended())
         thread.join(20)
 
-    def test_closing_the_last_page_ends_it(self):
+    def test_closing_the_last_page_ends_server_and_openscad(self):
         server = self.serve("--evaluation-time", "600", "--patience", "1")
         thread, _ = self.begun(server, self.ENDLESS)
         server.stream().close()
@@ -260,7 +260,7 @@ class Evaluation(unittest.TestCase):
         self.assertTrue(self.openscad_has_ended())
         thread.join(20)
 
-    def test_does_not_wait_for_a_pipe(self):
+    def test_rejects_pipes_and_devices_as_inputs_without_waiting(self):
         pipe = pathlib.Path(self.folder.name) / "pipe.csg"
         os.mkfifo(pipe)
         done = run("view", str(pipe), timeout=20)
@@ -278,7 +278,7 @@ class Evaluation(unittest.TestCase):
             self.assertEqual(status, 422, answer)
         self.assertLess(time.monotonic() - begin, 10)
 
-    def test_an_include_of_a_pipe_ends_at_the_time_limit(self):
+    def test_an_evaluation_that_includes_a_pipe_ends_at_the_time_limit(self):
         if not shutil.which("openscad"):
             self.skipTest("there is no openscad")
         os.mkfifo(pathlib.Path(self.folder.name) / "pipe.scad")

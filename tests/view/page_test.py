@@ -39,7 +39,7 @@ def box_of_picture(seen):
     return seen.evaluate("(() => { const b = document.getElementById('picture').getBoundingClientRect(); return [b.left, b.top, b.width]; })()")
 
 
-def turns_under_the_pointer(seen):
+def turns_the_camera_by_pointer(seen):
     """Draws twenty pictures at any rate, as sanitized builds are slow; speed.py measures the rate."""
     first = seen.text("command")
     left, top, _ = box_of_picture(seen)
@@ -57,7 +57,7 @@ def turns_under_the_pointer(seen):
     seen.check_same("turned")
 
 
-def turns_by_keys(seen):
+def turns_the_camera_by_keys(seen):
     seen.evaluate("document.getElementById('stage').focus()")
     for key in ("ArrowLeft", "ArrowUp"):
         seen.page.press(key)
@@ -68,7 +68,7 @@ def turns_by_keys(seen):
     seen.settled()
 
 
-def turns_knobs(seen):
+def changes_the_machine(seen):
     seen.set("machine", "pixel-planes-5")
     seen.settled()
     seen.check("--machine pixel-planes-5" in seen.text("command"), "the machine has changed")
@@ -80,7 +80,7 @@ def turns_knobs(seen):
     seen.until("document.getElementById('error').hidden")
 
 
-def calls_for_effects(seen):
+def enables_an_effect(seen):
     on = "[data-key=\"effects.depth_cue.on\"]"
     seen.evaluate(f"(() => {{ const e = document.querySelector('{on}'); e.value = 'true'; e.dispatchEvent(new Event('change')); }})()")
     seen.settled()
@@ -93,7 +93,7 @@ def calls_for_effects(seen):
     seen.settled()
 
 
-def asks_why(seen):
+def explains_a_pixel(seen):
     left, top, width = box_of_picture(seen)
     seen.page.point(left + width / 2, top + width / 2, click=True)
     seen.until("document.getElementById('story').textContent.length > 100")
@@ -113,7 +113,7 @@ def move(seen, number):
     seen.settled()
 
 
-def goes_through_time(seen):
+def shows_instants(seen):
     """Goes to instants by slider, field, event of the story, instruction of the listing, source line, and tree."""
     seen.settled()
     count = int(seen.evaluate("document.getElementById('instant').max"))
@@ -146,7 +146,7 @@ def goes_through_time(seen):
     photograph(seen, "time", ".time")
 
 
-def goes_down_to_the_wires(seen):
+def shows_lanes(seen):
     begin, end = seen.evaluate("document.getElementById('clocks').textContent").replace(",", "").split("clocks ")[1].split(":")[0].split(" to ")
     seen.after("shownLanes", lambda: seen.click("#clocks"))
     told = seen.text("lanes-told")
@@ -170,7 +170,7 @@ def goes_down_to_the_wires(seen):
     seen.after("shownLanes", lambda: seen.click("#nearer"))
 
 
-def compares_two(seen):
+def compares_two_drawings(seen):
     seen.after("comparedTwo", lambda: seen.click("#keep"))
     seen.check("pictures are equal" in seen.text("differs"), "A equals itself")
     seen.after("comparedTwo", lambda: seen.set("z-bits", "8"))
@@ -197,7 +197,7 @@ case "$text" in *endless*) sleep 1000;; *) printf '%s\\n' "$text";; esac
 """
 
 
-def cancels_what_does_not_end(seen, server):
+def cancels_an_endless_evaluation(seen, server):
     """With a model of OpenSCAD: the progress of an evaluation, its cancel button, and its replacement by a new text."""
     seen.open(server)
     seen.set("source", "endless();")
@@ -226,7 +226,7 @@ def use(seen, server):
     seen.open(server)
     seen.check(seen.evaluate("document.getElementById('picture').naturalWidth") == 512, "the picture is 512 wide")
     seen.check_same("as it begins")
-    for part in (turns_under_the_pointer, turns_by_keys, turns_knobs, calls_for_effects, asks_why, goes_through_time, goes_down_to_the_wires, compares_two,
+    for part in (turns_the_camera_by_pointer, turns_the_camera_by_keys, changes_the_machine, enables_an_effect, explains_a_pixel, shows_instants, shows_lanes, compares_two_drawings,
                  edits_the_source):
         part(seen)
     for width in (390, 1280):
@@ -262,7 +262,7 @@ def main():
         server = Server(csgsim, str(folder / "model.scad"), "--size", "64x64", "--evaluation-time", "600",
                         env=os.environ | {"PATH": f"{folder}:{os.environ['PATH']}"})
         with viewed(chromium, server, csgsim, folder) as seen:
-            cancels_what_does_not_end(seen, server)
+            cancels_an_endless_evaluation(seen, server)
             failures += seen.failures
     return 1 if failures else 0
 

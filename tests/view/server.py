@@ -30,7 +30,7 @@ class Server:
         self.process = subprocess.Popen([csgsim, "view", *words], cwd=cwd, env=env, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         line = self.process.stdout.readline()
         if not re.fullmatch(r"http://127\.0\.0\.1:\d+/[0-9a-f]{32}/\n", line):
-            raise RuntimeError(f"no address printed: {line!r} {self.process.stderr.read()!r}")
+            raise RuntimeError(f"csgsim view printed no address but {line!r} {self.process.stderr.read()!r}")
         self.address = line.strip()
         where = urllib.parse.urlsplit(self.address)
         self.port = where.port
@@ -80,7 +80,7 @@ class Server:
         connection = socket.create_connection(("127.0.0.1", self.port), timeout=20)
         connection.sendall(f"GET /{self.token}/alive HTTP/1.1\r\nHost: {self.host}\r\n\r\n".encode())
         if b" 200 " not in (head := connection.recv(4096)):
-            raise RuntimeError(f"no event stream: {head!r}")
+            raise RuntimeError(f"csgsim view opened no event stream but answered {head!r}")
         return connection
 
     def most_memory(self):

@@ -86,7 +86,7 @@ class Answers(unittest.TestCase):
                                    check=True, text=True, capture_output=True).stdout
             self.assertEqual(without_wall(json.loads(again)), stats)
 
-    def test_a_turned_camera_gives_the_picture_of_a_fresh_start(self):
+    def test_a_turned_camera_changes_the_clocks_and_turning_back_restores_them(self):
         _, first = self.server.post("draw", {"knobs": SMALL})
         for eye in ("30,-40,25,0,0,2", "-20,35,11,0,0,2", "30,-40,25,0,0,2"):
             _, turned = self.server.post("draw", {"knobs": SMALL | {"camera": eye}})
@@ -125,7 +125,7 @@ class Answers(unittest.TestCase):
                           for begin, clocks, text in recorded.get((lane["part"], lane["name"]), []) if begin < middle + 200 and begin + clocks > middle]
                 self.assertEqual(lane["stretches"], within, lane["name"])
 
-    def test_the_wave_and_a_pixels_lanes_equal_those_of_wave(self):
+    def test_a_pixels_wave_equals_that_of_wave_and_its_probes_have_lanes(self):
         knobs = {"size": "8x8", "z-bits": "8", "fraction-bits": "0"}
         probing = {"pixel": "5,3", "window": "i8:i9", "probes": ["tree.x:0", "tree.y:3"]}
         words = ["--size", "8x8", "--z-bits", "8", "--fraction-bits", "0", "--pixel", "5,3", "--window", "i8:i9", "--probe", "tree.x:0", "--probe", "tree.y:3"]
@@ -137,7 +137,7 @@ class Answers(unittest.TestCase):
         lanes = {lane["name"]: lane["stretches"] for lane in answer["lanes"] if lane["part"] == "pixel_5_3"}
         self.assertTrue(lanes["tree_x_0"] and lanes["tree_y_3"] and lanes["enable"])
 
-    def test_probing_accepts_no_other_options(self):
+    def test_rejects_options_in_place_of_a_pixel_window_or_probe(self):
         for probing in ({"pixel": "5,3 -o x", "window": "i8"}, {"pixel": "--help", "window": "i8"}, {"pixel": "5,3", "window": "i8", "probes": ["--output=x"]},
                         {"pixel": "999,3", "window": "i8"}, {"pixel": "5,3", "window": "i999999"}):
             status, answer = self.server.post("wave", {"knobs": SMALL, **probing})
@@ -155,7 +155,7 @@ class Answers(unittest.TestCase):
         self.assertEqual((status, answer.get("knobs")), (200, stats["knobs"]), answer)
         self.assertTrue(answer["knobs"])
 
-    def test_an_effect_of_the_form_equals_one_of_a_scene(self):
+    def test_draws_every_effect_that_the_form_offers(self):
         _, _, body = self.server.get("about")
         for effect in json.loads(body)["effects"]:
             if effect["is_list"]:
@@ -177,7 +177,7 @@ class Answers(unittest.TestCase):
         self.assertEqual((status, answer["stats"]["model"]["primitives"]), (200, 1))
         self.assertEqual((SOURCE / MODEL).read_text(), before)
 
-    def test_errors_have_their_place(self):
+    def test_errors_state_line_and_column_or_the_valid_word(self):
         status, answer = self.server.post("draw", {"knobs": SMALL, "source": "cube(size=[1,2,3],center=true);\nsphere(r=;"})
         self.assertEqual(status, 422)
         self.assertTrue(answer["error"].startswith(f"{MODEL}:2:"), answer)
@@ -209,7 +209,7 @@ class Answers(unittest.TestCase):
         finally:
             server.stop()
 
-    def test_the_report_shows_the_last_picture(self):
+    def test_the_report_contains_the_camera_of_the_last_picture(self):
         self.server.post("draw", {"knobs": SMALL})
         status, headers, body = self.server.get("report")
         self.assertEqual(status, 200)
@@ -251,19 +251,19 @@ class Attacks(unittest.TestCase):
             self.refused(403, Sec_Fetch_Site=site)
             self.refused(403, "GET", f"/{self.server.token}/about", Sec_Fetch_Site=site)
 
-    def test_answers_nothing_without_the_token(self):
+    def test_rejects_requests_without_the_exact_token(self):
         token = self.server.token
         for path in ("/", "/draw", "//draw", f"/{token[:-1]}/draw", f"/{token}0/draw", f"/{token.upper()}x/draw", f"/{'0' * 32}/draw", f"/x/../{token}/draw"):
             self.refused(403, path=path)
         self.refused(403, "GET", f"/{token}")
 
-    def test_serves_no_files(self):
+    def test_serves_no_files_other_than_the_page(self):
         for path in ("../../etc/passwd", "..%2f..%2fetc%2fpasswd", "%2e%2e/%2e%2e/etc/passwd", "/etc/passwd", "view.js/../../x", "page.css%00", "thesis_fig_2_3.csg"):
             status, _, body = self.server.ask("GET", f"/{self.server.token}/{path}")
             self.assertIn(status, (400, 403, 404))
             self.assertNotIn(b"root:", body)
 
-    def test_reads_only_files_that_the_model_imports(self):
+    def test_rejects_files_that_the_model_does_not_import(self):
         for source in ('import(file="/etc/passwd");', 'import(file="../../../../../../etc/passwd");', 'surface(file="/etc/hostname");'):
             status, answer = self.server.post("draw", {"source": source})
             self.assertEqual(status, 422)
@@ -341,7 +341,7 @@ class Attacks(unittest.TestCase):
 class Shutdown(unittest.TestCase):
     """The server ends with its last page."""
 
-    def test_ends_some_time_after_the_last_page_was_closed(self):
+    def test_the_server_ends_only_after_its_last_page_is_closed(self):
         server = Server(CSGSIM, MODEL, "--patience", "1", cwd=SOURCE)
         try:
             first, second = server.stream(), server.stream()
@@ -353,7 +353,7 @@ class Shutdown(unittest.TestCase):
         finally:
             server.stop()
 
-    def test_sends_an_open_page_a_message_twice_a_second(self):
+    def test_sends_an_open_page_three_messages_within_ten_seconds(self):
         server = Server(CSGSIM, MODEL, cwd=SOURCE)
         try:
             page = server.stream()

@@ -135,7 +135,7 @@ TEST_CASE("lanes of a pixel and its trees equal their wave clock for clock") {
     CHECK(compared > 5);
   }
 }
-TEST_CASE("stretches of a lane follow each other and adjacent ones differ") {
+TEST_CASE("stretches of a lane are in order and adjacent ones show different values") {
   const Frame frame("pixel-planes-5", " --window 300:900", 25e3);
   CHECK(frame.lanes.size() > 20);
   for (const auto& one : frame.lanes) {

@@ -31,12 +31,12 @@ class Sections {
     if (word == "$end") return close();
     require(open_.empty(), word + " in " + open_);
     if (word == "$dumpvars") {
-      require(!has_begun_, "another $dumpvars");
+      require(!has_begun_, "a second $dumpvars");
     } else if (word == "$dumpoff") {
       require(has_begun_ && !is_off_, "$dumpoff where nothing is dumped");
       off_since_ = time;
     } else {
-      require(word == "$dumpon", "the keyword " + word);
+      require(word == "$dumpon", "unknown keyword " + word);
       require(is_off_ && time > off_since_, "$dumpon where nothing was off");
     }
     open_ = word;

@@ -59,7 +59,7 @@ def opened(seen, address):
     seen.settled()
 
 
-def turns_under_the_pointer(seen):
+def turns_the_camera_by_pointer(seen):
     left, top = seen.evaluate("(() => { const b = document.getElementById('picture').getBoundingClientRect(); return [b.left, b.top]; })()")
     first = seen.text("command")
     count = seen.evaluate("window.drawnPictures")
@@ -77,7 +77,7 @@ def turns_under_the_pointer(seen):
     check_same(seen, "turned")
 
 
-def turns_knobs(seen):
+def changes_options(seen):
     seen.set("machine", "pixel-planes-5")
     seen.settled()
     check_same(seen, "on another machine")
@@ -93,7 +93,7 @@ def edits_the_source(seen):
     seen.edit_the_source()
 
 
-def asks_why(seen):
+def explains_a_pixel(seen):
     seen.set("pixel", "256,256")
     seen.after("drawnPictures", lambda: seen.set("size", "512x512"))
     seen.click("#why button")
@@ -102,7 +102,7 @@ def asks_why(seen):
     seen.check(seen.text("story").strip() == told.strip(), "the story equals that of csgsim explain")
 
 
-def goes_through_time(seen):
+def shows_instants(seen):
     seen.settled()
     count = int(seen.evaluate("document.getElementById('instant').max"))
     seen.set("instant", str(count))
@@ -116,7 +116,7 @@ def goes_through_time(seen):
     seen.check(count // 3 <= number < count and f"before i{number} of" in seen.text("at"), "the place of the instant is shown: " + seen.text("at"))
 
 
-def judges_and_compares(seen):
+def checks_and_compares_drawings(seen):
     seen.click("#judge")
     seen.until("document.getElementById('verdict').textContent.includes('pixels')")
     seen.after("comparedTwo", lambda: seen.click("#keep"))
@@ -127,7 +127,7 @@ def judges_and_compares(seen):
     seen.settled()
 
 
-def refuses_wires(seen):
+def rejects_lanes(seen):
     seen.click("#frame")
     seen.until("document.getElementById('wires-told').textContent.includes('csgsim view')")
 
@@ -157,7 +157,7 @@ def use(seen, address):
     for width in (390, 1280):
         seen.page.window(width, 900)
         seen.check(seen.too_wide() == [], f"{width} pixels: {seen.too_wide()}")
-    for part in (turns_under_the_pointer, turns_knobs, edits_the_source, asks_why, goes_through_time, judges_and_compares, refuses_wires):
+    for part in (turns_the_camera_by_pointer, changes_options, edits_the_source, explains_a_pixel, shows_instants, checks_and_compares_drawings, rejects_lanes):
         part(seen)
     opened(seen, address + "?model=terrain_vehicle.csg&machine=pixel-planes-5&size=256x256")
     seen.check("--machine pixel-planes-5" in seen.text("command"), "the address sets options: " + seen.text("command"))

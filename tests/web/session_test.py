@@ -97,7 +97,7 @@ class Session(unittest.TestCase):
             self.check_same(both, question, request)
         self.check_same(both, "two", {"a": request, "b": {"knobs": {**request["knobs"], "z-bits": "8"}}})
 
-    def test_draws_an_edited_source_and_places_errors(self):
+    def test_draws_an_edited_source_and_rejects_a_wrong_source(self):
         both = self.both("thesis_fig_2_3.csg")
         self.check_same(both, "draw", {"knobs": {"size": "64x64"}, "source": "cube(size=[20,20,20],center=true);"})
         for source in ("cube(", "sphere(r=;", "cube(size=[20,20,20]);\nnothing();", 'import(file="a.amf");'):
@@ -120,7 +120,7 @@ class Session(unittest.TestCase):
         self.assertEqual(status, 422)
         self.assertIn("export the model as .csg", answer["error"])
 
-    def test_the_report_is_a_page(self):
+    def test_the_report_of_a_drawing_is_an_html_page(self):
         _, answering = self.both("thesis_fig_2_3.csg")
         answering.post("draw", {"knobs": {"size": "64x64"}})
         status, page = answering.send({"question": "report"})

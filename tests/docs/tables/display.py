@@ -1,4 +1,4 @@
-"""Tables of docs/software.md: table 5.1 of the thesis, whose own numbers are in italics, its rivals, and wrong
+"""Tables of docs/software.md: table 5.1 of the thesis, whose own numbers are in italics, other methods, and wrong
 pixels."""
 
 from figures import ruled

@@ -74,7 +74,7 @@ def begins(stream):
     return found
 
 
-def told(printed):
+def printed_states(printed):
     """The output of csgsim debug for every pixel at each of its stops: [{(x, y): {field: value}}]."""
     stops, pixel = [], None
     for line in printed.splitlines():
@@ -121,14 +121,14 @@ class Story:
         last = [n - 1 for n in first[1:]] + [len(self.stream) - 1]
         stops = "".join(f"{f'until i{n + 1}' if n + 1 < len(self.stream) else 'run'}\n{self.prints()}" for n in last)
         debugged = runs.run(f"{compiled(8)}; csgsim debug $OUT/step.csgt -x - <<'END'\n{stops}END")
-        self.steps = self.checked(first, last, told(debugged.printed))
+        self.steps = self.checked(first, last, printed_states(debugged.printed))
         self.stats = runs.run(f"csgsim render {MODEL} {OPTIONS} --progress none --stats $OUT/stats.json").json("stats.json")
         self.check_clocks()
 
     def watched(self, runs, numbers):
         """The state of the tracked pixel after each of these instructions."""
         stops = "".join(f"until i{n + 1}\nprint 0,0\nprint {X},{Y}\n" for n in numbers)
-        return told(runs.run(f"{compiled(8)}; csgsim debug $OUT/step.csgt -x - <<'END'\n{stops}END").printed)
+        return printed_states(runs.run(f"{compiled(8)}; csgsim debug $OUT/step.csgt -x - <<'END'\n{stops}END").printed)
 
     def prints(self):
         return "".join(f"print {x},{y}\n" for y in range(by_hand.SIDE) for x in range(by_hand.SIDE))

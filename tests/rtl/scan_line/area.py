@@ -49,7 +49,7 @@ def main():
     if sys.argv[1:] == ["--check"] and other:
         for name, cell, expected in zip(ROWS, cells, other):
             if cell != expected:
-                print(f"area.py: {name}: {cell}, and ROWS_BY_VERSION says {expected}")
+                print(f"area.py: {name}: synthesised {cell}, but ROWS_BY_VERSION has {expected}")
         return int(cells != other)
     rows = "".join(f"| {name} | {gates:,} | {flip_flops:,} | {transistors:,} |\n"
                    for name, (gates, flip_flops, transistors) in zip(ROWS, cells))
