@@ -13,7 +13,6 @@
 #include "host/model/fragments.h"
 #include "hw/base/error.h"
 #include "hw/base/module.h"
-#include "hw/base/text.h"
 
 namespace csgsim::flat {
 
@@ -41,7 +40,7 @@ const lettering::Module& opened_module() {
 
 void check_alignment(const char* name, const std::string& value, std::span<const std::string_view> known) {
   if (std::ranges::find(known, value) != known.end()) return;
-  std::string message = std::string(name) + " of text() is \"" + printable(value) + "\"; use ";
+  std::string message = std::string(name) + " of text() is \"" + value + "\"; use ";
   for (std::size_t i = 0; i < known.size(); ++i) {
     message += (i == 0 ? "\"" : i + 1 == known.size() ? " or \"" : ", \"") + std::string(known[i]) + "\"";
   }

@@ -7,7 +7,6 @@
 
 #include "hw/base/error.h"
 #include "hw/base/messages.h"
-#include "hw/base/text.h"
 
 namespace csgsim::read {
 
@@ -50,16 +49,14 @@ std::optional<ImportedFile> Source::import(std::string_view file, const InputKin
     } catch (const InputError& error) {
       fail(offset, error.what());
     }
-    if (!found)
-      fail(offset, fmt::format("{} is not in the model's folder: a link leads out of it; {}", printable(file), hint));
+    if (!found) fail(offset, fmt::format("{} is not in the model's folder: a link leads out of it; {}", file, hint));
     files_.push_back(place);
     if (imported_) imported_(found->bytes);
     return found;
   }
   if (std::ranges::any_of(places, [](const ImportPlace& place) { return !place.is_inside && place.exists(); }))
-    fail(offset, fmt::format("{} is not in the model's folder; {}", printable(file), hint));
-  print_message(offset,
-                fmt::format("warning: {} does not exist; {}() is empty, as in OpenSCAD", printable(file), node));
+    fail(offset, fmt::format("{} is not in the model's folder; {}", file, hint));
+  print_message(offset, fmt::format("warning: {} does not exist; {}() is empty, as in OpenSCAD", file, node));
   return std::nullopt;
 }
 

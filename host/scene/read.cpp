@@ -11,7 +11,6 @@
 
 #include "host/scene/set.h"
 #include "hw/base/nearest.h"
-#include "hw/base/text.h"
 #include "hw/base/toml_text.h"
 
 namespace csgsim::scene {
@@ -43,7 +42,7 @@ const toml::node* set_value(const toml::node& node) {
 
 std::string unknown_key(std::string_view key, std::span<const std::string_view> known, std::string_view prefix) {
   const std::string_view near = nearest_similar(key, known);
-  return fmt::format("unknown key '{}{}'; {}", prefix, printable(key),
+  return fmt::format("unknown key '{}{}'; {}", prefix, key,
                      near.empty() ? fmt::format("the keys here are {}", fmt::join(known, ", "))
                                   : fmt::format("the nearest known is '{}{}'", prefix, near));
 }
@@ -80,7 +79,7 @@ class Reader {
   void check_keys(const toml::table& table, std::span<const std::string_view> known, std::string_view prefix) const {
     for (const auto& [key, node] : table) {
       if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
-      const std::string message = prefix == effects_prefix ? unknown_name_text("effect", printable(key.str()), known)
+      const std::string message = prefix == effects_prefix ? unknown_name_text("effect", key.str(), known)
                                                            : unknown_key(key.str(), known, prefix);
       if (const toml::node* const value = set_value(node)) fail(*value, message);
       throw InputError(fmt::format("{}: {}", show(key.source().begin, file_), message));
@@ -227,8 +226,7 @@ class Reader {
 
   [[nodiscard]] std::int64_t read_choice(const toml::node& node, const Key& key, const std::string& name) const {
     const toml::value<std::string>* const text = node.as_string();
-    const std::string given =
-        text == nullptr ? std::string(type_name(node)) : fmt::format("'{}'", printable(text->get()));
+    const std::string given = text == nullptr ? std::string(type_name(node)) : fmt::format("'{}'", text->get());
     const auto found = text == nullptr ? key.names.end()
                                        : std::find(key.names.begin(), key.names.end(), std::string_view(text->get()));
     if (found == key.names.end()) {

@@ -8,7 +8,6 @@
 #include <cstring>
 
 #include "hw/base/error.h"
-#include "hw/base/text.h"
 
 namespace csgsim::solids {
 
@@ -77,16 +76,14 @@ Pixels read_png(std::string_view bytes, std::string_view name, std::size_t max_p
   Stream stream{bytes};
   const Reader reader(stream);
   const auto fail = [&] {
-    throw InputError(fmt::format("{}: not a PNG file, or damaged ({}); save it again", printable(name),
-                                 printable(&stream.error[0])));
+    throw InputError(fmt::format("{}: not a PNG file, or damaged ({}); save it again", name, &stream.error[0]));
   };
   if (reader.info == nullptr) throw InputError("not enough memory to read a picture");
   png_set_read_fn(reader.png, &stream, read_png_bytes);
   if (!read_header(reader.png, reader.info)) fail();
   Pixels pixels{png_get_image_width(reader.png, reader.info), png_get_image_height(reader.png, reader.info), {}};
   if (std::uint64_t{pixels.width} * pixels.height > max_pixels) {
-    throw InputError(
-        fmt::format("{}: the picture has more than {} pixels; scale it down", printable(name), max_pixels));
+    throw InputError(fmt::format("{}: the picture has more than {} pixels; scale it down", name, max_pixels));
   }
   const std::size_t row = std::size_t{3} * pixels.width;
   pixels.bytes.resize(row * pixels.height);

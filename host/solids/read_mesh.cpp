@@ -7,7 +7,6 @@
 
 #include "hw/base/error.h"
 #include "hw/base/input_file.h"
-#include "hw/base/text.h"
 
 namespace csgsim::solids {
 
@@ -27,8 +26,8 @@ std::vector<Mesh> parse_meshes(std::string_view text, const std::filesystem::pat
   if (ending == ".ply") return {parse_ply(text, path.native())};
   if (ending == ".amf") return parse_amf(text, path.native());
   if (ending == ".3mf") return parse_3mf(text, path.native());
-  throw InputError(fmt::format("{}: meshes are read from .stl, .off, .obj, .ply, .amf and .3mf files; convert it",
-                               printable(path.native())));
+  throw InputError(
+      fmt::format("{}: meshes are read from .stl, .off, .obj, .ply, .amf and .3mf files; convert it", path.native()));
 }
 
 }  // namespace csgsim::solids

@@ -15,7 +15,6 @@
 #include "host/solids/read_mesh.h"
 #include "host/solids/words.h"
 #include "hw/base/error.h"
-#include "hw/base/text.h"
 
 namespace csgsim::solids {
 
@@ -76,8 +75,7 @@ std::size_t header_size(std::string_view bytes, std::string_view name) {
     at = end + 1;
     if (line == end_of_header) return std::min(at, bytes.size());
   }
-  throw InputError(
-      fmt::format("{}: the header of a PLY file must end with 'end_header'; export it again", printable(name)));
+  throw InputError(fmt::format("{}: the header of a PLY file must end with 'end_header'; export it again", name));
 }
 
 class PlyHeaderReader {
@@ -145,7 +143,7 @@ class PlyHeaderReader {
     const auto found = std::ranges::find_if(
         ply_types, [&](const PlyType& type) { return word == type.name || word == type.other_name; });
     if (found == ply_types.end())
-      words_.fail(fmt::format("unknown type '{}'; export it as PLY again", printable(word.substr(0, 40))));
+      words_.fail(fmt::format("unknown type '{}'; export it as PLY again", word.substr(0, 40)));
     return *found;
   }
 
@@ -188,7 +186,7 @@ class PlyBinary {
   }
 
   [[noreturn]] void fail(std::string_view message) const {
-    throw InputError(fmt::format("{}: at byte {}: {}", printable(name_), at_, message));
+    throw InputError(fmt::format("{}: at byte {}: {}", name_, at_, message));
   }
 
  private:
@@ -251,8 +249,8 @@ class PlyBody {
   void require_elements() const {
     for (const PlyElement& element : header_.elements)
       if (element.properties.empty() && element.count > 0)
-        numbers_.fail(fmt::format("the element '{}' has no property; export it as PLY again",
-                                  printable(element.name.substr(0, 40))));
+        numbers_.fail(
+            fmt::format("the element '{}' has no property; export it as PLY again", element.name.substr(0, 40)));
     const PlyElement* const vertex = element_named("vertex");
     const bool has_points =
         vertex != nullptr && has_property(*vertex, "x") && has_property(*vertex, "y") && has_property(*vertex, "z");

@@ -11,7 +11,6 @@
 #include "host/solids/read_mesh.h"
 #include "host/solids/words.h"
 #include "hw/base/error.h"
-#include "hw/base/text.h"
 
 namespace csgsim::solids {
 
@@ -34,7 +33,7 @@ bool is_binary(std::string_view bytes) {
 
 void require_few(std::size_t triangles, std::string_view name) {
   if (triangles <= max_mesh_faces) return;
-  throw InputError(fmt::format("{}: more than {} triangles; make the mesh coarser", printable(name), max_mesh_faces));
+  throw InputError(fmt::format("{}: more than {} triangles; make the mesh coarser", name, max_mesh_faces));
 }
 
 void add_triangle(Mesh& mesh, const std::array<glm::dvec3, 3>& corners) {
@@ -56,8 +55,8 @@ Mesh parse_binary(std::string_view bytes, std::string_view name) {
       for (int axis = 0; axis < 3; ++axis, at += 4) {
         corner[axis] = static_cast<double>(std::bit_cast<float>(word_at(bytes, at)));
         if (std::isfinite(corner[axis])) continue;
-        throw InputError(fmt::format("{}: triangle {} of {} has a coordinate that is not finite; correct it",
-                                     printable(name), i + 1, count));
+        throw InputError(
+            fmt::format("{}: triangle {} of {} has a coordinate that is not finite; correct it", name, i + 1, count));
       }
     }
     add_triangle(mesh, corners);
@@ -125,11 +124,11 @@ Mesh parse_stl(std::string_view text, std::string_view name) {
   if (is_binary(text)) return parse_binary(text, name);
   const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
   if (is_word(text.substr(begin, 5), "solid")) return parse_text(text, name);
-  if (text.size() < head_bytes) throw InputError(fmt::format("{}: not an STL file; export it again", printable(name)));
+  if (text.size() < head_bytes) throw InputError(fmt::format("{}: not an STL file; export it again", name));
   const std::uint32_t count = word_at(text, head_bytes - 4);
   throw InputError(
-      fmt::format("{}: a binary STL file of {} triangles has {} bytes, and this one has {}; export it again",
-                  printable(name), count, head_bytes + triangle_bytes * std::size_t{count}, text.size()));
+      fmt::format("{}: a binary STL file of {} triangles has {} bytes, and this one has {}; export it again", name,
+                  count, head_bytes + triangle_bytes * std::size_t{count}, text.size()));
 }
 
 }  // namespace csgsim::solids

@@ -22,7 +22,7 @@ class Document {
   Document(std::string text, std::string_view name) : text_(std::move(text)), name_(name) {
     if (text_.size() > max_unzipped_bytes) {
       throw InputError(
-          fmt::format("{}: larger than {}; make the mesh coarser", printable(name_), binary_size(max_unzipped_bytes)));
+          fmt::format("{}: larger than {}; make the mesh coarser", name_, binary_size(max_unzipped_bytes)));
     }
     const pugi::xml_parse_result result = document_.load_buffer(text_.data(), text_.size(), pugi::parse_minimal);
     if (!result) fail(static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0)), result.description());
@@ -40,7 +40,7 @@ class Document {
     double value = 0;
     const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
     if (text.empty() || result.ptr != text.data() + text.size() || result.ec != std::errc{} || !std::isfinite(value)) {
-      fail(place(node), fmt::format("a coordinate must be a finite number, not '{}'", printable(text.substr(0, 40))));
+      fail(place(node), fmt::format("a coordinate must be a finite number, not '{}'", text.substr(0, 40)));
     }
     return value;
   }
@@ -49,8 +49,7 @@ class Document {
     std::uint64_t value = 0;
     const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
     if (text.empty() || result.ptr != text.data() + text.size() || result.ec != std::errc{} || value >= points) {
-      fail(place(node),
-           fmt::format("a corner must be one of {} points, not '{}'", points, printable(text.substr(0, 40))));
+      fail(place(node), fmt::format("a corner must be one of {} points, not '{}'", points, text.substr(0, 40)));
     }
     return static_cast<std::uint32_t>(value);
   }
@@ -68,7 +67,7 @@ class Document {
     const std::string_view before = std::string_view(text_).substr(0, offset);
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
     const std::size_t column = offset - std::min(before.rfind('\n') + 1, before.size()) + 1;
-    throw InputError(fmt::format("{}:{}:{}: {}; correct it", printable(name_), line, column, message));
+    throw InputError(fmt::format("{}:{}:{}: {}; correct it", name_, line, column, message));
   }
 
   std::string text_;
@@ -127,7 +126,7 @@ std::string model_part(std::string_view text, std::string_view name) {
     if (target.starts_with('/')) target.erase(0, 1);
     return target;
   }
-  throw InputError(fmt::format("{}: the package's relationships name no model; export it again", printable(name)));
+  throw InputError(fmt::format("{}: the package's relationships name no model; export it again", name));
 }
 
 }  // namespace
@@ -142,7 +141,7 @@ std::vector<Mesh> parse_amf(std::string_view text, std::string_view name) {
 }
 
 std::vector<Mesh> parse_3mf(std::string_view text, std::string_view name) {
-  if (!is_zip(text)) throw InputError(fmt::format("{}: not a 3MF package; export it again", printable(name)));
+  if (!is_zip(text)) throw InputError(fmt::format("{}: not a 3MF package; export it again", name));
   const Document document(unzip(text, name, model_part(text, name)), name);
   std::vector<Mesh> meshes;
   for (const pugi::xml_node object : document.root("model").child("resources").children("object")) {

@@ -10,7 +10,6 @@
 #include "host/solids/read_mesh.h"
 #include "host/solids/words.h"
 #include "hw/base/error.h"
-#include "hw/base/text.h"
 
 namespace csgsim::solids {
 
@@ -113,7 +112,7 @@ double floor_below(const std::vector<double>& given) {
 
 void require_few_heights(std::size_t heights, std::string_view name) {
   if (heights <= max_heights) return;
-  throw InputError(fmt::format("{}: more than {} heights; make the grid coarser", printable(name), max_heights));
+  throw InputError(fmt::format("{}: more than {} heights; make the grid coarser", name, max_heights));
 }
 
 /// Reads rows of numbers, which may differ in length.

@@ -47,12 +47,12 @@ class Archive {
       const Entry entry = entry_at(at);
       if (wanted.empty() || entry.name == wanted) return decompress_entry(entry);
     }
-    fail(fmt::format("the archive has no {}", wanted.empty() ? "part" : printable(wanted)));
+    fail(fmt::format("the archive has no {}", wanted.empty() ? "part" : wanted));
   }
 
  private:
   [[noreturn]] void fail(std::string_view message) const {
-    throw InputError(fmt::format("{}: {}; export it again", printable(name_), message));
+    throw InputError(fmt::format("{}: {}; export it again", name_, message));
   }
 
   [[noreturn]] void fail_damaged() const { fail("the zip archive is damaged"); }
@@ -139,7 +139,7 @@ class Archive {
   }
 
   [[noreturn]] void fail_too_long() const {
-    throw InputError(fmt::format("{}: larger than {} after unzipping; make the mesh coarser", printable(name_),
+    throw InputError(fmt::format("{}: larger than {} after unzipping; make the mesh coarser", name_,
                                  binary_size(max_unzipped_bytes)));
   }
 

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "hw/base/error.h"
-#include "hw/base/text.h"
 
 namespace csgsim::solids {
 
@@ -17,7 +16,7 @@ constexpr std::string_view blanks = " \t\r\v\f";
 /// A word as quoted in messages.
 std::string quote_word(std::string_view word) {
   constexpr std::size_t most = 40;
-  return word.empty() ? "the end of the file" : fmt::format("'{}'", printable(word.substr(0, most)));
+  return word.empty() ? "the end of the file" : fmt::format("'{}'", word.substr(0, most));
 }
 
 }  // namespace
@@ -87,7 +86,7 @@ std::uint32_t Words::count(std::string_view what, std::uint32_t max) {
 }
 
 void Words::fail(std::string_view message) const {
-  throw InputError(fmt::format("{}:{}:{}: {}", printable(name_), word_line_, word_at_ - word_line_at_ + 1, message));
+  throw InputError(fmt::format("{}:{}:{}: {}", name_, word_line_, word_at_ - word_line_at_ + 1, message));
 }
 
 }  // namespace csgsim::solids

@@ -19,7 +19,6 @@
 #include "hw/base/input_file.h"
 #include "hw/base/output_file.h"
 #include "hw/base/partial_files.h"
-#include "hw/base/text.h"
 
 namespace csgsim {
 
@@ -42,7 +41,7 @@ std::string content_hash(std::string_view content) {
 }
 
 [[noreturn]] void refuse_folder(const fs::path& path, std::string_view why) {
-  throw InputError(fmt::format("{}: {}; name an empty folder or a new one", printable(path.native()), why));
+  throw InputError(fmt::format("{}: {}; name an empty folder or a new one", path.native(), why));
 }
 
 /// Hashes of the files in a folder's list, by name; empty for a folder without a list.

@@ -53,14 +53,14 @@ class Reader {
   void check_keys(const toml::table& table, const std::vector<std::string_view>& known) const {
     for (const auto& [key, node] : table) {
       if (std::ranges::find(known, key.str()) == known.end())
-        fail(key.source().begin, fmt::format("unknown key '{}'; the nearest known is '{}'", printable(key.str()),
-                                             nearest(key.str(), known)));
+        fail(key.source().begin,
+             fmt::format("unknown key '{}'; the nearest known is '{}'", key.str(), nearest(key.str(), known)));
     }
   }
 
   const toml::table& table(const toml::node& node, std::string_view key) const {
     const toml::table* const found = node.as_table();
-    if (found == nullptr) fail(node, fmt::format("'{}' is {}; make it a table", printable(key), type_name(node)));
+    if (found == nullptr) fail(node, fmt::format("'{}' is {}; make it a table", key, type_name(node)));
     return *found;
   }
 
@@ -155,7 +155,7 @@ class Reader {
     std::vector<std::string> words;
     for (std::string word; in >> word;) words.push_back(word);
     if (words.size() < 3 || words[1] != "=")
-      fail(place, fmt::format("'{}' is not a command; write it in the form T1 = COMMAND x y", printable(line)));
+      fail(place, fmt::format("'{}' is not a command; write it in the form T1 = COMMAND x y", line));
     const auto command = std::ranges::find(set_.commands, words[2], &GateCommand::name);
     if (command == set_.commands.end()) {
       std::vector<std::string> names;

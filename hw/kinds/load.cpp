@@ -93,7 +93,7 @@ machines::Machine read_built_in(const BuiltIn& known, const isa::MachineRecord& 
   machines::Machine machine = read(known, all_changes);
   if (!record.kind.empty() && record.kind != machine.kind->name) {
     throw InputError(fmt::format("the machine '{}' has the kind {}, not {}; choose a machine with --machine",
-                                 printable(record.name), machine.kind->name, printable(record.kind)));
+                                 record.name, machine.kind->name, record.kind));
   }
   const std::vector<std::string> others = figure_differences(record, machine);
   all_changes.insert(all_changes.end(), others.begin(), others.end());
@@ -113,7 +113,7 @@ machines::Machine read_foreign(const isa::MachineRecord& record, const std::vect
                                          [&](const std::string& recorded) { return key_of(recorded) == figure.key; });
     if (!is_recorded) {
       throw InputError(fmt::format("the parameter {} of the machine '{}' is missing; choose a machine with --machine",
-                                   figure.key, printable(record.name)));
+                                   figure.key, record.name));
     }
   }
   all_changes.insert(all_changes.end(), changes.begin(), changes.end());

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "hw/base/nearest.h"
-#include "hw/base/text.h"
 #include "hw/kinds/rows.h"
 
 namespace csgsim::kinds {
@@ -35,7 +34,7 @@ std::string missing_parameter_text(std::string_view key, const machines::Kind& k
   std::vector<std::string_view> known;
   for (const machines::FigureSchema& figure : kind.schema) known.push_back(figure.key);
   const std::string_view near = nearest_similar(key, known);
-  return fmt::format("{} has no such parameter, but machines of the kind {} do; {}", printable(name), kinds_with(key),
+  return fmt::format("{} has no such parameter, but machines of the kind {} do; {}", name, kinds_with(key),
                      near.empty() ? "choose one of them with --machine" : fmt::format("did you mean {}?", near));
 }
 

@@ -8,7 +8,6 @@
 #include <map>
 
 #include "hw/base/nearest.h"
-#include "hw/base/text.h"
 #include "hw/machines/figure_file.h"
 
 namespace csgsim::machines {
@@ -30,7 +29,7 @@ void collect_figures(toml::table& table, const std::string& prefix, std::map<std
 std::string put_change(toml::table& root, const std::string& change, std::string_view file) {
   const std::size_t equals = change.find('=');
   if (equals == change.npos) {
-    throw ChangeError(fmt::format("{}: '{}' changes no parameter; write KEY=VALUE", file, printable(change)));
+    throw ChangeError(fmt::format("{}: '{}' changes no parameter; write KEY=VALUE", file, change));
   }
   std::map<std::string, toml::table*> figures;
   collect_figures(root, "", figures);
@@ -40,7 +39,7 @@ std::string put_change(toml::table& root, const std::string& change, std::string
     std::vector<std::string_view> known;
     known.reserve(figures.size());
     for (const auto& [name, table] : figures) known.push_back(name);
-    throw ChangeError(fmt::format("{}: unknown parameter '{}'; the nearest known is '{}'", file, printable(key),
+    throw ChangeError(fmt::format("{}: unknown parameter '{}'; the nearest known is '{}'", file, key,
                                   known.empty() ? "none" : nearest(key, known)));
   }
   const std::string value = change.substr(equals + 1);
@@ -63,7 +62,7 @@ ChangesMade make_changes(toml::table& root, std::span<const std::string> changes
   ChangesMade made{{}, std::string(file)};
   for (const std::string& change : changes) {
     made.keys.push_back(put_change(root, change, file));
-    made.spec += "+" + printable(change);
+    made.spec += "+" + change;
   }
   return made;
 }

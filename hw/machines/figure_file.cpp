@@ -91,7 +91,7 @@ class FigureReader {
   [[noreturn]] void fail_unknown(const toml::key& key, std::span<const std::string_view> known,
                                  std::string_view prefix) const {
     const std::string_view near = nearest_similar(key.str(), known);
-    fail(key.source().begin, fmt::format("unknown key '{}{}'; {}", prefix, printable(key.str()),
+    fail(key.source().begin, fmt::format("unknown key '{}{}'; {}", prefix, key.str(),
                                          near.empty() ? fmt::format("the keys here are {}", fmt::join(known, ", "))
                                                       : fmt::format("the nearest known is '{}{}'", prefix, near)));
   }
@@ -183,8 +183,7 @@ class FigureReader {
     try {
       return parse_quantity(text, form.unit);
     } catch (const InputError& error) {
-      fail(node.source().begin,
-           fmt::format("{} is '{}'; {}{}", form.key, printable(text), error.what(), words_in_messages(form)));
+      fail(node.source().begin, fmt::format("{} is '{}'; {}{}", form.key, text, error.what(), words_in_messages(form)));
     }
   }
 

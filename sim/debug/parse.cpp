@@ -55,9 +55,9 @@ struct Reading {
       return;
     }
     const std::string_view near = nearest(name, names);
-    throw InputError(fmt::format("there is no field '{}'{}", printable(name),
+    throw InputError(fmt::format("there is no field '{}'{}", name,
                                  near.empty() ? "; the Program has no named fields, use [base+:width]"
-                                              : fmt::format("; the nearest is '{}'", printable(near))));
+                                              : fmt::format("; the nearest is '{}'", near)));
   }
 
   void check_place() const {
@@ -97,12 +97,12 @@ struct Reading {
     if (found == names.end()) {
       const std::vector<std::string_view> candidates(names.begin(), names.end());
       const std::string_view near = nearest(name, candidates);
-      throw InputError(fmt::format("there is no primitive '{}'{}", printable(name),
-                                   near.empty() ? "" : fmt::format("; the nearest is '{}'", printable(near))));
+      throw InputError(fmt::format("there is no primitive '{}'{}", name,
+                                   near.empty() ? "" : fmt::format("; the nearest is '{}'", near)));
     }
     target = AtPrimitive{static_cast<std::uint32_t>(found - names.begin())};
     if (std::find(found + 1, names.end(), name) != names.end())
-      throw InputError(fmt::format("several primitives are named '{}'; give the index", printable(name)));
+      throw InputError(fmt::format("several primitives are named '{}'; give the index", name));
   }
 };
 
@@ -209,16 +209,15 @@ std::string_view nearest_command(std::string_view word) {
 /// The message of a parse error, with the word at its position.
 std::string message_about(std::string_view message, std::string_view rest) {
   const std::string_view word = rest.substr(0, rest.find_first_of(" \t\r\n"));
-  const std::string shown = printable(word);
   if (message.starts_with("unknown command")) {
     const std::string_view near = nearest_command(word);
     const std::string question = near.empty() ? ";" : fmt::format("; did you mean {}?", near);
-    return fmt::format("unknown command '{}'{} help lists the commands", shown, question);
+    return fmt::format("unknown command '{}'{} help lists the commands", word, question);
   }
   if (message.starts_with("unexpected text"))
-    return fmt::format("unexpected text '{}'; end the line before it, or start a comment with #", shown);
+    return fmt::format("unexpected text '{}'; end the line before it, or start a comment with #", word);
   if (!message.starts_with("expected")) return std::string(message);
-  return word.empty() ? fmt::format("the line ends; {}", message) : fmt::format("found '{}'; {}", shown, message);
+  return word.empty() ? fmt::format("the line ends; {}", message) : fmt::format("found '{}'; {}", word, message);
 }
 
 }  // namespace

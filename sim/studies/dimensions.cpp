@@ -4,7 +4,6 @@
 
 #include "host/emit/strategy.h"
 #include "hw/base/error.h"
-#include "hw/base/text.h"
 #include "sim/session/options/numbers.h"
 
 namespace csgsim::studies {
@@ -19,8 +18,7 @@ std::vector<double> parse_tolerances(const std::string& text) {
   std::vector<double> tolerances;
   for (const std::string& word : session::parse_words(text)) {
     tolerances.push_back(session::numbers<double>(word, ',', 1, "--tolerances", "0.1,0.05")[0]);
-    if (!(tolerances.back() > 0))
-      throw InputError(printable(word) + " is not a tolerance; use a positive number of model units");
+    if (!(tolerances.back() > 0)) throw InputError(word + " is not a tolerance; use a positive number of model units");
   }
   return tolerances;
 }

@@ -10,7 +10,6 @@
 #include <system_error>
 
 #include "hw/base/error.h"
-#include "hw/base/text.h"
 
 namespace csgsim::studies {
 
@@ -38,8 +37,7 @@ Shard parse_shard(std::string_view text) {
   const std::optional<unsigned> number = number_in(text.substr(0, slash));
   const std::optional<unsigned> count = slash < text.size() ? number_in(text.substr(slash + 1)) : std::nullopt;
   if (!number || !count)
-    throw InputError(
-        fmt::format("'{}' is not a shard; use k/n, such as 3/16 for the third of sixteen", printable(text)));
+    throw InputError(fmt::format("'{}' is not a shard; use k/n, such as 3/16 for the third of sixteen", text));
   if (*count < 1 || *count > max_shards)
     throw InputError(fmt::format("the number of shards must be from 1 to {}, not {}", max_shards, *count));
   if (*number < 1 || *number > *count)

@@ -11,7 +11,6 @@
 #include <system_error>
 
 #include "hw/base/error.h"
-#include "hw/base/text.h"
 
 namespace csgsim::system {
 
@@ -28,7 +27,7 @@ constexpr std::size_t max_holder_bytes = 200;
   std::string holder;
   static_cast<void>(read_to_end(file, holder, max_holder_bytes));
   throw InputError(fmt::format("{}: another csgsim is writing there ({}); wait until it ends, or choose another -o",
-                               folder.native(), holder.empty() ? "just started" : printable(holder)));
+                               folder.native(), holder.empty() ? "just started" : holder));
 }
 
 [[noreturn]] void fail_foreign(const std::filesystem::path& path) {

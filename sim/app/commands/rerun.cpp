@@ -9,7 +9,6 @@
 
 #include "hw/base/error.h"
 #include "hw/base/messages.h"
-#include "hw/base/text.h"
 #include "sim/app/commands/commands.h"
 #include "sim/session/options/option_table.h"
 #include "sim/session/options/paths.h"
@@ -56,7 +55,7 @@ void change_folder(const std::string& folder) {
   std::error_code error;
   fs::current_path(folder, error);
   if (error)
-    throw InputError(printable(folder) + ": cannot change to this folder (" + error.message() +
+    throw InputError(folder + ": cannot change to this folder (" + error.message() +
                      "); name the folder in which the run was started with --from");
 }
 

@@ -49,8 +49,7 @@ void refuse_model_only_options(const ModelRequest& options, const OptionList& co
   const std::string fix = "name one after the machine";
   refuse_model_options(command, {"size", "memory-bits", "set", "output"}, fix);
   const std::vector<std::string> of_scene = divide_sets(options.sets).scene;
-  if (!of_scene.empty())
-    throw UsageError("--set", fmt::format("'{}' is for models; {}", printable(of_scene.front()), fix));
+  if (!of_scene.empty()) throw UsageError("--set", fmt::format("'{}' is for models; {}", of_scene.front(), fix));
 }
 
 Subject subject_of(const Options& options, const OptionList& command) {

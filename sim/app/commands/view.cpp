@@ -13,7 +13,6 @@
 
 #include "hw/base/input_file.h"
 #include "hw/base/standard_streams.h"
-#include "hw/base/text.h"
 #include "sim/app/commands/commands.h"
 #include "sim/session/model/model_request.h"
 #include "sim/session/model/program_of.h"
@@ -66,8 +65,7 @@ void run(const Options& options, const OptionList& command) {
   if (options.model.model == standard_stream)
     throw UsageError("MODEL", "must be a file; standard input cannot be read again for each picture");
   if (!is_model(options.model.model))
-    throw UsageError(
-        "MODEL", fmt::format("{} is a Program; use csgsim debug to step through it", printable(options.model.model)));
+    throw UsageError("MODEL", fmt::format("{} is a Program; use csgsim debug to step through it", options.model.model));
   // The inputs are read again for each picture, and opening a pipe would block.
   for (const std::filesystem::path& file : options.model.inputs())
     static_cast<void>(open_regular_file(file, {"a regular file", 0, ""}));

@@ -8,7 +8,6 @@
 
 #include "hw/base/error.h"
 #include "hw/base/input_file.h"
-#include "hw/base/text.h"
 
 namespace csgsim::session {
 
@@ -62,7 +61,7 @@ view::Camera parse_camera(std::string_view text) {
 
 std::vector<view::Camera> read_cameras(const std::filesystem::path& path, std::size_t max_cameras) {
   const std::string text = read_file(path, camera_input);
-  const std::string name = printable(path.native());
+  const std::string name = path.native();
   std::vector<view::Camera> cameras;
   std::size_t line = 1;
   for (std::size_t begin = 0; begin < text.size(); ++line) {

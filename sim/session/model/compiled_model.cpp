@@ -43,8 +43,8 @@ Subject model_subject(const ModelRequest& request) {
   if (subject == Subject::program)
     throw InputError(request.model + ": that is a Program; use csgsim run " + shell_word(request.model));
   if (!request.imports_from.empty() && !std::filesystem::is_directory(request.imports_from))
-    throw InputError(fmt::format("--imports-from: {} is not a folder; name the folder of the imports",
-                                 printable(request.imports_from)));
+    throw InputError(
+        fmt::format("--imports-from: {} is not a folder; name the folder of the imports", request.imports_from));
   return subject;
 }
 
@@ -63,8 +63,8 @@ ModelFile read_as_model(const ModelRequest& request, Read read) {
 
 /// Rejects options of OpenSCAD for a model that it does not evaluate.
 void refuse_scad_options(const ModelRequest& request) {
-  const std::string why = fmt::format("{} has no variables to set, only a .scad source has; leave it out",
-                                      printable(shown_name(request.model)));
+  const std::string why =
+      fmt::format("{} has no variables to set, only a .scad source has; leave it out", shown_name(request.model));
   if (!request.defines.empty()) throw UsageError("--define", why);
   if (!request.parameters.empty()) throw UsageError("--parameters", why);
   if (!request.parameter_set.empty()) throw UsageError("--parameter-set", why);

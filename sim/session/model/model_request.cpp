@@ -87,8 +87,7 @@ std::string define_problem(const std::string& word) {
   const auto is_letter = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '$'; };
   const bool is_named = end != word.npos && end > 0 &&
                         std::all_of(word.begin(), word.begin() + static_cast<std::ptrdiff_t>(end), is_letter);
-  return is_named && end + 1 < word.size() ? ""
-                                           : fmt::format("'{}' must be NAME=VALUE, as in width=20", printable(word));
+  return is_named && end + 1 < word.size() ? "" : fmt::format("'{}' must be NAME=VALUE, as in width=20", word);
 }
 
 /// The camera of --camera; an empty text gives none.

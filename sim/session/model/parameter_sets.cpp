@@ -10,7 +10,6 @@
 #include "hw/base/error.h"
 #include "hw/base/input_file.h"
 #include "hw/base/nearest.h"
-#include "hw/base/text.h"
 #include "sim/session/options/json_text.h"
 
 namespace csgsim::session {
@@ -21,8 +20,7 @@ constexpr InputKind sets_input{"a file of parameter sets, .json", std::size_t{16
                                "split it into several files"};
 
 [[noreturn]] void refuse_sets(const std::string& file, const std::string& why) {
-  throw InputError(
-      fmt::format("{}: {}; name a file of parameter sets, as OpenSCAD's customizer saves it", printable(file), why));
+  throw InputError(fmt::format("{}: {}; name a file of parameter sets, as OpenSCAD's customizer saves it", file, why));
 }
 
 }  // namespace
@@ -39,10 +37,10 @@ void require_parameter_set(const std::string& file, const std::string& set) {
   if (!json.is_object() || !json.contains("parameterSets") || !json.at("parameterSets").is_object())
     refuse_sets(file, "it has no 'parameterSets'");
   std::vector<std::string> names;
-  for (const auto& [name, values] : json.at("parameterSets").items()) names.push_back(printable(name));
+  for (const auto& [name, values] : json.at("parameterSets").items()) names.push_back(name);
   if (names.empty()) refuse_sets(file, "it has no parameter set");
-  if (std::ranges::find(names, printable(set)) == names.end())
-    throw InputError(fmt::format("{}: {}", printable(file), unknown_name_text("parameter set", printable(set), names)));
+  if (std::ranges::find(names, set) == names.end())
+    throw InputError(fmt::format("{}: {}", file, unknown_name_text("parameter set", set, names)));
 }
 
 }  // namespace csgsim::session

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "hw/base/nearest.h"
-#include "hw/base/text.h"
 #include "hw/isa/facts.h"
 #include "sim/session/options/numbers.h"
 #include "sim/session/options/usage.h"
@@ -47,17 +46,16 @@ std::vector<std::uint32_t> matching(const std::vector<std::string>& names, Is is
 [[noreturn]] void refuse_several(const std::vector<std::string>& names, const std::vector<std::uint32_t>& meant,
                                  const std::string& text, const std::string& option) {
   std::string list;
-  for (const std::uint32_t i : meant) list += fmt::format("{}p{} {}", list.empty() ? "" : ", ", i, printable(names[i]));
-  throw UsageError(option, fmt::format("'{}' is ambiguous: {}; give the index", printable(text), list));
+  for (const std::uint32_t i : meant) list += fmt::format("{}p{} {}", list.empty() ? "" : ", ", i, names[i]);
+  throw UsageError(option, fmt::format("'{}' is ambiguous: {}; give the index", text, list));
 }
 
 [[noreturn]] void refuse(const std::vector<std::string>& names, const std::string& text, const std::string& option) {
   const std::vector<std::string_view> candidates(names.begin(), names.end());
   const std::string_view near = nearest(text, candidates);
-  throw UsageError(
-      option, fmt::format("there is no primitive '{}'{}; name one by index (p0), by name or by line "
-                          "(@9)",
-                          printable(text), near.empty() ? "" : fmt::format(", the nearest is '{}'", printable(near))));
+  throw UsageError(option, fmt::format("there is no primitive '{}'{}; name one by index (p0), by name or by line "
+                                       "(@9)",
+                                       text, near.empty() ? "" : fmt::format(", the nearest is '{}'", near)));
 }
 
 }  // namespace
@@ -69,7 +67,7 @@ std::uint32_t primitive_named(const isa::Program& program, const std::string& te
     throw UsageError(
         option,
         fmt::format("there is no primitive {}: the Program has {}, counted from 0; for a line of the model, write @{}",
-                    printable(text), names.size(), text.substr(text.starts_with('p') ? 1 : 0)));
+                    text, names.size(), text.substr(text.starts_with('p') ? 1 : 0)));
   }
   std::vector<std::uint32_t> meant = matching(names, [&](const std::string& name) { return name == text; });
   if (meant.empty()) meant = matching(names, [&](const std::string& name) { return is_on_line(name, text); });

@@ -43,7 +43,7 @@ std::string reason_of(const system::ChildEnd& end, const system::ChildLimits& li
 /// Throws InputError if OpenSCAD failed; prints its messages if it ended within its limits.
 void require_success(const system::ChildEnd& end, const system::ChildLimits& limits, const std::string& file,
                      const ScadOptions& options) {
-  const auto fail = [&] { throw InputError(printable(file) + ": " + reason_of(end, limits)); };
+  const auto fail = [&] { throw InputError(file + ": " + reason_of(end, limits)); };
   if (end.exceeded != system::Exceeded::nothing) fail();
   print_scad_messages(end.errors, file);
   if (std::string error = scad_error(end.errors, file); !error.empty()) {
@@ -63,7 +63,7 @@ std::string evaluated(std::span<const std::string> words, const system::MemoryFi
                                    .memory = std::size_t{8} << 30U};
   std::optional<system::ChildEnd> ended = system::run_child(words, input, limits);
   if (!ended) {
-    throw InputError(printable(file) +
+    throw InputError(file +
                      ": a .scad source needs OpenSCAD, which is not on the PATH; install it (Debian, Ubuntu: sudo apt "
                      "install openscad; Fedora: sudo dnf install openscad; Arch: sudo pacman -S openscad; others: "
                      "openscad.org), or export the model elsewhere: openscad -o model.csg model.scad");
@@ -71,8 +71,7 @@ std::string evaluated(std::span<const std::string> words, const system::MemoryFi
   require_success(*ended, limits, file, options);
   std::string csg = std::move(ended->output);
   if (csg.find_first_not_of(" \n\r\t") == csg.npos)
-    throw InputError(printable(file) +
-                     ": it creates no shape, so there is nothing to draw; call a module that creates one");
+    throw InputError(file + ": it creates no shape, so there is nothing to draw; call a module that creates one");
   return csg;
 }
 

@@ -143,9 +143,8 @@ std::string scad_error(std::string_view output, const std::string& file) {
   std::string_view text = messages[*thrown].text.substr(error_kind.label.size() + 1);
   text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
   const std::optional<PlacedText> placed = place_in(text);
-  if (!placed) return fmt::format("{}: {}", printable(file), printable(text));
-  return fmt::format("{}:{}: {}{}", printable(path_of(placed->file, file)), placed->line, printable(placed->before),
-                     printable(placed->after));
+  if (!placed) return fmt::format("{}: {}", file, text);
+  return fmt::format("{}:{}: {}{}", path_of(placed->file, file), placed->line, placed->before, placed->after);
 }
 
 }  // namespace csgsim::session

@@ -15,7 +15,6 @@
 #include "hw/base/error.h"
 #include "hw/base/input_file.h"
 #include "hw/base/standard_streams.h"
-#include "hw/base/text.h"
 #include "hw/isa/program_file.h"
 #include "sim/session/options/paths.h"
 #include "sim/session/options/suggestions.h"
@@ -73,7 +72,7 @@ std::string model_endings() {
 void refuse_model(const std::filesystem::path& path) {
   const bool may_be_model = path == standard_stream || has_model_name(path);
   if (may_be_model && is_model(path))
-    throw InputError(printable(path.native()) +
+    throw InputError(path.native() +
                      ": that is a model; csgsim render draws it, and csgsim compile makes a Program of it");
 }
 

@@ -4,7 +4,6 @@
 
 #include "host/emit/effect.h"
 #include "hw/base/error.h"
-#include "hw/base/text.h"
 
 namespace csgsim::session {
 
@@ -13,7 +12,7 @@ void refuse_transparent_parts(const emit::Options& options, const model::Tree& t
   if (effect == nullptr) return;
   throw InputError(
       fmt::format("{}: the exact reference picture supports opaque solids only; add --set effects.{}.on=false",
-                  printable(tree.file), effect->name()));
+                  tree.file, effect->name()));
 }
 
 }  // namespace csgsim::session

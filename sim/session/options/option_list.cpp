@@ -72,7 +72,7 @@ std::string flag_problem(const std::string& text) {
 /// C strings end at a zero byte, so the rest of the text would be lost.
 void refuse_zero_byte(const std::string& text) {
   if (text.find('\0') != text.npos)
-    throw UsageError(printable(text), "contains a zero byte, which a command line cannot hold; remove it");
+    throw UsageError(text, "contains a zero byte, which a command line cannot hold; remove it");
 }
 
 std::string named_folder(const std::string& name) { return name.empty() ? "the name is empty; name a folder" : ""; }

@@ -9,7 +9,6 @@
 
 #include "host/scene/schema.h"
 #include "hw/base/nearest.h"
-#include "hw/base/text.h"
 #include "hw/kinds/load.h"
 #include "hw/kinds/parameters.h"
 #include "hw/kinds/rows.h"
@@ -35,19 +34,18 @@ bool is_of_scene(std::string_view key) {
 
 /// Rejects a text without key or value.
 void refuse_form(const std::string& set) {
-  const std::string option = "--set " + printable(set);
+  const std::string option = "--set " + set;
   if (key_of(set).empty()) throw UsageError(option, "there is no key before '='; write KEY=VALUE, as in alu.bits=4");
   if (set.find('=') == set.npos)
-    throw UsageError(option, fmt::format("'{}' is not of the form KEY=VALUE, as in alu.bits=4", printable(set)));
+    throw UsageError(option, fmt::format("'{}' is not of the form KEY=VALUE, as in alu.bits=4", set));
 }
 
 [[noreturn]] void fail_unknown(const std::string& set) {
   const std::string_view key = key_of(set);
-  const std::string option = "--set " + printable(set);
-  if (is_option_name(key))
-    throw UsageError(option, fmt::format("{0} is an option and no key; write --{0} VALUE", printable(key)));
+  const std::string option = "--set " + set;
+  if (is_option_name(key)) throw UsageError(option, fmt::format("{0} is an option and no key; write --{0} VALUE", key));
   const std::vector<std::string> near = suggested_keys(key);
-  throw UsageError(option, fmt::format("'{}' is neither a machine parameter nor a scene key; {}", printable(key),
+  throw UsageError(option, fmt::format("'{}' is neither a machine parameter nor a scene key; {}", key,
                                        near.empty() ? "csgsim manual machines NAME and csgsim manual scenes list them"
                                                     : fmt::format("did you mean {}?", alternatives(near))));
 }
@@ -87,7 +85,7 @@ machines::Machine load_from(const Source& source, const std::string& name, const
   if (figures.empty()) return plain;
   for (const std::string& figure : figures) {
     const std::string reason = kinds::missing_parameter_text(key_of(figure), *plain.kind, name);
-    if (!reason.empty()) throw UsageError("--set " + printable(figure), reason);
+    if (!reason.empty()) throw UsageError("--set " + figure, reason);
   }
   try {
     return kinds::load(source, figures);
@@ -124,10 +122,9 @@ std::vector<std::string> with_parameters(const std::vector<std::string>& names, 
   }
   for (const std::string& figure : figures) {
     if (!taken.contains(figure))
-      throw UsageError(
-          "--set " + printable(figure),
-          fmt::format("none of {} has that parameter; machines of the kind {} have it",
-                      printable(fmt::format("{}", fmt::join(names, ", "))), kinds::kinds_with(key_of(figure))));
+      throw UsageError("--set " + figure,
+                       fmt::format("none of {} has that parameter; machines of the kind {} have it",
+                                   fmt::format("{}", fmt::join(names, ", ")), kinds::kinds_with(key_of(figure))));
   }
   return edited;
 }
@@ -139,7 +136,7 @@ void add_parameter_sets(OptionList& command, std::vector<std::string>& sets, con
 void refuse_scene_sets(const std::vector<std::string>& sets, const std::string& option) {
   const std::vector<std::string> of_scene = divide_sets(sets).scene;
   if (!of_scene.empty())
-    throw UsageError(option, "'" + printable(of_scene.front()) +
+    throw UsageError(option, "'" + of_scene.front() +
                                  "' is a key of a scene, which has no effect here; only machine parameters can be set");
 }
 

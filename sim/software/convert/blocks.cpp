@@ -13,7 +13,6 @@
 #include "host/csg/positive_tree.h"
 #include "host/facet/geometry.h"
 #include "hw/base/error.h"
-#include "hw/base/text.h"
 #include "sim/software/convert/bodies.h"
 #include "sim/software/convert/ray_bundle.h"
 
@@ -194,12 +193,12 @@ class Words {
     Number value{};
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (word.empty() || error != std::errc{} || end != word.data() + word.size())
-      fail(fmt::format("'{}' is not a number", printable(word)));
+      fail(fmt::format("'{}' is not a number", word));
     return value;
   }
 
   [[noreturn]] void fail(std::string_view what) const {
-    throw InputError(fmt::format("{}: {}; create the bintree again", printable(name_), what));
+    throw InputError(fmt::format("{}: {}; create the bintree again", name_, what));
   }
 
  private:

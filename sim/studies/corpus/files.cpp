@@ -7,7 +7,6 @@
 #include <system_error>
 
 #include "hw/base/error.h"
-#include "hw/base/text.h"
 #include "sim/session/model/subject.h"
 #include "sim/session/options/paths.h"
 
@@ -32,14 +31,14 @@ std::vector<fs::path> find_models(const fs::path& folder) {
        !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
     if (entry->is_regular_file() && is_listed(entry->path())) files.push_back(entry->path());
   }
-  if (error) throw InputError(fmt::format("{}: cannot be read ({})", printable(folder.native()), error.message()));
+  if (error) throw InputError(fmt::format("{}: cannot be read ({})", folder.native(), error.message()));
   std::ranges::sort(files);
   std::vector<fs::path> models;
   for (const fs::path& file : files) {
     if (!is_source_of(file, files)) models.push_back(file);
   }
   if (models.empty())
-    throw InputError(printable(folder.native()) + ": contains no .csg, .scad or .jan file; specify another folder");
+    throw InputError(folder.native() + ": contains no .csg, .scad or .jan file; specify another folder");
   return models;
 }
 

@@ -31,7 +31,7 @@ constexpr unsigned max_number = 2'000'000'000;
 
 unsigned number_of(const std::string& text, unsigned minimum, unsigned maximum) {
   const std::vector<unsigned> numbers = session::parse_numbers(text, minimum, maximum);
-  if (numbers.size() != 1) throw InputError("'" + printable(text) + "' is not a number");
+  if (numbers.size() != 1) throw InputError("'" + text + "' is not a number");
   return numbers.front();
 }
 
@@ -54,9 +54,9 @@ std::vector<std::string> parse_values(const std::string& word) {
   std::vector<std::string_view> known;
   for (const machines::FigureSchema& figure : machine.kind->schema) known.push_back(figure.key);
   for (const Axis& axis : axes()) known.push_back(axis.key);
-  throw UsageError("--vary", fmt::format("'{}' is neither a parameter of {} nor one of {}; did you mean '{}'?",
-                                         printable(dimension.key), printable(machine.name),
-                                         fmt::join(axis_keys(), ", "), nearest(dimension.key, known)));
+  throw UsageError("--vary",
+                   fmt::format("'{}' is neither a parameter of {} nor one of {}; did you mean '{}'?", dimension.key,
+                               machine.name, fmt::join(axis_keys(), ", "), nearest(dimension.key, known)));
 }
 
 const machines::FigureSchema* figure_of(const machines::Machine& machine, std::string_view key) {
@@ -84,8 +84,7 @@ std::string why_not(ModelRequest one, const std::string& key, const std::string&
 
 /// Returns the design with that value. Throws UsageError of --vary if it is invalid.
 ModelRequest varied_once(const ModelRequest& base, const std::string& key, const std::string& value) {
-  if (const std::string why = why_not(base, key, value); !why.empty())
-    throw UsageError("--vary " + printable(key), why);
+  if (const std::string why = why_not(base, key, value); !why.empty()) throw UsageError("--vary " + key, why);
   ModelRequest one = base;
   vary(one, key, value);
   return one;
@@ -196,7 +195,7 @@ std::optional<std::vector<std::size_t>> GridSequence::next() {
 Dimension parse_dimension(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == text.npos || equals == 0)
-    throw InputError("'" + printable(text) + "' has no values; use KEY=a,b,c, as in alu.bits=1,2,4");
+    throw InputError("'" + text + "' has no values; use KEY=a,b,c, as in alu.bits=1,2,4");
   Dimension dimension{text.substr(0, equals), {}};
   for (const std::string& word : session::parse_words(text.substr(equals + 1))) {
     for (std::string& value : parse_values(word)) {
@@ -205,7 +204,7 @@ Dimension parse_dimension(const std::string& text) {
     }
   }
   if (dimension.values.size() > max_values)
-    throw InputError(fmt::format("{} has more than {} values; list fewer", printable(dimension.key), max_values));
+    throw InputError(fmt::format("{} has more than {} values; list fewer", dimension.key, max_values));
   return dimension;
 }
 

@@ -46,7 +46,7 @@ session::ModelRequest base_of(const ExploreOptions& options, const std::vector<D
   base.machine = session::with_parameters({options.model.machine}, options.model.sets).front();
   for (const std::string& change : machines::changes_of(base.machine)) {
     if (std::ranges::find(dimensions, key_of(change), &Dimension::key) != dimensions.end())
-      throw session::UsageError("--vary", "'" + printable(key_of(change)) + "' is both varied and fixed; remove one");
+      throw session::UsageError("--vary", "'" + key_of(change) + "' is both varied and fixed; remove one");
   }
   if (!options.process.empty() && std::ranges::find(dimensions, clock_figure, &Dimension::key) != dimensions.end())
     throw session::UsageError("--vary", "the process determines the clock; remove clock.frequency or --process");
