@@ -76,13 +76,15 @@ class Taken final : public OIIO::Filesystem::IOProxy {
 class GifWriter final : public AnimationWriter {
  public:
   GifWriter(std::unique_ptr<OIIO::ImageOutput> writer, unsigned rate) : writer_(std::move(writer)), rate_(rate) {
+    // OpenImageIO 2.5 takes the rate from the picture that the writer wrote before.
+    writer_->set_ioproxy(&bytes_);
+    if (writer_->open(gif_name, with_rate(OIIO::ImageSpec(1, 1, 3, OIIO::TypeDesc::UINT8)))) writer_->close();
+    bytes_.take();
     writer_->set_ioproxy(&bytes_);
   }
 
   Encoded add(const Raster& raster) override {
-    OIIO::ImageSpec spec = specify(raster, OIIO::TypeDesc::UINT8);
-    const std::array<int, 2> rate{static_cast<int>(rate_), 1};
-    spec.attribute("FramesPerSecond", OIIO::TypeRational, rate.data());
+    const OIIO::ImageSpec spec = with_rate(specify(raster, OIIO::TypeDesc::UINT8));
     const auto mode = std::exchange(is_open_, true) ? OIIO::ImageOutput::AppendSubimage : OIIO::ImageOutput::Create;
     const bool written = writer_->open(gif_name, spec, mode) &&
                          writer_->write_image(OIIO::TypeDesc::UINT8, std::get<Bytes>(raster.samples).data());
@@ -92,6 +94,12 @@ class GifWriter final : public AnimationWriter {
   Encoded finish() override { return writer_->close() ? Encoded{bytes_.take(), {}} : Encoded{{}, writer_->geterror()}; }
 
  private:
+  [[nodiscard]] OIIO::ImageSpec with_rate(OIIO::ImageSpec spec) const {
+    const std::array<int, 2> rate{static_cast<int>(rate_), 1};
+    spec.attribute("FramesPerSecond", OIIO::TypeRational, rate.data());
+    return spec;
+  }
+
   Taken bytes_;  // outlives the writer
   std::unique_ptr<OIIO::ImageOutput> writer_;
   unsigned rate_;
