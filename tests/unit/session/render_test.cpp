@@ -46,8 +46,8 @@ TEST_CASE("render accepts model and run and report options and --check and a pix
   CHECK_FALSE(plain.options.check);
   CHECK_FALSE(RenderRequest{}.check);
   CHECK_FALSE(plain.options.max_wrong_pixels);
-  const Parsed<RenderRequest> all(
-      {"a.csg", "--check", "--max-wrong-pixels", "3", "--memory-bits", "96", "--stats", "s.json", "--report", "p.html"});
+  const Parsed<RenderRequest> all({"a.csg", "--check", "--max-wrong-pixels", "3", "--memory-bits", "96", "--stats",
+                                   "s.json", "--report", "p.html"});
   CHECK(all.options.check);
   CHECK(all.options.max_wrong_pixels == 3);
   CHECK(all.options.model.memory_bits == 96);
