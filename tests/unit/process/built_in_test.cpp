@@ -66,6 +66,16 @@ TEST_CASE("the built-in processes have the figures of their sources") {
   }
 }
 
+TEST_CASE("every assumed figure of a built-in process has a range with a reason") {
+  for (const Expected& row : all) {
+    for (const machines::Figure& figure : process::load_process(row.name).figures) {
+      CAPTURE(row.name);
+      CAPTURE(figure.key);
+      if (figure.provenance == "assumed") CHECK((figure.range && figure.range->reason.size() > 10));
+    }
+  }
+}
+
 TEST_CASE("published figures of the processes follow from their sources' statements") {
   const Process old = process::load_process("cmos-45nm");
   CHECK(old.gate_delay == std::llround(std::floor(360 * 0.045)));  // ps per um of gate length

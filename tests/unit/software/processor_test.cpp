@@ -73,6 +73,16 @@ TEST_CASE("every built-in processor has a price with a source for every operatio
   }
 }
 
+TEST_CASE("every assumed number of a built-in processor has a range with a reason") {
+  for (const machines::BuiltIn& one : processors::built_in_processors()) {
+    for (const machines::Figure& figure : load_processor(std::string(one.name)).figures) {
+      CAPTURE(one.name);
+      CAPTURE(figure.key);
+      if (figure.provenance == "assumed") CHECK((figure.range && figure.range->reason.size() > 10));
+    }
+  }
+}
+
 TEST_CASE("the MC68000 has the clocks of its manual") {
   const Processor processor = load_processor("mc68000");
   CHECK(processor.clock_hz == 8'000'000);
