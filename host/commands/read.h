@@ -1,5 +1,5 @@
 // Reads files of commands, the language of the thesis, as CSG trees or surfaces.
-// Used by sessions and sim/studies/mesh.
+// Used by sim/session and sim/studies.
 #pragma once
 
 #include <string>

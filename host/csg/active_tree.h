@@ -1,5 +1,5 @@
 // Active trees: CSG trees pruned for a block of picture and depth.
-// Used by the emitter.
+// Used by host/emit.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Bit strings for the bit-parallel evaluation of active trees.
-// Used by the strategy parallel.
+// Used by host/emit.
 #pragma once
 
 #include <cstdint>

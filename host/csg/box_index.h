@@ -1,5 +1,5 @@
 // A spatial index of four-dimensional boxes.
-// Used by pruning, the region index, pane pieces and sim/software/convert.
+// Used by host/effects, host/emit and sim/software.
 #pragma once
 
 #include <array>

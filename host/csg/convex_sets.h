@@ -1,5 +1,5 @@
 // Sets of primitives that are drawn as one convex solid.
-// Used by the emitter, the pruner and sim/story.
+// Used by host/emit and sim/story.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // An optional counter of host work.
-// Used by pruning and the emitter.
+// Used by host/emit.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Results of pruning that are kept from one block to the next, and from one frame to the next.
-// Used by the pruner, the compiler and sessions that draw several frames.
+// Used by host/emit and sim/session.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // Tests of half-spaces, quadrics and primitives against a block of picture and depth.
-// Used by pruning, the emitter, shadows and sim/software/rays.
+// Used by host/effects, host/emit and sim/software.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Ordered Boolean lists: active trees as short-circuit code over labels.
-// Used by the strategy list.
+// Used by host/emit.
 #pragma once
 
 #include <cstdint>

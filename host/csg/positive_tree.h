@@ -1,5 +1,5 @@
 // CSG trees in positive form: only unions, intersections and complemented leaves.
-// Used by pruning, the emitter, solids, sessions and sim/software.
+// Used by host/convex, host/emit, host/setup, host/solids, sim/software, sim/story and sim/studies.
 #pragma once
 
 #include <cstdint>

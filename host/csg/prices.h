@@ -1,5 +1,5 @@
 // Times of the host's pruning tests, which decide whether a test is worth its time.
-// Used by pruning, the emitter and sessions.
+// Used by host/emit and sim/session.
 #pragma once
 
 namespace csgsim::csg {

@@ -1,5 +1,5 @@
 // Products of active trees, multiplied out or by repeated traversal.
-// Used by the strategies bits and products.
+// Used by host/emit.
 #pragma once
 
 #include <cstdint>

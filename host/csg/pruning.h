@@ -1,5 +1,5 @@
 // The prunings of CSG trees that can be switched on and off.
-// Used by the pruner, the emitter and the command-line options.
+// Used by host/emit and sim/session.
 #pragma once
 
 namespace csgsim::csg {

@@ -1,5 +1,5 @@
 // Separation tests for convex hulls, boxes and primitives.
-// Used by pruning, products and sim/software.
+// Used by host/emit and sim/software.
 #pragma once
 
 #include <glm/vec3.hpp>

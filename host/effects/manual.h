@@ -1,5 +1,5 @@
 // The manual page of scene files.
-// Used by the command 'manual'.
+// Used by sim/app.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // The table of effects.
-// Used by sessions, the command-line options, sim/viewer and tests.
+// Used by sim/session and sim/viewer.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 // The screen-door variant of a scene, for machines with little memory.
-// Used by sessions.
+// Used by sim/session.
 #pragma once
 
 #include <optional>

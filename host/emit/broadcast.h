@@ -1,5 +1,5 @@
 // Appends instructions to a segment, with their origins and the effect that they are billed to.
-// Used by the emitter, the effects and sim/story.
+// Used by host/effects and sim/story.
 #pragma once
 
 #include <cstddef>

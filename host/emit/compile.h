@@ -1,5 +1,5 @@
 // The compiler: a model seen by a camera becomes a Program for a machine.
-// Used by sessions, studies and tests.
+// Used by sim/csgsim.h, sim/session and sim/studies.
 #pragma once
 
 #include <cstdint>

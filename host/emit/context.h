@@ -1,5 +1,5 @@
 // State that all parts of the emitter share while they work on one segment.
-// Used by the emitter and the effects.
+// Used by host/effects.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // How curved primitives are drawn: as facets, fast spheres or quadrics.
-// Used by sessions and studies.
+// Used by host/setup, sim/session and sim/studies.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // A drawing: a model as one camera sees it, planned and ready to be emitted.
-// Used by the compiler and the effects.
+// Used by host/effects.
 #pragma once
 
 #include <memory>

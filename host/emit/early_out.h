@@ -1,5 +1,5 @@
 // Skips over instructions that no pixel would execute.
-// Used by the emitter and the effects.
+// Used by host/effects.
 #pragma once
 
 #include <cstddef>

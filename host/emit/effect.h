@@ -1,5 +1,5 @@
 // The interface of effects, and the row that registers one.
-// Used by the emitter, host/effects and sessions.
+// Used by host/effects and sim/session.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Flat-shaded colours of facets.
-// Used by flat shading and the effects.
+// Used by host/effects.
 #pragma once
 
 #include <array>

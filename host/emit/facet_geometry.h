@@ -1,5 +1,5 @@
 // Normals and vertices of facets.
-// Used by the effects, facet_colour and sim/studies/trace.
+// Used by host/effects and sim/studies.
 #pragma once
 
 #include <glm/vec3.hpp>

@@ -1,5 +1,5 @@
 // Parts of fields of pixel memory.
-// Used by the emitter and the effects.
+// Used by host/effects.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // Facets and the half-spaces that decide a solid's surface in a block.
-// Used by the emitter and the effects.
+// Used by host/effects.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // The appearance of a model: lighting and finishes.
-// Used by the emitter, sessions and sim/studies/accuracy.
+// Used by host/setup and sim/studies.
 #pragma once
 
 #include <cstdint>

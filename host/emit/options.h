@@ -1,5 +1,5 @@
 // Compile options: strategy, colouring, pruning, scene and effects.
-// Used by the emitter, the effects, sessions and studies.
+// Used by host/effects, host/setup, sim/session and sim/studies.
 #pragma once
 
 #include <array>

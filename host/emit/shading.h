@@ -1,5 +1,5 @@
 // Colours of facets and surfaces, by the effects called.
-// Used by drawing.cpp, surface.cpp and the effects.
+// Used by host/effects.
 #pragma once
 
 #include "host/emit/context.h"

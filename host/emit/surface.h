@@ -1,5 +1,5 @@
 // The visible surface of a convex solid, its depth test and its merge.
-// Used by the emitter and the effects.
+// Used by host/effects.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // OpenSCAD's colour schemes.
-// Used by sessions.
+// Used by sim/session.
 #pragma once
 
 #include <glm/vec3.hpp>

@@ -1,5 +1,5 @@
 // Lights, finishes and the colour of lit surfaces.
-// Used by the emitter, the effects and sim/studies/trace.
+// Used by host/effects, host/emit and sim/studies.
 #pragma once
 
 #include <glm/vec3.hpp>

@@ -1,4 +1,4 @@
-// Sines and cosines of angles in degrees, identical on all platforms. Used by solids, facets, readers and cameras.
+// Sines and cosines of angles in degrees, identical on all platforms. Used by host.
 #pragma once
 
 namespace csgsim::model {

@@ -1,5 +1,5 @@
 // Numbers of fragments of circles and spheres, as in OpenSCAD.
-// Used by facets, flat shapes and solids.
+// Used by host/facet, host/flat and host/solids.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// A correctly rounded hypotenuse, identical on all platforms. Used by models, views, facets and readers.
+// A correctly rounded hypotenuse, identical on all platforms. Used by host/facet, host/flat, host/read, host/solids and
+// host/view.
 #pragma once
 
 namespace csgsim::model {

@@ -1,5 +1,5 @@
 // Limits of models.
-// Used by commands, facets and solids.
+// Used by host/commands, host/facet and host/solids.
 #pragma once
 
 namespace csgsim::model {

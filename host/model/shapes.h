@@ -1,5 +1,5 @@
 // Queries about the surface of a shape; positions and unit normals are in the shape's local space.
-// Used by the emitter and the effects.
+// Used by host/effects and host/emit.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // Cameras as in OpenSCAD, and the axes of their views.
-// Used by sessions, lighting, effects and studies.
+// Used by host/effects, host/lighting, host/setup, sim/judges, sim/session and sim/studies.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Fast spheres: spheres drawn as paraboloids by linear-expression hardware.
-// Used by the projection and sim tests.
+// Used by host/emit.
 #pragma once
 
 #include "host/facet/quadric_table.h"

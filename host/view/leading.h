@@ -1,5 +1,5 @@
 // The linear functions that may be the greatest somewhere in a rectangle.
-// Used by the emitter and sim/software/rays.
+// Used by host/emit and sim/software.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // The view of a model: planes, quadrics and extents as one camera sees them.
-// Used by the emitter, sessions, sim/software and studies.
+// Used by host/csg, host/effects, host/emit, host/setup and sim.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Convex regions of the picture, clipped by linear functions.
-// Used by the emitter and sim/software.
+// Used by host/emit and sim/software.
 #pragma once
 
 #include <glm/vec2.hpp>

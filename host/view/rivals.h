@@ -1,5 +1,5 @@
 // The functions of a convex solid's boundary that compete at some pixel.
-// Used by the strategy polygons and sim/software/facets.
+// Used by host/emit and sim/software.
 #pragma once
 
 #include <cstdint>

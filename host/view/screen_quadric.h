@@ -1,5 +1,5 @@
 // Quadrics in screen space, as integer functions of the pixel.
-// Used by the projection and the emitter.
+// Used by host/emit.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Copies a bit plane into pixel values.
-// Used by the scan-outs of hw/pixel_planes and hw/pixel_square.
+// Used by hw/pixel_planes and hw/pixel_square.
 #pragma once
 
 #include <algorithm>

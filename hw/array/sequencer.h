@@ -1,5 +1,5 @@
 // Expands instructions into bit steps.
-// Used by the controllers of hw/pixel_planes and hw/pixel_square, and by PixelReplay.
+// Used by hw/pixel_planes and hw/pixel_square.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Detects outputs that would overwrite inputs or other outputs.
-// Used by the options of sim/session and by inputs_kept.cpp.
+// Used by sim/session.
 #pragma once
 
 #include <filesystem>

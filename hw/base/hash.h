@@ -1,5 +1,5 @@
 // 64-bit FNV-1a hash.
-// Used by OutputFolder, hw/machines, and several folders of sim for keys and checks of contents.
+// Used by hw/machines, sim/checkpoint, sim/observe, sim/session, sim/software and sim/studies.
 #pragma once
 
 #include <fmt/format.h>

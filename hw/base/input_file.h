@@ -1,5 +1,5 @@
 // Reads input files with a size limit.
-// Used by all readers of files in hw, host and sim.
+// Used by hw/isa, hw/kinds, hw/machines, host/read, host/solids and sim.
 #pragma once
 
 #include <cstddef>

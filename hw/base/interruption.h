@@ -1,5 +1,5 @@
 // Cooperative cancellation of long work.
-// Used by the engines, sim/studies, sim/system, sim/viewer and sim/python.
+// Used by sim.
 #pragma once
 
 #include <exception>

@@ -1,5 +1,5 @@
 // Writes messages to standard error.
-// Used by host/read and the folders of sim.
+// Used by host/convex, host/read, host/setup and sim.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // Writes output files atomically.
-// Used by all writers of files.
+// Used by hw/isa and sim.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // Writes a folder of files atomically.
-// Used by csgsim rtl.
+// Used by sim/app.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // Names and redirection of the standard streams.
-// Used by input and output files, hw/isa, and several folders of sim.
+// Used by hw/isa and sim.
 #pragma once
 
 #include <filesystem>

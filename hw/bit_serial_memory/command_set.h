@@ -1,5 +1,5 @@
 // A designer's own set of gate commands for memories with latches, as a data file.
-// Used by the rows command and sim/rows.
+// Used by sim/app and sim/rows.
 #pragma once
 
 #include <array>

@@ -1,5 +1,4 @@
-// The bit-serial-memory kind of machine. Used by the machine's modules, and by `csgsim disasm` to recognize such
-// machines.
+// The bit-serial-memory kind of machine. Used by sim/app and sim/rows.
 #pragma once
 
 #include "hw/bit_serial_memory/figures.h"

@@ -1,5 +1,5 @@
 // Text form of a Program's row commands.
-// Used by the disasm command and sim/rows.
+// Used by sim/app and sim/rows.
 #pragma once
 
 #include <ostream>

@@ -1,5 +1,5 @@
 // Bit streams: writing and reading numbers of arbitrary widths.
-// Used by the encoding of display models, the records on the multi-processor's bus, and its lists.
+// Used by hw/multi_processor.
 #pragma once
 
 #include <cstdint>

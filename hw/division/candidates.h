@@ -1,5 +1,5 @@
 // Primitives and half-spaces from which a square is divided, and their selection for a group of squares.
-// Used by the divider and by the records on the multi-processor's bus.
+// Used by hw/multi_processor.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,4 @@
-// Operation counts of the divider, and its peak memory. Used by the divider, the host's division counts, and the
-// multi-processor's nodes.
+// Operation counts of the divider, and its peak memory. Used by hw/multi_processor and host/emit.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Interface of the divider to the memories of the model, which counts and times its operations.
-// Used by the divider; implemented by the pixel-square machine's dividers and the multi-processor's nodes.
+// Used by hw/pixel_square.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// The display model: planes, primitives and tree of the picture, the input of the divider. Used by the divider, the
-// host that creates the model, and the multi-processor's records and lists.
+// The display model: planes, primitives and tree of the picture, the input of the divider. Used by hw/multi_processor
+// and host/emit.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // The divider: computes the instructions of a square, or of a group of squares, from a display model.
-// Used by the dividers of the pixel-square machine and by the processors of the multi-processor.
+// Used by hw/multi_processor and hw/pixel_square.
 #pragma once
 
 #include <cstdint>

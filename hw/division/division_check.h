@@ -1,5 +1,5 @@
 // Checks that the segments of a Program match the division of its display model.
-// Used by the pixel-square machine and the multi-processor before a run.
+// Used by hw/multi_processor and hw/pixel_square.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Binary encoding of a display model, as sent over a link.
-// Used by the host, the pixel-square machine's dividers, and the multi-processor.
+// Used by hw/multi_processor, hw/pixel_square and host/emit.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 // Linear expressions of planes, as encoded in instructions.
-// Used by the divider's instruction writer and by the multi-processor's lists.
+// Used by hw/multi_processor.
 #pragma once
 
 #include "hw/division/display_model.h"

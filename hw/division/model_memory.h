@@ -1,5 +1,5 @@
 // Memory of a divider that holds the records of a display model.
-// Used by the dividers of the pixel-square machine.
+// Used by hw/pixel_square.
 #pragma once
 
 #include <cstddef>

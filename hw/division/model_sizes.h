@@ -1,5 +1,5 @@
 // Counts and widths from the header of an encoded display model.
-// Used by the timing models and storage checks of the pixel-square machine and the multi-processor.
+// Used by hw/multi_processor and hw/pixel_square.
 #pragma once
 
 #include <cstdint>

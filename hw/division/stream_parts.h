@@ -1,5 +1,5 @@
 // Common parts of the streams that encode a display model.
-// Used by the encoding of display models and by the records on the multi-processor's bus.
+// Used by hw/multi_processor.
 #pragma once
 
 #include "hw/division/bit_stream.h"

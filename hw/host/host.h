@@ -1,5 +1,5 @@
 // Work and clocks of the host for a frame.
-// Used by the engines, sim/observe, sim/session and sim/studies.
+// Used by sim.
 #pragma once
 
 #include <cstdint>

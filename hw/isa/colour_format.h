@@ -1,5 +1,5 @@
 // Packs RGB colours into fields of 3 to 24 bits.
-// Used by host/emit, host/effects, hw/division, and several folders of sim.
+// Used by hw/division, host/effects, host/emit and sim.
 #pragma once
 
 #include <algorithm>

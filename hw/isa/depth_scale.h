@@ -1,5 +1,5 @@
-// Converts between depth integers and distances. Used by host/view, host/emit, sim/judges and other folders that
-// interpret depth integers.
+// Converts between depth integers and distances. Used by host/effects, host/emit, host/view, sim/judges, sim/observe,
+// sim/python and sim/story.
 #pragma once
 
 #include <cmath>

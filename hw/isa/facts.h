@@ -1,5 +1,5 @@
 // Names and statistics of a Program.
-// Used by hw/isa and by sim, for reports, waves and debugging.
+// Used by hw/wave, host/emit and sim.
 #pragma once
 
 #include <cstdint>

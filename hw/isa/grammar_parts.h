@@ -1,5 +1,5 @@
 // PEGTL rules and error handling shared by two grammars.
-// Used by the text form of Programs and by sim/debug.
+// Used by sim/debug.
 #pragma once
 
 #include <string_view>

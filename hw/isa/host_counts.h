@@ -1,5 +1,6 @@
 // Counts of host and division work for a Program.
-// Used by host/emit, host/csg, hw/host, hw/division and the machines with dividers.
+// Used by hw/division, hw/host, hw/multi_processor, hw/pixel_square, host/csg, host/effects, host/emit, sim/observe,
+// sim/session and sim/studies.
 #pragma once
 
 #include <cstdint>

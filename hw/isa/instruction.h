@@ -1,5 +1,5 @@
 // Fields, linear expressions, origins and instructions.
-// Used by all engines and machines.
+// Used by hw, host/emit, sim/cycle, sim/functional, sim/session and sim/studies.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // Numbers of instructions within a Program.
-// Used by hw/wave, several machines, sim/engine, sim/story, sim/waves and sim/python.
+// Used by hw/multi_processor, hw/pixel_square, hw/scan_line, hw/wave, sim/engine, sim/python, sim/story and sim/waves.
 #pragma once
 
 #include <cstddef>

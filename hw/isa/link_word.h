@@ -1,5 +1,5 @@
 // A word of up to 256 bits on a link.
-// Used by the encoding (wire.h), hw/link and all machines.
+// Used by hw.
 #pragma once
 
 #include <algorithm>

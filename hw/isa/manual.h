@@ -1,5 +1,5 @@
 // Generates the manual of the instruction set.
-// Used by csgsim manual instructions.
+// Used by sim/app.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // The table of the instruction set.
-// Used by all engines, machines and emitters.
+// Used by hw, host/effects, host/emit and sim.
 #pragma once
 
 #include <array>

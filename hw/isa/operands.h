@@ -1,5 +1,5 @@
 // Queries about operands of instructions.
-// Used by hw/isa, several machines and folders of sim.
+// Used by hw and sim.
 #pragma once
 
 #include <algorithm>

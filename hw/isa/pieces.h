@@ -1,5 +1,5 @@
 // Maps convex pieces to primitives of the model.
-// Used by hw/isa, hw/wave, host/emit and the reports of sim.
+// Used by hw/wave, host/emit and sim.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Programs: segments of instructions with a frame header.
-// Used by the host, all engines and all machines.
+// Used by hw, host/csg, host/emit, host/view and sim.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // Prints and parses the text form of Programs.
-// Used by csgsim disasm, sim/debug, sim/story, sim/viewer and sim/python.
+// Used by hw/wave and sim.
 #pragma once
 
 #include <iosfwd>

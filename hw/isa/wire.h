@@ -1,5 +1,5 @@
 // Encodes commands for the link and decodes them.
-// Used by hw/link, hw/division and all machines.
+// Used by hw.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // A frame as words of a link.
-// Used by LinkSource, the machines and sim/rtl.
+// Used by hw/bit_serial_memory, hw/pixel_square, hw/scan_line and sim/rtl.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // The host's end of a link.
-// Used by the Pixel-planes machine.
+// Used by hw/pixel_planes.
 #pragma once
 
 #include <cstddef>

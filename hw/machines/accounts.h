@@ -1,5 +1,5 @@
 // Statistics of a frame by part and activity.
-// Used by all kinds of machines and by sim/observe.
+// Used by hw, sim/engine and sim/observe.
 #pragma once
 
 #include <cstdint>

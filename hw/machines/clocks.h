@@ -1,5 +1,5 @@
 // Clocks of instructions.
-// Used by the timing models, the engines and host/emit.
+// Used by hw/pixel_planes, hw/pixel_square, hw/scan_line, host/effects, host/emit and sim.
 #pragma once
 
 #include <cstdint>

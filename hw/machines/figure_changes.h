@@ -1,5 +1,5 @@
 // Applies KEY=VALUE changes to descriptions.
-// Used by the readers of machines, processors and processes.
+// Used by hw/process and hw/processors.
 #pragma once
 
 #include <toml++/toml.h>

@@ -1,5 +1,5 @@
 // Reads parameters from TOML.
-// Used by the readers of machines, processors and processes.
+// Used by hw/process and hw/processors.
 #pragma once
 
 #include <toml++/toml.h>

@@ -1,5 +1,5 @@
 // Hash of a machine's parameters.
-// Used by sim/session and sim/studies for keys of results.
+// Used by sim/session and sim/studies.
 #pragma once
 
 #include <string>

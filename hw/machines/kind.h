@@ -1,5 +1,5 @@
 // Interface of all kinds of machines.
-// Used by the folders of the kinds, hw/host, and folders of sim.
+// Used by hw and sim.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // A machine with its parameters.
-// Used by all kinds of machines and most folders of sim.
+// Used by hw, host/emit, host/setup and sim.
 #pragma once
 
 #include <any>

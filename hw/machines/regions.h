@@ -1,5 +1,5 @@
-// Regions of the picture and properties of a machine that the compiler needs. Used by host/emit, hw/host, and several
-// machines and studies.
+// Regions of the picture and properties of a machine that the compiler needs. Used by hw/host, hw/pixel_planes,
+// hw/pixel_square, hw/process, host/effects, host/emit and sim/studies.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Run-time outcomes that exact timing needs.
-// Used by the timing models and sim/engine.
+// Used by hw/bit_serial_memory, hw/multi_processor, hw/systemc, sim/engine and sim/rows.
 #pragma once
 
 #include <concepts>

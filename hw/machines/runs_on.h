@@ -1,5 +1,6 @@
 // Checks that a machine can run a Program.
-// Used by several machines, sim/functional and sim/cycle.
+// Used by hw/bit_serial_memory, hw/multi_processor, hw/pixel_square, hw/scan_line, sim/cycle, sim/functional,
+// sim/reference and sim/story.
 #pragma once
 
 #include "hw/isa/program.h"

@@ -1,5 +1,5 @@
 // Schema of machine parameters.
-// Used by the kinds of machines and sim/session.
+// Used by hw/multi_processor and sim/session.
 #pragma once
 
 #include <cstdint>

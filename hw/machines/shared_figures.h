@@ -1,5 +1,5 @@
 // Parameters shared by several kinds.
-// Used by the kinds of machines.
+// Used by hw/bit_serial_memory, hw/multi_processor, hw/pixel_planes, hw/pixel_square and hw/scan_line.
 #pragma once
 
 #include "hw/isa/instruction.h"

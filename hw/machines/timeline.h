@@ -1,5 +1,5 @@
 // Clocks of each instruction of a frame.
-// Used by the kinds of machines, sim/debug and sim/story.
+// Used by hw/multi_processor, hw/pixel_square, hw/scan_line, hw/systemc, sim/debug, sim/story and sim/waves.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Clocks of a frame.
-// Used by the kinds of machines, hw/host, sim/engine and sim/studies.
+// Used by hw and sim.
 #pragma once
 
 #include <cstdint>

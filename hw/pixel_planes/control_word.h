@@ -1,5 +1,5 @@
 // Values on the wires between the modules.
-// Used by the modules of hw/pixel_planes and by hw/pixel_square.
+// Used by hw/pixel_square.
 #pragma once
 
 #include <concepts>

@@ -1,5 +1,5 @@
 // Processors with clocks per operation.
-// Used by hw/host, hw/multi_processor, sim/software and other folders of sim.
+// Used by hw/host, hw/multi_processor, sim/app, sim/shell, sim/software and sim/studies.
 #pragma once
 
 #include <array>

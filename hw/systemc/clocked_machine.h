@@ -1,5 +1,5 @@
 // Interface of all SystemC machines.
-// Used by all kinds of machines, hw/kinds and sim/cycle.
+// Used by hw and sim/cycle.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Base class of clocked modules.
-// Used by hw/link and the machines.
+// Used by hw/link, hw/pixel_planes, hw/pixel_square and hw/scan_line.
 #pragma once
 
 #include <systemc>

@@ -1,5 +1,5 @@
 // Forms of the multiplier trees' model.
-// Used by hw/kinds, the machines with trees, sim/cycle, sim/session and sim/waves.
+// Used by hw/kinds, hw/pixel_planes, hw/pixel_square, sim/cycle, sim/session and sim/waves.
 #pragma once
 
 #include <cstdint>

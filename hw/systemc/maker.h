@@ -1,5 +1,5 @@
 // Factories of SystemC machines.
-// Used by all kinds of machines and hw/kinds.
+// Used by hw.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
 // Interface for observers of a run.
-// Used by all SystemC machines, sim/cycle and sim/waves.
+// Used by hw/bit_serial_memory, hw/multi_processor, hw/scan_line, sim/cycle and sim/waves.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Taps that describe an instruction.
-// Used by all SystemC machines and sim/waves.
+// Used by hw/bit_serial_memory, hw/multi_processor, hw/pixel_planes, hw/pixel_square, hw/scan_line and sim/waves.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
 // Taps of the fields of a pixel.
-// Used by all SystemC machines.
+// Used by hw/bit_serial_memory, hw/multi_processor, hw/pixel_planes, hw/pixel_square and hw/scan_line.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
 // Parameters of a wave.
-// Used by all SystemC machines and sim/waves.
+// Used by hw and sim/waves.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Segments of pixels, for waves.
-// Used by the machines that draw in segments.
+// Used by hw/multi_processor, hw/pixel_planes, hw/pixel_square and hw/scan_line.
 #pragma once
 
 #include <cstdint>

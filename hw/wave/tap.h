@@ -1,5 +1,5 @@
 // Signals that waves show.
-// Used by all SystemC machines and sim/waves.
+// Used by hw and sim/waves.
 #pragma once
 
 #include <cstdint>

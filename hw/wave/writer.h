@@ -1,5 +1,5 @@
 // Interface of wave file writers.
-// Used by WaveRecorder and sim/waves.
+// Used by hw/systemc and sim/waves.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // The cycle level: clocked SystemC machines as engines.
-// Used by runs and the lockstep tests.
+// Used by sim/session.
 #pragma once
 
 #include <memory>

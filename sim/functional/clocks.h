@@ -1,5 +1,5 @@
 // Clocks of a Program that depend on a run of it.
-// Used by sessions, debug, story and studies.
+// Used by sim/debug, sim/session, sim/story and sim/studies.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Error counts of a picture compared with the true one.
-// Used by runs and by the studies accuracy and design.
+// Used by sim/session and sim/studies.
 #pragma once
 
 #include <cstdint>

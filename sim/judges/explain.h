@@ -1,5 +1,5 @@
 // Decides whether the stated rounding bounds explain a pixel.
-// Used by runs, the studies accuracy and design, and tests.
+// Used by sim/session and sim/studies.
 #pragma once
 
 #include <cstdint>

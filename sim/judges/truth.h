@@ -1,5 +1,5 @@
 // The true picture of a model, for judging machines.
-// Used by runs, the studies accuracy and design, and tests.
+// Used by sim/session and sim/studies.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Comparison of two runs in lockstep, and of their pictures.
-// Used by the command 'diff' and sim/viewer.
+// Used by sim/app and sim/viewer.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // The stats file of a run.
-// Used by sim/app, sim/session, sim/shell, sim/studies, sim/viewer and the public header sim/csgsim.h.
+// Used by sim.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

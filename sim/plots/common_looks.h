@@ -1,5 +1,5 @@
 // Assigns the same look to series with the same name in all plots of a study.
-// Used by the studies before they draw their plots.
+// Used by sim/studies.
 #pragma once
 
 #include <cstddef>

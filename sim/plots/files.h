@@ -1,5 +1,5 @@
 // Draws plots into SVG and PNG files.
-// Used by the studies.
+// Used by sim/studies.
 #pragma once
 
 #include <filesystem>

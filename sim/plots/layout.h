@@ -1,5 +1,5 @@
 // Computes positions for everything that a plot shows.
-// Used by files.cpp and by the reports.
+// Used by sim/report.
 #pragma once
 
 #include <variant>

@@ -1,5 +1,5 @@
 // Colours, dashes and marks of plots.
-// Used by the layouts, the SVG and gnuplot writers, and the pages' style sheets.
+// Used by sim/report.
 #pragma once
 
 #include <array>

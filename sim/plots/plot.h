@@ -1,5 +1,5 @@
 // Content of a plot as plain data.
-// Used by the studies that fill it, and by layout.h, which computes positions.
+// Used by sim/report and sim/studies.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // Writes a drawing as SVG.
-// Used by files.cpp and by the HTML pages.
+// Used by sim/report.
 #pragma once
 
 #include <string>

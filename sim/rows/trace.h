@@ -1,5 +1,5 @@
 // Row-command traces of a run.
-// Used by the rows command.
+// Used by sim/app.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Drawing of pictures by a classification method.
-// Used by work.h and by the studies of software.
+// Used by sim/studies.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Cost of drawing a picture by software.
-// Used by the studies of software.
+// Used by sim/studies.
 #pragma once
 
 #include <optional>

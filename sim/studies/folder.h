@@ -1,5 +1,5 @@
 // The output folder of a study and messages about tables.
-// Used by the runner and by several studies.
+// Used by sim/app.
 #pragma once
 
 #include <array>

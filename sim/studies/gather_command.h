@@ -1,5 +1,5 @@
 // The command csgsim gather.
-// Used by the application.
+// Used by sim/app.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 // The table of all studies.
-// Used by the application, the page server and csgsim gather.
+// Used by sim/app and sim/python.
 #pragma once
 
 #include <span>

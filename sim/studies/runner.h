@@ -1,5 +1,5 @@
 // Runs studies: options, tables, threads, shards, files and pages.
-// Used by the application and by callers such as the Python module.
+// Used by sim/app and sim/python.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
 // Groups of commands: the headings of `csgsim --help`.
-// Used by the commands (sim/app) and the rows of studies.
+// Used by sim/app and sim/studies.
 #pragma once
 
 #include <string_view>

@@ -1,5 +1,5 @@
 // Block models as bintrees.
-// Used by csgsim convert.
+// Used by sim/app.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Boundaries of models.
-// Used by csgsim convert.
+// Used by sim/app.
 #pragma once
 
 #include "host/facet/faceting.h"

@@ -1,5 +1,5 @@
 // Outlines of flat models.
-// Used by csgsim convert and by flat file formats.
+// Used by sim/app.
 #pragma once
 
 #include <glm/vec2.hpp>

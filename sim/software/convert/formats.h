@@ -1,5 +1,5 @@
 // File formats of surfaces and of flat shapes.
-// Used by csgsim convert.
+// Used by sim/app.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 // Triangulated surfaces.
-// Used by csgsim convert and by file formats.
+// Used by sim/app.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // Phases, memory and counts of the display methods.
-// Used by the display methods and by csgsim display.
+// Used by sim/studies.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // The table of display methods.
-// Used by csgsim display and by csgsim manual methods.
+// Used by sim/app and sim/studies.
 #pragma once
 
 #include <cstddef>

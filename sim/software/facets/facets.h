@@ -1,5 +1,5 @@
 // Facets of primitives in space.
-// Used by ray tracing, by the display methods and by directories.
+// Used by sim/studies.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // Tables of methods, coherences and prunings.
-// Used by the studies of software and by csgsim manual methods.
+// Used by sim/app and sim/studies.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Intersection of the rays of a picture with primitives.
-// Used by the classification methods and by the studies of software.
+// Used by sim/studies.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Ray tracing of a model through a directory of its facets.
-// Used by csgsim trace.
+// Used by sim/studies.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Binary CSG trees.
-// Used by all classification methods.
+// Used by sim/studies.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Automatic choice of depth and fraction bits.
-// Used by csgsim render with --max-wrong-pixels.
+// Used by sim/app and sim/python.
 #pragma once
 
 #include "host/model/tree.h"
