@@ -19,7 +19,7 @@
 
 namespace csgsim::csg {
 
-/// Work of a frame that kept results replaced.
+/// The work that a frame saved by reusing results of earlier frames.
 struct Reused {
   std::uint64_t lookups = 0;       ///< active trees that were looked up
   std::uint64_t trees = 0;         ///< active trees that were found

@@ -19,7 +19,8 @@ struct Surface {
                           ///< if emitted
 };
 
-/// Whether the facet's plane is nowhere before the depth range (for a front) or nowhere behind it (for a back).
+/// Whether the plane's depth over the block's pixels is at least 0 everywhere (for a front), or at most the maximum
+/// depth everywhere (for a back).
 bool fits_depth(const Context& context, const Facet& facet, const csg::Block& block, bool is_front);
 
 /// Computes the depth of a curved facet where E is 1. Returns its field: `into` if given and writable, or another. E

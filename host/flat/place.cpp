@@ -37,7 +37,8 @@ Area transformed(const Area& area, const glm::dmat4& matrix) {
     for (glm::dvec2& corner : outline) {
       corner = x * corner.x + y * corner.y + origin;
       if (!std::isfinite(corner.x) || !std::isfinite(corner.y)) {
-        throw InputError("a transformation moves a 2-D shape out of the range of numbers; make it smaller");
+        throw InputError(
+            "a transformation gives a 2-D shape coordinates that are not finite; use smaller factors and offsets");
       }
     }
     if (determinant < 0) std::ranges::reverse(outline);

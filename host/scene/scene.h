@@ -43,7 +43,7 @@ struct Ambient {
 /// The reflection properties of a surface.
 struct Material {
   double ambient = 1;     ///< fraction of the ambient light
-  double diffuse = 1;     ///< fraction of a light that arrives from the front
+  double diffuse = 1;     ///< fraction of a light along the normal that is reflected diffusely
   double specular = 0;    ///< fraction of a light that is reflected to the eye, in the colour of the light
   double shininess = 20;  ///< exponent of the highlight (Blinn); larger values make it smaller
   double mirror = 0;      ///< fraction of a flat face's colour that is its mirror image; 1 is a perfect mirror

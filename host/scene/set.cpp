@@ -37,7 +37,7 @@ class Setter {
   /// Rejects a key with `part` below a node that has no keys.
   [[noreturn]] void fail_below(const toml::node& node, std::string_view part) const {
     if (node.is_array()) fail(fmt::format("'{}' is below a list; set the whole list, or a key of a table in it", part));
-    fail(fmt::format("no '{1}' exists in {0}; end the key before it", type_name(node), part));
+    fail(fmt::format("'{}' is below {}, which has no keys; remove '.{}'", part, type_name(node), part));
   }
 
   [[nodiscard]] std::vector<std::string_view> split_key(std::string_view key) const {

@@ -127,7 +127,7 @@ class PlyHeaderReader {
   void read_property() {
     if (header_.elements.empty()) words_.fail("a property before the first element; export it as PLY again");
     if (++properties_ > max_properties)
-      words_.fail(fmt::format("more than {} properties; export the mesh alone", max_properties));
+      words_.fail(fmt::format("more than {} properties; export only points and faces", max_properties));
     PlyProperty& property = header_.elements.back().properties.emplace_back();
     std::string_view word = words_.next_on_line();
     if (word == "list") {

@@ -49,7 +49,8 @@ class Document {
     std::uint64_t value = 0;
     const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
     if (text.empty() || result.ptr != text.data() + text.size() || result.ec != std::errc{} || value >= points) {
-      fail(place(node), fmt::format("a corner must be one of {} points, not '{}'", points, text.substr(0, 40)));
+      fail(place(node),
+           fmt::format("a corner must be the index of one of {} points, from 0, not '{}'", points, text.substr(0, 40)));
     }
     return static_cast<std::uint32_t>(value);
   }

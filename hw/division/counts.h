@@ -16,7 +16,7 @@ using Counts = isa::DivisionStep;
 /// Peak memory of the divider: the maximum over the surfaces of a square.
 struct PeakUsage {
   std::uint64_t halfspaces = 0;  ///< half-spaces tested at corners
-  std::uint64_t nodes = 0;       ///< nodes of the tree
+  std::uint64_t nodes = 0;       ///< visits of tree nodes for one surface
 
   bool operator==(const PeakUsage&) const = default;
 };

@@ -8,8 +8,8 @@
 // the host also performs have the host's recipes (hw/host/recipes.h).
 namespace csgsim::host {
 
-/// Transformation of a plane of the model: the host's `quotients` and `planes`, with 12 products that are not kept in
-/// tables.
+/// Transformation of a plane of the model: the host's `quotients` and `planes`, and 12 products that the host looks up
+/// in tables and a node computes.
 processors::Operations plane_transform_operations();
 
 /// Test of a primitive's box against a part of the picture: the host's `boxes`.

@@ -17,8 +17,8 @@ namespace csgsim::host {
 processors::Operations largest_share(const isa::Program& program, const machines::Machine& machine,
                                      const processors::Processor& processor);
 
-/// Work on the model of the busiest of these processors, which take it in as many equal parts as the preparation of the
-/// frame.
+/// Work done once for the model by the busiest of the Kind::hosts() processors. It is divided into as many equal parts
+/// as the segment with the most chunks has chunks, which the processors take in turn.
 processors::Operations largest_model_share(const isa::Program& program, const machines::Machine& machine);
 
 }  // namespace csgsim::host

@@ -300,7 +300,6 @@ void Reading::end_term() { add_term("xy1", "A*x + B*y + C"); }
 
 void Reading::end_square_term() { add_term("xby", "A*x*x + B*x*y + C*y*y"); }
 
-/// Adds the current term to the sum whose variables are given in the order of a, b and c.
 void Reading::add_term(std::string_view variables, std::string_view sum) {
   const Term term = std::exchange(term_, Term{});
   if (terms_seen_.find(term.variable) != std::string::npos)

@@ -93,6 +93,8 @@ class Reading {
  private:
   [[noreturn]] static void refuse_number(std::string_view digits);
   static std::uint32_t index(std::string_view digits);
+  /// Adds `term_` to the instruction's expression. `variables`: those of A, B and C, as in `xy1`; `sum`: the form of
+  /// the whole sum, for messages.
   void add_term(std::string_view variables, std::string_view sum);
   void set_pieces();
   void begin_step();

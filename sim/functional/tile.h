@@ -25,7 +25,8 @@ class alignas(64) Tile {
   /// Clears memory and enable, as at the start of a segment.
   void clear();
 
-  /// Executes one valid instruction. Returns the number of enabled pixels at which the sum exceeded its width.
+  /// Executes one valid instruction. Returns the number of enabled pixels at which its
+  /// linear or quadratic expression exceeded its width.
   std::uint64_t execute(const isa::Instruction& instruction);
 
   [[nodiscard]] std::uint32_t x() const { return x_; }

@@ -26,7 +26,7 @@ class Tiles final : public engine::PixelState {
 
   struct Tally {
     std::vector<std::uint64_t> enabled;  ///< number of pixels whose E was 1 when each instruction began
-    std::uint64_t overflows = 0;         ///< number of enabled pixels at which the sum exceeded its width
+    std::uint64_t overflows = 0;         ///< number of enabled pixels at which an expression exceeded its width
   };
 
   /// Executes the instructions tile by tile on all threads, and passes the enable bits to observers.

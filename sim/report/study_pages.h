@@ -20,9 +20,9 @@ struct StudyContext {
   std::string no_picture;          ///< reason why there is no picture
 };
 
-/// A page with the data and the picture of the model. The caller adds sections before end_page() adds the
-/// configuration.
+/// A page with the data and the picture of the model, to which the caller adds sections.
 Page begin_page(const std::string& title, Json data, const StudyContext& study);
+/// Adds the summary of the data, if it has one, and the configuration.
 void end_page(Page& page, const StudyContext& study);
 
 /// A section of the plots that are not empty.

@@ -19,8 +19,10 @@ using isa::Purpose;
 
 bool compares_fields(Opcode opcode) { return opcode == Opcode::field_lt || opcode == Opcode::field_le; }
 
-/// Whether the classified depths are stored and not compared yet.
-bool stores(const isa::Origin& origin) { return origin.purpose == Purpose::classify && origin.node == isa::no_node; }
+/// Whether the instruction stores depths for classification; instructions that compare them name a node.
+bool stores_classified_depths(const isa::Origin& origin) {
+  return origin.purpose == Purpose::classify && origin.node == isa::no_node;
+}
 
 bool adds_to_expression(Opcode opcode) { return opcode == Opcode::linear_plus || opcode == Opcode::linear_minus; }
 
@@ -91,7 +93,7 @@ class Narrator {
 
   /// Whether the instruction uses a depth stored earlier.
   [[nodiscard]] bool uses_stored_depth(const isa::Instruction& instruction) const {
-    if (stores(instruction.origin)) return false;
+    if (stores_classified_depths(instruction.origin)) return false;
     return std::ranges::any_of(instruction.fields,
                                [&](isa::Field field) { return has_role(field, FieldRole::stored); });
   }
@@ -123,7 +125,7 @@ class Narrator {
     switch (origin.purpose) {
       case Purpose::setup: return EventKind::setup;
       case Purpose::render: return EventKind::surface;
-      case Purpose::classify: return stores(origin) ? EventKind::stored : EventKind::comparison;
+      case Purpose::classify: return stores_classified_depths(origin) ? EventKind::stored : EventKind::comparison;
       case Purpose::stack: return EventKind::bits;
       case Purpose::shade: return EventKind::shade;
       case Purpose::effect: return EventKind::effect;

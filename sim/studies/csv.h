@@ -80,7 +80,9 @@ void from_cell(const std::string& cell, Number& number) {
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
   bool is_number = error == std::errc{} && end == cell.data() + cell.size();
   if constexpr (std::is_floating_point_v<Number>) is_number = is_number && std::isfinite(number);
-  if (!is_number) throw InputError("'" + cell + "' is not a number");
+  if (!is_number)
+    throw InputError("'" + cell +
+                     (std::is_integral_v<Number> ? "' is not a whole number" : "' is not a finite number"));
 }
 
 template <class Number>

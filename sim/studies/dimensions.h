@@ -33,8 +33,8 @@ std::vector<std::string> fixed_names_of(const Choices& choices) {
 /// Removes duplicates and keeps the order.
 std::vector<std::string> without_duplicates(const std::vector<std::string>& names);
 
-/// Parses faceting tolerances in model units, separated by commas. Throws InputError or UsageError if one is not
-/// a positive number.
+/// Parses faceting tolerances in model units, separated by commas. Throws UsageError for a word that is not a
+/// number, and InputError for a number that is not positive.
 std::vector<double> parse_tolerances(const std::string& text);
 
 /// Whether --stack-bits affects the strategy with this name.

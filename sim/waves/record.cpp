@@ -19,7 +19,8 @@ namespace csgsim::waves {
 
 namespace {
 
-/// The pixels of a Program of one segment, by their places in the array.
+/// The known run for a machine with the requested pixels only. The Program must have one segment; the pixels' places
+/// are relative to its region.
 systemc::EarlierRun earlier_run(const isa::Program& program, const Foreknowledge& known, const wave::Request& request) {
   systemc::EarlierRun earlier{.pixels = {},
                               .answers = known.answers,

@@ -32,7 +32,7 @@ class TemporaryFolder {
   explicit TemporaryFolder(const std::filesystem::path& purpose) {
     std::string name = (std::filesystem::temp_directory_path() / "csgsim-XXXXXX").native();
     if (::mkdtemp(name.data()) == nullptr)
-      throw InputError(purpose.native() + ": cannot create a temporary folder; check TMPDIR");
+      throw InputError(purpose.native() + ": cannot create a temporary folder; set TMPDIR to a writable folder");
     path_ = name;
   }
   ~TemporaryFolder() {

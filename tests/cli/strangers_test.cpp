@@ -274,7 +274,7 @@ TEST_CASE("rejects a shard with a non-finite number or an impossible number of p
     CAPTURE(outcome.err);
     CHECK(outcome.code == 1);
     CHECK(outcome.err.starts_with("out/shards/compare-"));
-    CHECK(outcome.err.find("'" + number + "' is not a number") != std::string::npos);
+    CHECK(outcome.err.find("'" + number + "' is not a finite number") != std::string::npos);
   }
   for (const std::string points : {"0", "1000001", "18446744073709551615"}) {
     REQUIRE(shards.replace(",2,2,", ",2," + points + ",") >= 2);

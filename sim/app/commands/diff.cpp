@@ -265,9 +265,10 @@ void diff(const Options& options, const OptionList& command) {
   const Subject a = subject_of(options.both, options.a, is_machine_given);
   const Subject b = subject_of(options.both, options.b, is_machine_given);
   if (a.program.shape.width != b.program.shape.width || a.program.shape.height != b.program.shape.height) {
-    throw InputError(fmt::format("A draws {} x {} pixels and B {} x {}; give both the same --size",
-                                 a.program.shape.width, a.program.shape.height, b.program.shape.width,
-                                 b.program.shape.height));
+    throw InputError(
+        fmt::format("A draws {} x {} pixels and B {} x {}; give both models the same --size, or compile both "
+                    "Programs with one",
+                    a.program.shape.width, a.program.shape.height, b.program.shape.width, b.program.shape.height));
   }
   const lockstep::Comparison comparison =
       with_memory_for_run({&a.program, 1}, a.program.shape, [&] { return compare(a, b); });

@@ -29,7 +29,7 @@ class FrameCompiler {
 
   [[nodiscard]] isa::Program compile(const view::Camera& camera);
 
-  /// Work that kept results replaced in the last frame.
+  /// The work that the last frame saved by reusing results of earlier frames.
   [[nodiscard]] const csg::Reused& reused() const { return kept_.reused(); }
 
  private:

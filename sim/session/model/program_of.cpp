@@ -96,8 +96,9 @@ void check_fits(const isa::Program& program, const std::string& file, const mach
   const std::vector<std::string> others = machines::figure_differences(machine, own);
   if (others.empty()) return;
   refuse_less_memory(program, file, machine);
-  report_line(fmt::format("{}: warning: the Program was compiled for {}; {} has {}", file, own.name, machine.name,
-                          fmt::join(others, ", ")));
+  report_line(fmt::format(
+      "{}: warning: the Program was compiled for {}; {} has {}; leave --machine out, or compile the model for it", file,
+      own.name, machine.name, fmt::join(others, ", ")));
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ class JoinedLists {
       count(Operation::compare_long);
       count(Operation::branch_taken);
     }
-    const std::uint32_t to = element_of(with_flipped(elements_[from].active, primitive, count), count);
+    const std::uint32_t to = find_or_add_element(with_flipped(elements_[from].active, primitive, count), count);
     links_.push_back({primitive, to, elements_[from].first_link});
     elements_[from].first_link = static_cast<std::uint32_t>(links_.size() - 1);
     count(Operation::store);
@@ -90,7 +90,7 @@ class JoinedLists {
     count(Operation::compare_long);
     count(Operation::branch);
     if (roots_[primitive] == none) {
-      roots_[primitive] = element_of({primitive}, count);
+      roots_[primitive] = find_or_add_element({primitive}, count);
       count(Operation::store_long);
     }
     return roots_[primitive];
@@ -126,7 +126,7 @@ class JoinedLists {
     return hash;
   }
 
-  std::uint32_t element_of(std::vector<std::uint32_t> set, Count& count) {
+  std::uint32_t find_or_add_element(std::vector<std::uint32_t> set, Count& count) {
     const std::uint64_t hash = hash_of(set, count);
     const auto [begin, end] = found_.equal_range(hash);
     for (auto at = begin; at != end; ++at) {

@@ -20,14 +20,14 @@ void ExactOutlines::add(const Fragment& fragment) {
       vertices_[point] = &bodies_->bodies[fragment.body].vertices[corner.vertex];
     round_.push_back(point);
   }
-  const std::size_t outline = outline_of(fragment.plane, fragment.is_front ? Facing::front : Facing::back);
+  const std::size_t outline = find_or_add_outline(fragment.plane, fragment.is_front ? Facing::front : Facing::back);
   ++fragments_[outline];
   std::vector<PlaneSide>& sides = plane_sides_[outline];
   for (std::size_t i = 0; i < round_.size(); ++i)
     sides.push_back({{round_[i], round_[(i + 1) % round_.size()]}, fragment.corners[i].along});
 }
 
-std::size_t ExactOutlines::outline_of(std::uint32_t plane, Facing facing) {
+std::size_t ExactOutlines::find_or_add_outline(std::uint32_t plane, Facing facing) {
   std::uint32_t& number = numbers_[plane][static_cast<std::size_t>(facing)];
   if (number == 0) {
     outlines_.push_back({plane, facing, {}});
@@ -136,7 +136,7 @@ void ExactOutlines::add_whole(const std::vector<bool>& whole) {
       const facet::Halfspace halfspace = body.faces[polygon.face].halfspace;
       const std::array<bool, 2>& both = has[halfspace.plane];
       const Facing facing = both[0] && both[1] ? Facing::sum : halfspace.positive ? Facing::front : Facing::back;
-      std::vector<Side>& sides = outlines_[outline_of(halfspace.plane, facing)].sides;
+      std::vector<Side>& sides = outlines_[find_or_add_outline(halfspace.plane, facing)].sides;
       const std::span<const std::uint32_t> corners = body.corners_of(polygon);
       for (std::size_t i = 0; i < corners.size(); ++i)
         sides.push_back({first + corners[i], first + corners[(i + 1) % corners.size()]});

@@ -77,7 +77,7 @@ class ExactOutlines {
   using OnLines = std::unordered_map<std::uint64_t, OnLine>;  ///< by the keys of sides
 
   void add(const Fragment& fragment);
-  [[nodiscard]] std::size_t outline_of(std::uint32_t plane, Facing facing);
+  [[nodiscard]] std::size_t find_or_add_outline(std::uint32_t plane, Facing facing);
   static void cancel_plane_sides(std::vector<PlaneSide>& sides);
   void split_at_points(OnLines& found);
   void find_within(std::size_t outline, OnLines& found) const;

@@ -68,7 +68,7 @@ class Evaluation {
 
   /// Whether a box may have points on both sides of the plane.
   [[nodiscard]] bool meets_plane(const UnitBox& box, std::uint32_t plane) const {
-    const std::array<double, 4>& near = bodies_.planes.near(plane);
+    const std::array<double, 4>& near = bodies_.planes.coefficients(plane);
     const glm::dvec3 normal(near[0], near[1], near[2]);
     const glm::dvec3 middle = (box.low + box.high) / 2.0;
     const glm::dvec3 half = (box.high - box.low) / 2.0;

@@ -140,7 +140,7 @@ std::optional<Outlines> join(const Bodies& bodies, ExactOutlines exact) {
     result.points = rounding.points();
     for (const ExactOutlines::Plane& outline : taken.outlines()) {
       if (outline.facing == Facing::sum) sums.push_back(result.outlines.size());
-      const std::array<double, 4>& near = bodies.planes.near(outline.plane);
+      const std::array<double, 4>& near = bodies.planes.coefficients(outline.plane);
       const glm::dvec3 normal(near[0], near[1], near[2]);
       result.outlines.push_back({outline.facing == Facing::back ? -normal : normal, rounding(outline.sides)});
     }

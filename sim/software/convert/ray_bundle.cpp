@@ -63,7 +63,7 @@ class Row {
   [[nodiscard]] Range cells_in(const Body& body, double x, double y) const {
     Range inside = cells_between(grid_, 2, body.box.low.z, body.box.high.z);
     for (const BodyFace& face : body.faces) {
-      const std::array<double, 4>& near = bodies_.planes.near(face.halfspace.plane);
+      const std::array<double, 4>& near = bodies_.planes.coefficients(face.halfspace.plane);
       const double start = near[0] * x + near[1] * y + near[2] * grid_.middle(2, 0) + near[3];
       const double step = near[2] * grid_.cell;
       // A centre on the plane counts as in front of it, because the first component of the normal is positive.

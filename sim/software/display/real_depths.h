@@ -33,8 +33,8 @@ class RealDepths {
     return depth;
   }
 
-  /// Maximum number of steps by which integers can reverse two depths: their planes and the separating plane are off by
-  /// rounding (docs/numbers.md), and floor by less than one step.
+  /// Depths that differ by more than this number of steps have the same order as integers. The planes of the two faces
+  /// and the separating plane each add a rounding error (docs/numbers.md), and floor() less than one step.
   [[nodiscard]] double rounding(std::uint32_t column, std::uint32_t row) const {
     const double places = 1 + std::abs(across(column)) + std::abs(down(row));
     return 1 + 3 * std::ldexp(places, -static_cast<int>(view_.sampling.fraction_bits) - 1);

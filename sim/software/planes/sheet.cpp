@@ -23,7 +23,7 @@ std::uint32_t Sheet::add(std::uint32_t one, std::uint32_t other) {
 Region Sheet::begin(std::uint32_t plane) {
   plane_ = plane;
   clear();
-  const std::array<double, 4>& normal = planes_.near(plane);
+  const std::array<double, 4>& normal = planes_.coefficients(plane);
   int axis = 0;
   for (int other = 1; other < 3; ++other) {
     if (std::abs(normal[static_cast<std::size_t>(other)]) > std::abs(normal[static_cast<std::size_t>(axis)]))

@@ -62,8 +62,8 @@ class WholePlanes {
   /// Position of a wall, in units.
   [[nodiscard]] double place_of(std::uint32_t wall) const { return -near_[wall][3]; }
 
-  /// The exact coefficients: normal and offset, in units.
-  [[nodiscard]] const std::array<double, 4>& near(std::uint32_t plane) const { return near_[plane]; }
+  /// Normal and offset as held, in units; exact, unlike Meeting::near.
+  [[nodiscard]] const std::array<double, 4>& coefficients(std::uint32_t plane) const { return near_[plane]; }
   /// Whether two planes have the same coefficients.
   [[nodiscard]] bool are_equal(std::uint32_t one, std::uint32_t other) const { return near_[one] == near_[other]; }
   [[nodiscard]] bool is_wall(std::uint32_t plane) const { return plane >= first_wall_; }

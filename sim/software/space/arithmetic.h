@@ -18,7 +18,7 @@ void count_products(Count& count, std::uint64_t times) {
   count(Operation::move, 2 * times);
 }
 
-/// Counts quotients of longs with two word digits each.
+/// Counts divisions of longs; each quotient has two digits of a word each.
 template <class Count>
 void count_quotients(Count& count, std::uint64_t times) {
   count(Operation::divide, 2 * times);

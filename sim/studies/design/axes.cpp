@@ -136,7 +136,7 @@ void vary(ModelRequest& options, const std::string& key, const std::string& valu
   const Axis* const axis = find_axis(key);
   if (axis == nullptr) return put(options, key, value);
   const Texts values = axis->values(value);
-  if (axis->is_number && values.size() != 1) throw InputError("'" + value + "' is not a number");
+  if (axis->is_number && values.size() != 1) throw InputError("'" + value + "' is not a single number; give one value");
   axis->put(options, values.front());
 }
 

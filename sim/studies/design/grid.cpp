@@ -31,7 +31,7 @@ constexpr unsigned max_number = 2'000'000'000;
 
 unsigned number_of(const std::string& text, unsigned minimum, unsigned maximum) {
   const std::vector<unsigned> numbers = session::parse_numbers(text, minimum, maximum);
-  if (numbers.size() != 1) throw InputError("'" + text + "' is not a number");
+  if (numbers.size() != 1) throw InputError("'" + text + "' is not a single number; give one value");
   return numbers.front();
 }
 

@@ -165,7 +165,8 @@ std::vector<std::vector<SweepRow>> by_conditions(std::span<const SweepRow> rows)
 }
 
 std::vector<WrongPicture> wrong_pictures(std::span<const SweepRow> rows) {
-  // Machines differ in which curved surfaces they draw without facets.
+  // The half-spaces are part of the key because machines differ in which curved surfaces they draw without facets, and
+  // such pictures may differ.
   const auto picture_of = [](const SweepRow& row) {
     return std::tuple(row.point.model, row.point.width, row.point.height, row.point.z_bits, row.halfspaces);
   };

@@ -16,7 +16,7 @@ using Row = std::array<Rational, 4>;
 
 Row row_of(const WholePlanes& planes, std::uint32_t plane) {
   Row row;
-  for (std::size_t i = 0; i < row.size(); ++i) row[i] = Rational(planes.near(plane)[i]);
+  for (std::size_t i = 0; i < row.size(); ++i) row[i] = Rational(planes.coefficients(plane)[i]);
   return row;
 }
 

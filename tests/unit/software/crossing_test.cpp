@@ -30,13 +30,13 @@ class Judge {
   explicit Judge(const WholePlanes& planes) : planes_(planes) {}
 
   [[nodiscard]] Rational height(const RationalPoint& point, std::uint32_t plane) const {
-    const std::array<double, 4>& row = planes_.near(plane);
+    const std::array<double, 4>& row = planes_.coefficients(plane);
     return Rational(row[0]) * point[0] + Rational(row[1]) * point[1] + Rational(row[2]) * point[2] + Rational(row[3]);
   }
 
   /// A square of the plane as large as the walls, clipped by the bounds.
   [[nodiscard]] RationalPolygon corners_of(const Polygon& polygon) const {
-    const std::array<double, 4>& row = planes_.near(polygon.plane);
+    const std::array<double, 4>& row = planes_.coefficients(polygon.plane);
     std::size_t axis = 0;
     for (std::size_t i = 1; i < 3; ++i) {
       if (std::abs(row[i]) > std::abs(row[axis])) axis = i;
@@ -121,8 +121,8 @@ facet::PlaneTable hostile_planes(testing::Random& random) {
 bool coincide(const WholePlanes& planes, std::uint32_t a, std::uint32_t b) {
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (Rational(planes.near(a)[i]) * Rational(planes.near(b)[j]) !=
-          Rational(planes.near(a)[j]) * Rational(planes.near(b)[i]))
+      if (Rational(planes.coefficients(a)[i]) * Rational(planes.coefficients(b)[j]) !=
+          Rational(planes.coefficients(a)[j]) * Rational(planes.coefficients(b)[i]))
         return false;
     }
   }

@@ -272,7 +272,7 @@ TEST_CASE("an error in an AMF file is reported with its line and column") {
               "</vertices></mesh></object></amf>") ==
         "m.amf:2:3: a coordinate must be a finite number, not 'q'; correct it");
   CHECK(error("<amf><object><mesh><volume>\n  <triangle><v1>0</v1></triangle></volume></mesh></object></amf>") ==
-        "m.amf:2:4: a corner must be one of 0 points, not '0'; correct it");
+        "m.amf:2:4: a corner must be the index of one of 0 points, from 0, not '0'; correct it");
 }
 
 TEST_CASE("a damaged 3MF package is rejected") {

@@ -151,7 +151,7 @@ TEST_CASE("--vary accepts the values of each option of render up to its limits")
     for (const std::string& value : row.right) CHECK(option_error(row.key, value) == "");
     for (const std::string& value : row.wrong) CHECK(option_error(row.key, value) != "");
   }
-  CHECK(option_error("memory-bits", "1,2") == "'1,2' is not a number");
+  CHECK(option_error("memory-bits", "1,2") == "'1,2' is not a single number; give one value");
 }
 
 TEST_CASE("--vary assigns values to options of render or else to machine parameters") {
