@@ -253,7 +253,7 @@ Known Pruner::known(const PositiveNode& leaf, const Place& place) const {
   return in_set ? Known::in : leaf_known(leaf, place);
 }
 
-/// The leading part of the primitives that is below a node; the first one is.
+/// The leading primitives of `from` that are below the node; at least the first must be.
 Pruner::Primitives Pruner::below(std::uint32_t node, Primitives from) const {
   return from.first(
       static_cast<std::size_t>(std::upper_bound(from.begin(), from.end(), paths_.last(node)) - from.begin()));
@@ -265,7 +265,8 @@ void Pruner::visit() const {
   counted_.add(&isa::Preparation::nodes);
 }
 
-/// Whether a child of the node without any of these primitives decides the node by its value elsewhere.
+/// Whether a child that contains none of these primitives decides the node; the value of such a child is the one
+/// outside all its primitives.
 bool Pruner::is_decided_elsewhere(std::uint32_t node, Primitives meeting) const {
   std::uint32_t deciding = paths_.deciding_children(node);
   while (deciding > 0 && !meeting.empty()) {
@@ -388,8 +389,9 @@ void Pruner::join_leaves(ActiveTree& into, PositiveOperator op, std::vector<std:
   });
 }
 
-/// Adds the remaining operands of an intersection above the set's first primitive. Returns false if it is empty.
-/// `meeting`: the primitives below it that are not disjoint from the place, and the set's first.
+/// Adds the remaining operands of `node`, an intersection above the set's first primitive. Returns false if the
+/// intersection is empty. `meeting`: the primitives below the node that are not disjoint from the place, and the set's
+/// first.
 bool Pruner::add_operands(std::uint32_t node, Primitives meeting, const Place& place, ActiveTree& into) const {
   const std::uint32_t own = paths_.child_towards(node, place.set.front());
   Walk walk(*this, place, into);
