@@ -17,10 +17,11 @@ class Pieces {
   /// Text not written yet; callers append to it.
   std::string text;
 
-  /// Writes the text if it is long enough.
+  /// Writes and clears the text if it has at least 64 KiB.
   void pass() {
     if (text.size() >= piece_bytes) pass_all();
   }
+  /// Writes and clears the text.
   void pass_all() { write_(std::exchange(text, {})); }
 
  private:
