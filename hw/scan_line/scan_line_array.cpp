@@ -167,7 +167,7 @@ std::vector<systemc::RunReport> ScanLineArray::run_sequence(std::span<const isa:
   return reports;
 }
 
-/// Requires that everything drawn has been shown.
+/// Empties the chains for lines of `pixels` pixels. All frames drawn must have been shown.
 void ScanLineArray::clear(std::uint32_t pixels) {
   for_each(queues_, [](PacketQueue& queue) { queue.forget_mark(); });
   for_each(chains_, [pixels](CellChain& chain) { chain.clear(pixels); });
