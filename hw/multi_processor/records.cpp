@@ -281,7 +281,7 @@ void RecordReader::read_node(BitReader& in) {
   const bool is_operator = in.take(1) != 0;
   const auto op = in.take(1) != 0 ? division::Operator::intersect : division::Operator::unite;
   const auto operands = static_cast<std::uint32_t>(in.take(format_.operands));
-  require(is_operator == (operands > 0), "leaf with operands");
+  require(is_operator == (operands > 0), "leaf with operands, or operator without operands");
   model_.nodes.push_back({operands, op});
 }
 

@@ -9,7 +9,7 @@
 #include "hw/division/display_model.h"
 #include "hw/isa/link_word.h"
 
-/// The model on the control bus: records that each begin at a new word, least significant bits come first. Per
+/// The model on the control bus: records that each begin at a new word, with the least significant bits first. Per
 /// frame: the header, all primitives without their half-spaces, and the nodes of the tree. Per active segment: the
 /// number of surviving primitives, then each of them, followed by its half-spaces unless these stay with the display
 /// processor. In that case, a node requests a half-space by the primitive's index and the half-space's number among the
@@ -51,7 +51,7 @@ Records segment_heads(const division::DisplayModel& model, const division::Candi
 /// Identifies a surviving half-space.
 struct HalfspaceId {
   std::uint32_t primitive = 0;
-  std::uint32_t number = 0;
+  std::uint32_t number = 0;  ///< among the surviving half-spaces of the primitive
 
   constexpr bool operator==(const HalfspaceId&) const = default;
 };
@@ -59,6 +59,7 @@ struct HalfspaceId {
 /// Decodes a request. Throws InputError if the half-space is not among the survivors.
 HalfspaceId decode_request(const division::DisplayModel& model, const division::Candidates& survivors,
                            const division::Bits& request);
+/// The record that answers the request.
 division::Bits halfspace_record(const division::DisplayModel& model, const division::Candidates& survivors,
                                 const HalfspaceId& name);
 

@@ -101,7 +101,7 @@ class FrameModel {
     nodes_free_ = now;
   }
 
-  /// Draws from the division of the first list on; returns the clock in which all lists are rendered.
+  /// Draws a segment from the division of its first list on. Returns the clock in which all lists are rendered.
   std::uint64_t draw_lists(Subsegments parts, const Passes& passes, std::uint64_t now) {
     now = prune(parts, passes.divided, now);
     std::vector<Piece> received;
