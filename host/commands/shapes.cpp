@@ -101,12 +101,12 @@ Curve read_curve(Cursor& line) {
 
 swept::Net read_net(Cursor& line) {
   const std::uint32_t begin = line.offset();
-  if (!line.take_if("width")) line.fail_here("expected `width`, the points of a row");
+  if (!line.take_if("width")) line.fail_here("expected `width` and the number of points in a row");
   const std::uint32_t offset = line.offset();
   const double width = line.number("the number of points in a row");
   constexpr double most = 10'000;
   if (!(width >= 4 && width <= most && width == std::floor(width)))
-    line.fail(offset, "a row of a patch must have at least 4 points");
+    line.fail(offset, fmt::format("a row of a patch must have 4 to {} points", most));
   if (!line.take_if("points")) line.fail_here("expected `points`");
   swept::Net net;
   std::size_t numbers = 0;
