@@ -34,7 +34,7 @@ class Cursor {
   const Item& word(std::string_view what) { return expected(Kind::word, what); }
   double number(std::string_view what) { return expected(Kind::number, what).number; }
   /// Consumes a number, which must be above 0.
-  double above_0(std::string_view what) {
+  double positive_number(std::string_view what) {
     const Item& item = expected(Kind::number, what);
     if (!(item.number > 0)) fail(item.offset, fmt::format("{} must be above 0", what));
     return item.number;
