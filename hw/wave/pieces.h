@@ -18,11 +18,11 @@ class Pieces {
   std::string text;
 
   /// Writes and clears the text if it has at least 64 KiB.
-  void pass() {
-    if (text.size() >= piece_bytes) pass_all();
+  void write_if_long() {
+    if (text.size() >= piece_bytes) write_all();
   }
   /// Writes and clears the text.
-  void pass_all() { write_(std::exchange(text, {})); }
+  void write_all() { write_(std::exchange(text, {})); }
 
  private:
   static constexpr std::size_t piece_bytes = std::size_t{1} << 16U;
