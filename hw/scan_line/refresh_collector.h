@@ -41,7 +41,7 @@ class RefreshCollector final : public systemc::ClockedModule {
   void begin(const PictureLines& frame);
 
   /// Removes and returns the oldest complete frame.
-  ShownFrame take();
+  ShownFrame pop_frame();
 
   /// For waves: the line of the pixel at the chain's port or, if there is none, of the next pixel.
   [[nodiscard]] std::size_t line_of(std::size_t chain) const;
