@@ -112,7 +112,7 @@ class Node final : public sc_core::sc_module {
   void divide_remotely();
   void append_command(const isa::Command& command);
   void send_built();
-  ReadHalfspace read_halfspace(const HalfspaceId& name);
+  ReadHalfspace read_halfspace(const HalfspaceId& id);
   [[nodiscard]] std::uint64_t screen_turn_clocks(std::uint64_t start_clock);
   void take_answer(const BusRequest& sent);
   void send_word(WordKind kind, const isa::LinkWord& word, bool last);

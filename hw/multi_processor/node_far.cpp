@@ -74,8 +74,8 @@ void Node::send_built() {
   }
 }
 
-ReadHalfspace Node::read_halfspace(const HalfspaceId& name) {
-  const std::vector<isa::LinkWord> words = division::to_link(records_.encode_request(name), bus_width_);
+ReadHalfspace Node::read_halfspace(const HalfspaceId& id) {
+  const std::vector<isa::LinkWord> words = division::to_link(records_.encode_request(id), bus_width_);
   awaiting_answer_ = true;
   const std::uint64_t start_clock = time_.now();
   for (std::size_t i = 0; i < words.size(); ++i) send_word(WordKind::request, words[i], i + 1 == words.size());
