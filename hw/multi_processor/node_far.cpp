@@ -64,7 +64,7 @@ void Node::append_command(const isa::Command& command) {
   own_.put(command);
 }
 
-/// Sends what has been built and has all nodes render it.
+/// Sends the commands that have been built; all nodes render them at each pause and at the end.
 void Node::send_built() {
   turn_dividing_clocks_ += time_.now() - dividing_since_;
   while (own_.has_unsent()) {
