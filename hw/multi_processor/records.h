@@ -59,7 +59,7 @@ struct HalfspaceId {
 /// Decodes a request. Throws InputError if the half-space is not among the survivors.
 HalfspaceId decode_request(const division::DisplayModel& model, const division::Candidates& survivors,
                            const division::Bits& request);
-/// The record that answers the request.
+/// The record of a surviving half-space.
 division::Bits halfspace_record(const division::DisplayModel& model, const division::Candidates& survivors,
                                 const HalfspaceId& id);
 
