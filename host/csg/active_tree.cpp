@@ -317,7 +317,7 @@ class Pruner::Walk {
     pruner_.visit();
     const TreePaths& paths = pruner_.paths_;
     const std::vector<std::uint32_t>& leaf_of = pruner_.tree_.leaf_of;
-    const std::uint32_t index = paths.above(leaf_of[some.front()], leaf_of[some.back()]);
+    const std::uint32_t index = paths.common_ancestor(leaf_of[some.front()], leaf_of[some.back()]);
     const PositiveNode& node = pruner_.tree_.nodes[index];
     if (paths.is_decided_between(index, top) || pruner_.is_decided_elsewhere(index, some)) {
       result_ = {paths.in_elsewhere(top) ? Known::in : Known::out, model::no_index};
@@ -441,8 +441,8 @@ ActiveTree Pruner::walked(const Place& place, std::vector<std::uint32_t> found) 
   while (begin != found.begin() || end != found.end()) {
     visit();
     std::uint32_t node = model::no_index;
-    if (begin != found.begin()) node = paths_.above(leaf, tree_.leaf_of[*(begin - 1)]);
-    if (end != found.end()) node = std::min(node, paths_.above(leaf, tree_.leaf_of[*end]));
+    if (begin != found.begin()) node = paths_.common_ancestor(leaf, tree_.leaf_of[*(begin - 1)]);
+    if (end != found.end()) node = std::min(node, paths_.common_ancestor(leaf, tree_.leaf_of[*end]));
     begin = std::lower_bound(found.begin(), begin, paths_.first(node));
     end = std::upper_bound(end, found.end(), paths_.last(node));
     if (paths_.is_out_between(at, paths_.child_towards(node, set.front()))) return nothing;

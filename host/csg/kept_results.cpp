@@ -56,7 +56,7 @@ std::shared_ptr<PairTable> KeptResults::pairs_for(const facet::Geometry& geometr
   return pairs_[drawings_++];
 }
 
-bool KeptResults::serves(const model::Tree& tree, const Pruning& pruning) {
+bool KeptResults::applies_to(const model::Tree& tree, const Pruning& pruning) {
   if (tree_ == nullptr) {
     tree_ = &tree;
     pruning_ = pruning;

@@ -57,7 +57,7 @@ class KeptResults {
   [[nodiscard]] const Reused& reused() const { return reused_; }
 
   /// Whether the kept results apply to this tree and these prunings. The first call determines both.
-  [[nodiscard]] bool serves(const model::Tree& tree, const Pruning& pruning);
+  [[nodiscard]] bool applies_to(const model::Tree& tree, const Pruning& pruning);
 
   /// The search for one active tree.
   class Search {

@@ -17,7 +17,7 @@ class TreePaths {
   explicit TreePaths(const PositiveTree& tree);
 
   /// The lowest node that has both nodes at or below it.
-  [[nodiscard]] std::uint32_t above(std::uint32_t one, std::uint32_t other) const;
+  [[nodiscard]] std::uint32_t common_ancestor(std::uint32_t one, std::uint32_t other) const;
 
   /// The child of `node` at or above the primitive's leaf, which must be below `node`.
   [[nodiscard]] std::uint32_t child_towards(std::uint32_t node, std::uint32_t primitive) const;
