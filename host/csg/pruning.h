@@ -15,8 +15,8 @@ struct Pruning {
   bool early_out = true;   ///< at run time: skips instructions that no pixel needs, if the machine has a global OR
   bool near = true;        ///< drops the near plane if no pixel centre is in front of all fronts; without it, tests
                            ///< only corners
-  bool pixels = false;     ///< with `halfspaces`: compares half-spaces also at every pixel, not only at the corners of
-                           ///< the rectangle, and drops those that are a depth step from the deciding one at all
+  bool pixels = false;  ///< with `halfspaces`: drops half-spaces that are at least a depth step behind the extreme at
+                        ///< every pixel; without it, tests only the corners of the rectangle
 
   constexpr bool operator==(const Pruning&) const = default;
 
