@@ -33,7 +33,8 @@ class Cursor {
   /// Consumes the next item, which must be of the given kind; `what` names it in messages.
   const Item& word(std::string_view what) { return expected(Kind::word, what); }
   double number(std::string_view what) { return expected(Kind::number, what).number; }
-  double above_0(std::string_view what) {
+  /// Consumes a number, which must be above 0.
+  double positive_number(std::string_view what) {
     const Item& item = expected(Kind::number, what);
     if (!(item.number > 0)) fail(item.offset, fmt::format("{} must be above 0", what));
     return item.number;
@@ -48,6 +49,7 @@ class Cursor {
     while (is(Kind::number)) all.push_back(take().number);
     return all;
   }
+  /// Fails if an item is left.
   void end() {
     if (!at_end()) fail_here("expected the end of the line");
   }

@@ -56,7 +56,7 @@ class Interpreter {
   void scale(Cursor& line);
   void colour(Cursor& line);
   void set_facets(Cursor& line);
-  void set_tolerance(Cursor& line) { tolerance_ = line.above_0("a tolerance in model units"); }
+  void set_tolerance(Cursor& line) { tolerance_ = line.positive_number("a tolerance in model units"); }
 
   std::uint32_t add(Solid solid, std::uint32_t offset);
   SolidName& solid_named(const Item& name);
@@ -273,7 +273,7 @@ std::uint32_t Interpreter::add_sweep(const Item& name, Cursor& line) {
       made.sweep.scale = curve.curve;
       for (glm::dvec3& point : made.sweep.scale.points) point.y = curve.numbers == 1 ? point.x : point.y;
     } else if (line.take_if("tolerance")) {
-      made.tolerance = line.above_0("a tolerance in model units");
+      made.tolerance = line.positive_number("a tolerance in model units");
     } else {
       line.fail_here("expected contour, trajectory, rotation, scale or tolerance");
     }
@@ -289,7 +289,7 @@ std::uint32_t Interpreter::add_sweep(const Item& name, Cursor& line) {
 
 void Interpreter::add_patch(const Item& name, Cursor& line) {
   Patch made{name.text, name.offset, read_net(line), tolerance_};
-  if (line.take_if("tolerance")) made.tolerance = line.above_0("a tolerance in model units");
+  if (line.take_if("tolerance")) made.tolerance = line.positive_number("a tolerance in model units");
   model_.patches.push_back(std::move(made));
 }
 

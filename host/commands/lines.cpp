@@ -20,7 +20,8 @@ class Reader {
 
   void add(Kind kind, std::string_view text) {
     if (++items_ > read::max_values)
-      source_.fail(to_offset(text.data()), fmt::format("more than {} words; split the model", read::max_values));
+      source_.fail(to_offset(text.data()),
+                   fmt::format("more than {} words, numbers and signs; split the model", read::max_values));
     Item item{kind, text, 0, to_offset(text.data())};
     if (kind == Kind::number) {
       const std::optional<double> number = read::parse_number(text);

@@ -16,6 +16,7 @@
 
 namespace csgsim::commands {
 
+/// The index of no solid.
 inline constexpr std::uint32_t nothing = 0xffffffffU;
 
 /// A sweep defined in a file.

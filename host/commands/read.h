@@ -20,9 +20,9 @@ model::Tree read_text(std::string_view text, std::string_view name, const read::
 struct NamedSurface {
   std::string name;
   bool is_sweep = false;
-  swept::Sweep sweep;  ///< valid if is_sweep
-  swept::Net net;
-  double tolerance = 0;  ///< tolerance given in the file
+  swept::Sweep sweep;    ///< valid if is_sweep
+  swept::Net net;        ///< valid if not is_sweep
+  double tolerance = 0;  ///< of its subdivision, in model units
   model::Location location;
 };
 

@@ -15,25 +15,25 @@ namespace {
 constexpr double highest_degree = 3;
 
 model::Shape read_block(Cursor& line, const model::FacetControl& /*facets*/) {
-  const double x = line.above_0("a block's length along x");
-  const double y = line.above_0("a block's length along y");
-  return model::Cube{{x, y, line.above_0("a block's length along z")}, false};
+  const double x = line.positive_number("a block's length along x");
+  const double y = line.positive_number("a block's length along y");
+  return model::Cube{{x, y, line.positive_number("a block's length along z")}, false};
 }
 
 model::Shape read_cylinder(Cursor& line, const model::FacetControl& facets) {
-  const double radius = line.above_0("a cylinder's radius");
-  return model::Cylinder{line.above_0("a cylinder's height"), radius, radius, false, facets};
+  const double radius = line.positive_number("a cylinder's radius");
+  return model::Cylinder{line.positive_number("a cylinder's height"), radius, radius, false, facets};
 }
 
 model::Shape read_cone(Cursor& line, const model::FacetControl& facets) {
-  const double radius = line.above_0("a cone's radius");
-  const double height = line.above_0("a cone's height");
-  const double top = line.is(Kind::number) ? line.above_0("a cone's radius at its top") : 0;
+  const double radius = line.positive_number("a cone's radius");
+  const double height = line.positive_number("a cone's height");
+  const double top = line.is(Kind::number) ? line.positive_number("a cone's radius at its top") : 0;
   return model::Cylinder{height, radius, top, false, facets};
 }
 
 model::Shape read_sphere(Cursor& line, const model::FacetControl& facets) {
-  return model::Sphere{line.above_0("a sphere's radius"), facets};
+  return model::Sphere{line.positive_number("a sphere's radius"), facets};
 }
 
 struct SolidRow {
@@ -101,12 +101,12 @@ Curve read_curve(Cursor& line) {
 
 swept::Net read_net(Cursor& line) {
   const std::uint32_t begin = line.offset();
-  if (!line.take_if("width")) line.fail_here("expected `width`, the points of a row");
+  if (!line.take_if("width")) line.fail_here("expected `width` and the number of points in a row");
   const std::uint32_t offset = line.offset();
   const double width = line.number("the number of points in a row");
   constexpr double most = 10'000;
   if (!(width >= 4 && width <= most && width == std::floor(width)))
-    line.fail(offset, "a row of a patch must have at least 4 points");
+    line.fail(offset, fmt::format("a row of a patch must have 4 to {} points", most));
   if (!line.take_if("points")) line.fail_here("expected `points`");
   swept::Net net;
   std::size_t numbers = 0;

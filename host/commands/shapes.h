@@ -14,11 +14,11 @@
 
 namespace csgsim::commands {
 
-/// A curve defined in a file. `numbers`: count of numbers in each of its points.
+/// A curve defined in a file.
 struct Curve {
   swept::Curve curve;
-  std::size_t numbers = 0;
-  std::uint32_t offset = 0;
+  std::size_t numbers = 0;   ///< count of numbers in each of its points
+  std::uint32_t offset = 0;  ///< position in the text
 };
 
 /// Whether a word names a primitive solid.

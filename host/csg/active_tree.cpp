@@ -253,7 +253,7 @@ Known Pruner::known(const PositiveNode& leaf, const Place& place) const {
   return in_set ? Known::in : leaf_known(leaf, place);
 }
 
-/// The leading part of the primitives that is below a node; the first one is.
+/// The leading primitives of `from` that are below the node; at least the first must be.
 Pruner::Primitives Pruner::below(std::uint32_t node, Primitives from) const {
   return from.first(
       static_cast<std::size_t>(std::upper_bound(from.begin(), from.end(), paths_.last(node)) - from.begin()));
@@ -265,7 +265,8 @@ void Pruner::visit() const {
   counted_.add(&isa::Preparation::nodes);
 }
 
-/// Whether a child of the node without any of these primitives decides the node by its value elsewhere.
+/// Whether a child that contains none of these primitives decides the node; the value of such a child is the one
+/// outside all its primitives.
 bool Pruner::is_decided_elsewhere(std::uint32_t node, Primitives meeting) const {
   std::uint32_t deciding = paths_.deciding_children(node);
   while (deciding > 0 && !meeting.empty()) {
@@ -316,7 +317,7 @@ class Pruner::Walk {
     pruner_.visit();
     const TreePaths& paths = pruner_.paths_;
     const std::vector<std::uint32_t>& leaf_of = pruner_.tree_.leaf_of;
-    const std::uint32_t index = paths.above(leaf_of[some.front()], leaf_of[some.back()]);
+    const std::uint32_t index = paths.common_ancestor(leaf_of[some.front()], leaf_of[some.back()]);
     const PositiveNode& node = pruner_.tree_.nodes[index];
     if (paths.is_decided_between(index, top) || pruner_.is_decided_elsewhere(index, some)) {
       result_ = {paths.in_elsewhere(top) ? Known::in : Known::out, model::no_index};
@@ -388,8 +389,9 @@ void Pruner::join_leaves(ActiveTree& into, PositiveOperator op, std::vector<std:
   });
 }
 
-/// Adds the remaining operands of an intersection above the set's first primitive. Returns false if it is empty.
-/// `meeting`: the primitives below it that are not disjoint from the place, and the set's first.
+/// Adds the remaining operands of `node`, an intersection above the set's first primitive. Returns false if the
+/// intersection is empty. `meeting`: the primitives below the node that are not disjoint from the place, and the set's
+/// first.
 bool Pruner::add_operands(std::uint32_t node, Primitives meeting, const Place& place, ActiveTree& into) const {
   const std::uint32_t own = paths_.child_towards(node, place.set.front());
   Walk walk(*this, place, into);
@@ -439,8 +441,8 @@ ActiveTree Pruner::walked(const Place& place, std::vector<std::uint32_t> found) 
   while (begin != found.begin() || end != found.end()) {
     visit();
     std::uint32_t node = model::no_index;
-    if (begin != found.begin()) node = paths_.above(leaf, tree_.leaf_of[*(begin - 1)]);
-    if (end != found.end()) node = std::min(node, paths_.above(leaf, tree_.leaf_of[*end]));
+    if (begin != found.begin()) node = paths_.common_ancestor(leaf, tree_.leaf_of[*(begin - 1)]);
+    if (end != found.end()) node = std::min(node, paths_.common_ancestor(leaf, tree_.leaf_of[*end]));
     begin = std::lower_bound(found.begin(), begin, paths_.first(node));
     end = std::upper_bound(end, found.end(), paths_.last(node));
     if (paths_.is_out_between(at, paths_.child_towards(node, set.front()))) return nothing;

@@ -31,7 +31,7 @@ struct ActiveNode {
   std::uint32_t primitive = model::no_index;
   std::uint32_t bits = 0;  ///< number of results to hold while this node is evaluated to a result; 0 for a leaf
   std::vector<std::uint32_t> children;
-  std::vector<std::uint32_t> others;  ///< leaf: the primitives other than the first whose intersection it is
+  std::vector<std::uint32_t> others;  ///< leaf: primitives intersected with `primitive`
 
   /// Number of primitives of the leaf.
   [[nodiscard]] std::uint32_t primitives() const { return 1 + static_cast<std::uint32_t>(others.size()); }
@@ -84,12 +84,12 @@ struct PrunerSettings {
   Pruning pruning{};
   Prices prices{};
   Counted counted{};            ///< counts the work for a view
-  KeptResults* kept = nullptr;  ///< results of earlier blocks and frames of the model, which get those of this one;
-                                ///< null if none are kept
+  KeptResults* kept = nullptr;  ///< results kept from earlier blocks and frames of the model; new ones are added;
+                                ///< null to keep none
 };
 
-/// Prunes I-trees for regions of the picture. `pairs` has the results for pairs of primitives of the geometry. It keeps
-/// references to its arguments and is not thread-safe.
+/// Prunes I-trees for regions of the picture. `pairs` has the results for pairs of primitives of the geometry. The
+/// pruner keeps references to its arguments and is not thread-safe.
 ///
 /// An index of boxes finds the primitives that may meet the block. Only the parts of an I-tree that contain some of
 /// these are visited; the values of the other parts are precomputed, as they do not depend on the place.
@@ -98,7 +98,7 @@ class Pruner {
   Pruner(const facet::Geometry& geometry, const view::View& view, const PositiveTree& tree, PairTable& pairs,
          const PrunerSettings& settings = {});
 
-  /// What the prunings did until now.
+  /// What each pruning has tried and decided since the construction.
   [[nodiscard]] const Tallies& tallies() const { return tallies_; }
 
   /// The part of the region and the depths in which the surface of a set can be; its pixels are empty if there is none.
@@ -108,7 +108,7 @@ class Pruner {
   [[nodiscard]] ActiveTree active_tree(std::span<const std::uint32_t> set, const Block& block) const;
 
   /// The primitives, in tree order, of the set's I-tree that the prunings `picture` and `space` do not prove disjoint
-  /// from the block. Some that are not in the I-tree may be among them.
+  /// from the block. The result may contain primitives that are not in the I-tree.
   [[nodiscard]] std::vector<std::uint32_t> meeting(std::span<const std::uint32_t> set, const Block& block) const;
 
  private:

@@ -20,7 +20,7 @@ struct Meeting {
 
 /// One level of the tree: some bits are inverted, and then runs of bits are ANDed with their siblings.
 struct StringLevel {
-  std::vector<std::uint32_t> inverted;  ///< positions, ascending: the ones of the pattern P
+  std::vector<std::uint32_t> inverted;  ///< positions of the bits to invert, ascending
   std::vector<Meeting> meetings;
 };
 
@@ -38,10 +38,11 @@ struct BitString {
   bool inverted = false;              ///< position 0 finally holds the complement of the result
 };
 
-/// Number of bits of a node's string: its leaves.
+/// Number of leaves below a node, which is the length in bits of its string.
 std::uint32_t count_leaves(const std::vector<ActiveNode>& nodes, std::uint32_t root);
 
-/// An operator with more than two operands becomes a tree of minimum depth with balanced halves.
+/// The bit string of the tree below `root`. An operator with more than two operands becomes a tree of minimum depth
+/// with balanced halves.
 BitString make_bit_string(const std::vector<ActiveNode>& nodes, std::uint32_t root);
 
 }  // namespace csgsim::csg

@@ -13,8 +13,8 @@
 namespace csgsim::csg {
 
 /// An index of boxes in four dimensions: columns, rows, depths, and a number that the caller assigns. Coordinates are
-/// rounded monotonically to floats, so that integers with the same float count as equal: results contain everything
-/// asked for, and possibly a little more.
+/// rounded monotonically to floats, so that integers with the same float count as equal: a query returns every entry
+/// that matches, and possibly some that miss by the rounding.
 class BoxIndex {
  public:
   struct Box {

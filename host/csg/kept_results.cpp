@@ -6,11 +6,11 @@ namespace csgsim::csg {
 
 namespace {
 
-/// Maximum of the kept numbers; 64 Mbyte with four bytes each.
+/// Maximum number of kept 32-bit numbers (64 Mbyte).
 constexpr std::size_t most_kept = std::size_t{1} << 24;
 
-/// Numbers of a key or of its result that a host looks up in the time of a visit: a load, an addition and a comparison
-/// each, without the call.
+/// How many numbers of a key, or test results, a host reads in the time of one node visit: each takes a load, an
+/// addition and a comparison, but no call.
 constexpr std::uint64_t looked_up_per_visit = 3;
 
 constexpr std::size_t numbers_of_step = 6;
@@ -56,7 +56,7 @@ std::shared_ptr<PairTable> KeptResults::pairs_for(const facet::Geometry& geometr
   return pairs_[drawings_++];
 }
 
-bool KeptResults::serves(const model::Tree& tree, const Pruning& pruning) {
+bool KeptResults::applies_to(const model::Tree& tree, const Pruning& pruning) {
   if (tree_ == nullptr) {
     tree_ = &tree;
     pruning_ = pruning;

@@ -46,7 +46,7 @@ class KeptResults {
   /// Begins another Program of the frame, for the model with this geometry.
   void begin_program(const facet::Geometry& geometry);
 
-  /// Forgets what depends on the half-spaces of the model, which are going to change.
+  /// Removes the results that depend on the model's half-spaces. Called before these change.
   void forget_geometry();
 
   /// The table of pairs for the next drawing of the Program. Drawings of another geometry, such as a reflected one, get
@@ -56,21 +56,23 @@ class KeptResults {
   /// Work that was replaced in the last Program.
   [[nodiscard]] const Reused& reused() const { return reused_; }
 
-  /// Whether results for the model's tree and these prunings are kept here: those of the first call.
-  [[nodiscard]] bool serves(const model::Tree& tree, const Pruning& pruning);
+  /// Whether the kept results apply to this tree and these prunings. The first call determines both.
+  [[nodiscard]] bool applies_to(const model::Tree& tree, const Pruning& pruning);
 
   /// The search for one active tree.
   class Search {
    public:
     /// The primitive that has to be tested next, if the results until now lead to one.
     [[nodiscard]] std::optional<std::uint32_t> question() const;
+    /// Continues the search with the result of that test.
     void answer(Known known);
     /// The kept tree; null if there is none.
     [[nodiscard]] const ActiveTree* tree() const;
     /// Cost of this search for the host, as a number of node visits.
     [[nodiscard]] std::uint64_t visits() const;
 
-    /// The result of a test in a walk of the tree: the answer, or for new tests that of `test`.
+    /// The result of testing a primitive in a walk of the tree: the search's answer if it has one, otherwise the result
+    /// of `test`, which is kept.
     template <class Test>
     Known in_walk(std::uint32_t primitive, const Test& test) {
       if (walked_ < answers_.size()) return answers_[walked_++];
@@ -79,7 +81,7 @@ class KeptResults {
       return known;
     }
 
-    /// Counts a found tree.
+    /// Records in Reused that the tree was found, by a search that cost `visits` node visits.
     void count_found(std::uint64_t visits);
     /// Keeps the tree of a walk that took that number of visits.
     void keep(const ActiveTree& tree, std::uint64_t visits);
@@ -99,6 +101,7 @@ class KeptResults {
     std::size_t walked_ = 0;
   };
 
+  /// Starts the search for the active tree of a set over a block that the primitives `meeting` meet.
   [[nodiscard]] Search search(std::span<const std::uint32_t> set, std::span<const std::uint32_t> meeting);
 
   /// The half-space that excluded the primitive from the surface of a set the last time; null if it cannot be kept.
@@ -120,7 +123,7 @@ class KeptResults {
     std::size_t operator()(const std::vector<std::uint32_t>& key) const;
   };
 
-  /// Takes that part of the limited memory. Returns false if it is used up.
+  /// Reserves room for that number of 32-bit numbers. Returns false if the limit would be exceeded.
   [[nodiscard]] bool reserve(std::size_t numbers);
 
   const model::Tree* tree_ = nullptr;

@@ -171,7 +171,7 @@ void count_labels(Nodes& nodes) {
       continue;
     }
     for (std::uint32_t c = 0; c < node.child_count; ++c) node.leaves += nodes[node.first_child + c].leaves;
-    // Only FALSE needs no label, and no subtree is left towards FALSE when it is in.
+    // Only FALSE needs no label, and FALSE is never the target of "in".
     for (const Label in : {Label::not_yet, Label::alive}) {
       for (const Label out : {Label::not_yet, Label::alive, Label::never}) {
         const Orderer orderer(nodes, node, {in, out});

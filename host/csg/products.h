@@ -10,6 +10,7 @@
 
 namespace csgsim::csg {
 
+/// A count that does not fit 64 bits.
 inline constexpr std::uint64_t countless = std::numeric_limits<std::uint64_t>::max();
 
 /// An active tree's nodes under one root: its only operand, or the intersection of its operands.
@@ -18,7 +19,7 @@ struct RootedTree {
   std::uint32_t root = 0;
 };
 
-/// The tree must have operands.
+/// The nodes of an active tree, which must have operands, under one root.
 RootedTree with_root(const ActiveTree& active);
 
 /// Number of products of the sum that each node of a tree expands to (thesis 6.3.1): unions add, intersections

@@ -15,8 +15,8 @@ struct Pruning {
   bool early_out = true;   ///< at run time: skips instructions that no pixel needs, if the machine has a global OR
   bool near = true;        ///< drops the near plane if no pixel centre is in front of all fronts; without it, tests
                            ///< only corners
-  bool pixels = false;     ///< with `halfspaces`: drops half-spaces that are a depth step from the deciding depth at
-                           ///< every pixel, not only those that the decider at one corner exceeds at all four corners
+  bool pixels = false;  ///< with `halfspaces`: drops half-spaces that are at least a depth step behind the extreme at
+                        ///< every pixel; without it, tests only the corners of the rectangle
 
   constexpr bool operator==(const Pruning&) const = default;
 

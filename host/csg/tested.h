@@ -24,10 +24,10 @@ enum class Finding : std::uint8_t {
 /// They are stored as hashes of 64 bits; less than one program in 10^5 is expected to have a false match.
 class Tested {
  public:
-  /// Lets rows follow those of the segment above, which must outlive this object.
+  /// Derives the extremes in a row from the row above it in the segment above. `above` must outlive this object.
   void follow(const Tested& above) { above_ = &above; }
 
-  /// Adds a plane and a rectangle.
+  /// Adds a plane and a rectangle. Returns how the host finds the plane's extremes there.
   Finding add(const view::FixedLinear& plane, const view::PixelRect& pixels) {
     const std::uint64_t place = hash(plane, pixels);
     if (is_sealed(place) || !open_.insert(place).second) return Finding::known;
@@ -37,14 +37,14 @@ class Tested {
     return follows ? Finding::from_row : Finding::by_test;
   }
 
-  /// Adds everything that the sealed `others` have.
+  /// Adds all sealed entries of `others`.
   void add(const Tested& others) {
     std::vector<std::uint64_t> all;
     std::ranges::set_union(sealed_, others.sealed_, std::back_inserter(all));
     sealed_ = std::move(all);
   }
 
-  /// Stores everything compactly; rows can follow only what is sealed.
+  /// Moves all entries to compact storage. Only rows of sealed entries can be followed.
   void seal() {
     sealed_.insert(sealed_.end(), open_.begin(), open_.end());
     std::ranges::sort(sealed_);

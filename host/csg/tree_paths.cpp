@@ -54,7 +54,7 @@ void TreePaths::note_above(std::uint32_t index, bool is_heavy) {
   note.top = above.top != model::no_index || !is_operand ? above.top : parent;
 }
 
-std::uint32_t TreePaths::above(std::uint32_t one, std::uint32_t other) const {
+std::uint32_t TreePaths::common_ancestor(std::uint32_t one, std::uint32_t other) const {
   // Children precede parents, so the path whose top has the lower index has no node above the other path.
   while (notes_[one].path != notes_[other].path) {
     std::uint32_t& lower = notes_[one].path < notes_[other].path ? one : other;

@@ -16,8 +16,8 @@ class TreePaths {
  public:
   explicit TreePaths(const PositiveTree& tree);
 
-  /// The lowest node that has both at or below it.
-  [[nodiscard]] std::uint32_t above(std::uint32_t one, std::uint32_t other) const;
+  /// The lowest node that has both nodes at or below it.
+  [[nodiscard]] std::uint32_t common_ancestor(std::uint32_t one, std::uint32_t other) const;
 
   /// The child of `node` at or above the primitive's leaf, which must be below `node`.
   [[nodiscard]] std::uint32_t child_towards(std::uint32_t node, std::uint32_t primitive) const;
@@ -60,7 +60,7 @@ class TreePaths {
     std::uint32_t last = 0;
     std::uint32_t path = model::no_index;  ///< the topmost node of its heavy path
     std::uint32_t deciding_children = 0;
-    std::uint32_t decided_above = 0;  ///< number of nodes at or above it with a deciding sibling
+    std::uint32_t decided_above = 0;  ///< number of nodes at or above this one with a deciding sibling
     std::uint32_t out_above = 0;      ///< number of those whose parent is an intersection
     std::uint32_t operand = model::no_index;
     std::uint32_t top = model::no_index;

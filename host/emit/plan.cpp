@@ -192,7 +192,7 @@ Plan make_plan(const model::Tree& tree, const facet::Geometry& geometry, const v
   const std::vector<csg::ConvexSet> sets = split_by_opacity(csg::convex_sets(plan.positive, pruning.sets), opacity);
   isa::Preparation counted;
   csg::Tested tested;
-  const bool is_kept = settings.kept != nullptr && settings.kept->serves(tree, pruning);
+  const bool is_kept = settings.kept != nullptr && settings.kept->applies_to(tree, pruning);
   const csg::Pruner pruner(
       geometry, view, plan.positive, *plan.pairs,
       {pruning, settings.prices, csg::Counted(counted, &tested), is_kept ? settings.kept : nullptr});

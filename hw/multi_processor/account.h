@@ -72,6 +72,6 @@ struct FrameAccount {
 };
 
 /// Converts the counts to the account that statistics and reports show.
-machines::Account account(const FrameAccount& counted, const isa::ArrayShape& nodes);
+machines::Account account(const FrameAccount& counts, const isa::ArrayShape& nodes);
 
 }  // namespace csgsim::multi_processor

@@ -155,7 +155,7 @@ std::uint64_t RenderingClocks::all(const NodePixels& own, isa::Field colour) con
 /// Each enclosing loop, from the outermost inwards, has begun once for every row or pixel before this one.
 std::vector<machines::ClockSpan> RenderingClocks::spans_at(const NodePixels& own, std::uint32_t column,
                                                            std::uint32_t row) const {
-  if (costs_.empty()) return {};  // planes have no rows either
+  if (costs_.empty()) return {};  // without instructions there are no planes to count
   std::optional<PlaneCounts> counts;
   if (part_.met != nullptr) counts.emplace(*part_.met, own, machine_.array);
   const auto at_pixels = [&](std::size_t i, std::uint64_t begin, std::uint64_t end) {

@@ -54,7 +54,7 @@ void ControlBus::on_word() {
   if (sent.last) master_.reset();
   activities_.change(BusActivity::idle, time_.now());
   lines.write({++words_, master, sent});
-  // Another master may have made its request meanwhile; it does not repeat it.
+  // Requests made while the bus was held are not repeated, so they are looked for here.
   if (!master_) on_request();
 }
 

@@ -24,6 +24,7 @@ class ControlBus final : public sc_core::sc_module {
 
   ControlBus(sc_core::sc_module_name name, const machines::Machine& machine, std::size_t masters);
 
+  /// Begins the account of a frame.
   void begin();
 
   [[nodiscard]] BusClocks account() const { return activities_.clocks(time_.now()); }
@@ -46,7 +47,7 @@ class ControlBus final : public sc_core::sc_module {
   const machines::Link link_;
   std::vector<std::uint64_t> served_;    ///< number of words of each master
   std::optional<std::uint32_t> master_;  ///< holder of the bus
-  bool moving_ = false;                  ///< a word or the grant is in transit
+  bool moving_ = false;                  ///< whether a word or the grant is in transit
   std::uint64_t words_ = 0;
   sc_core::sc_event granted_{"granted"};
   sc_core::sc_event arrived_{"word_arrived"};

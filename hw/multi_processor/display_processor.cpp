@@ -39,7 +39,7 @@ void DisplayProcessor::begin() {
   start_.notify(sc_core::SC_ZERO_TIME);
 }
 
-FrameAccount DisplayProcessor::counted() const {
+FrameAccount DisplayProcessor::frame_counts() const {
   FrameAccount counted = counted_;
   counted.broadcast_words = words_ - first_word_;
   counted.display = activities_.clocks(time_.now());

@@ -38,7 +38,7 @@ class DisplayProcessor final : public sc_core::sc_module {
   void begin();
 
   /// Counts and stage clocks of the frame.
-  [[nodiscard]] FrameAccount counted() const;
+  [[nodiscard]] FrameAccount frame_counts() const;
 
   /// Shown in waves.
   [[nodiscard]] std::string_view activity() const { return name_of(activities_.now()); }

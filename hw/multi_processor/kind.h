@@ -17,7 +17,8 @@ class Kind final : public machines::KindOf<Figures> {
   std::vector<isa::Region> regions(const Machine& machine) const override;
   /// A segment's subsegments are divided from the survivors of the segment.
   std::optional<machines::Division> division(const Machine& machine) const override;
-  /// Returns the machine for such parts: all nodes share a segment, or one node draws it as a whole.
+  /// Returns the machine with `levels` halvings of the picture into segments, and all its nodes if `parts` are
+  /// subsegments, or one node if `parts` are whole segments.
   std::optional<Machine> subdivided(const Machine& machine, std::uint32_t levels, machines::Parts parts) const override;
   void check(const Program& program, const Machine& machine) const override;
   /// Whether nodes branch over disabled pixels.

@@ -26,7 +26,8 @@ struct ListForm {
 inline constexpr unsigned number_width_bits = isa::wire_linear_width_bits;
 
 /// Whether the expression belongs to a half-space. Expressions that clip to a rectangle, which change by at most one
-/// step per pixel in x or y, do not, nor does 0; a half-space line of the same form is sent in the same way.
+/// step per pixel in x or y, do not, nor does 0; the expression of a half-space that has one of these forms is
+/// sent like them.
 inline bool is_halfspace_expression(const isa::Instruction& instruction) {
   if (instruction.linear.width == 0) return false;
   const isa::Linear linear = isa::reduced(instruction.linear);

@@ -38,7 +38,7 @@ void ListRenderer::for_each_pixel(const Visit& visit) {
 }
 
 void ListRenderer::render() {
-  if (own_.count() == 0 || list_.empty()) return;  // the list is not read either
+  if (own_.count() == 0 || list_.empty()) return;  // a node without pixels does not read the list
   if (begins_) for_each_pixel([&](std::size_t /*pixel*/) { processor_.clear(nodes_.memory_bits); });
   if (program_ == NodeProgram::native) {
     for (const isa::Instruction& instruction : list_) processor_.link(instruction, form_);

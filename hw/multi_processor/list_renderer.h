@@ -43,7 +43,7 @@ class ListRenderer {
 
   [[nodiscard]] std::uint64_t clocks() const { return processor_.clocks(); }
 
-  /// One per instruction.
+  /// States of the pixels after each instruction; the index is that of the instruction.
   [[nodiscard]] std::vector<NodeState>& steps() { return steps_; }
   [[nodiscard]] PixelMemory& memory() { return memory_; }
 

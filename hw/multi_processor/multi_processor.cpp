@@ -90,7 +90,7 @@ systemc::RunReport MultiProcessor::run(const isa::Program& program, systemc::Run
     throw std::logic_error("the multi-processor is deadlocked in the middle of a frame");
   return {.clocks = time_.now() - start_clock,
           .answers = {},
-          .account = account(counted(), machine_.array),
+          .account = account(frame_counts(), machine_.array),
           .picture = picture_of(program)};
 }
 
@@ -104,8 +104,8 @@ void MultiProcessor::begin(const isa::Program& program, systemc::RunListener& li
   display_.begin();
 }
 
-FrameAccount MultiProcessor::counted() const {
-  FrameAccount counted = display_.counted();
+FrameAccount MultiProcessor::frame_counts() const {
+  FrameAccount counted = display_.frame_counts();
   watch_.store_stages(counted.stages);
   counted.bus = bus_.account();
   std::for_each(nodes_.begin(), nodes_.end(), [&](const Node& node) { node.add_counts(counted); });

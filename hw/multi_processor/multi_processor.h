@@ -40,7 +40,7 @@ class MultiProcessor final : public sc_core::sc_module, public systemc::ClockedM
   void bind_masters();
   void begin(const isa::Program& program, systemc::RunListener& listener);
   void on_done();
-  [[nodiscard]] FrameAccount counted() const;
+  [[nodiscard]] FrameAccount frame_counts() const;
   [[nodiscard]] std::vector<std::uint32_t> picture_of(const isa::Program& program) const;
 
   const machines::Machine machine_;

@@ -159,10 +159,10 @@ void Node::take_record(const BusRequest& sent) {
 void Node::begin_frame() {
   receiving_ = false;
   activities_.change(NodeActivity::waiting, time_.now());
-  const NodePixels max_words = pixels_of({0, 0, records_.model().width, records_.model().height}, nodes_, 0, 0);
-  image_columns_ = max_words.columns;
-  screen_.begin(frame_start_, max_words.count(), records_.model().fields.colour.width);
-  image_.assign(std::size_t{max_words.columns} * max_words.rows, 0);
+  const NodePixels most_pixels = pixels_of({0, 0, records_.model().width, records_.model().height}, nodes_, 0, 0);
+  image_columns_ = most_pixels.columns;
+  screen_.begin(frame_start_, most_pixels.count(), records_.model().fields.colour.width);
+  image_.assign(std::size_t{most_pixels.columns} * most_pixels.rows, 0);
 }
 
 void Node::work() {
@@ -206,8 +206,7 @@ void Node::wait_for_others() {
   while (released.read() < arrivals_) wait(released.value_changed_event());
 }
 
-/// Builds the part of the node's own list that fits; half of the room is reserved for the other nodes'
-/// lists.
+/// Builds the part of the node's own list that fits; half of the room is reserved for the other nodes' lists.
 void Node::prune() {
   own_.clear();
   if (number_ < parts_.size() && !is_remote_) {
@@ -251,7 +250,7 @@ void Node::send_list() {
     const isa::Command next = own_.next();
     ends = std::holds_alternative<isa::SegmentEnd>(next);
     send(next, ends);
-    if (!ends) wait(sc_core::SC_ZERO_TIME);  // waits until all have received it
+    if (!ends) wait(sc_core::SC_ZERO_TIME);  // waits until all nodes have received the command
   }
   if (!ends) send_word(WordKind::pause, {}, true);
   sending_ = false;

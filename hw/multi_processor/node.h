@@ -44,9 +44,9 @@ struct SavedPixels {
 
 /// State of a node while it renders.
 struct Rendering {
-  const List* list = nullptr;           ///< null if it renders no list
-  std::uint64_t start_clock = 0;        ///< clock since the simulation began
-  const PixelMemory* before = nullptr;  ///< its pixels before it; empty for the first part of a list
+  const List* list = nullptr;           ///< null if the node renders no list
+  std::uint64_t start_clock = 0;        ///< clock of its start, counted since the simulation began
+  const PixelMemory* before = nullptr;  ///< the pixels before the list part; empty for the first part of a list
 };
 
 /// A processor of the array, which holds the pixels of the picture interleaved over the array in both directions. The
@@ -57,8 +57,8 @@ struct Rendering {
 /// all nodes render what they have received, and the sender continues. The same happens if a node has no room to extend
 /// its own list before it has sent the existing part. If half-spaces stay with the display processor, nodes divide in
 /// turn and read each half-space that they test over the bus.
-/// No other unit sees a node's pixels until it reaches the barrier, so it executes a whole subsegment at once and then
-/// sleeps for the clocks that this takes.
+/// No other unit sees a node's pixels until the node reaches the barrier, so the node executes a whole subsegment at
+/// once and then sleeps for the clocks that this takes.
 class Node final : public sc_core::sc_module {
  public:
   sc_core::sc_in<BusLines> bus{"bus"};
@@ -70,6 +70,7 @@ class Node final : public sc_core::sc_module {
 
   Node(sc_core::sc_module_name name, const machines::Machine& machine, std::uint32_t number);
 
+  /// Begins a frame.
   void begin();
 
   [[nodiscard]] NodeClocks account() const { return activities_.clocks(time_.now()); }
@@ -111,7 +112,7 @@ class Node final : public sc_core::sc_module {
   void divide_remotely();
   void append_command(const isa::Command& command);
   void send_built();
-  ReadHalfspace read_halfspace(const HalfspaceId& name);
+  ReadHalfspace read_halfspace(const HalfspaceId& id);
   [[nodiscard]] std::uint64_t screen_turn_clocks(std::uint64_t start_clock);
   void take_answer(const BusRequest& sent);
   void send_word(WordKind kind, const isa::LinkWord& word, bool last);
@@ -153,7 +154,7 @@ class Node final : public sc_core::sc_module {
   std::vector<isa::Region> parts_;
   OwnList own_;                     ///< list of the node's own subsegment
   std::vector<List> lists_;         ///< parts received and not yet rendered
-  std::uint64_t list_words_ = 0;    ///< words of these in memory
+  std::uint64_t list_words_ = 0;    ///< memory words of lists_
   List open_;                       ///< next part of a list that has not been received completely
   std::size_t lists_received_ = 0;  ///< complete lists
   bool sending_ = false;            ///< it is the node's turn to send
@@ -171,7 +172,7 @@ class Node final : public sc_core::sc_module {
   ScreenTurns screen_;
   bool is_working_ = false;          ///< working, not stalled by a turn of the screen
   std::uint64_t work_done_ = 0;      ///< clocks of the current work before it last resumed
-  std::uint64_t working_since_ = 0;  ///< clock, since the simulation began, in which it resumed
+  std::uint64_t working_since_ = 0;  ///< clock, since the simulation began, in which the current work last resumed
   std::uint64_t frame_start_ = 0;    ///< clock in which the frame began
 
   std::uint64_t words_ = 0;     ///< words sent, over all frames

@@ -64,7 +64,7 @@ void Node::append_command(const isa::Command& command) {
   own_.put(command);
 }
 
-/// Sends what has been built and has all nodes render it.
+/// Sends the commands that have been built; all nodes render them at each pause and at the end.
 void Node::send_built() {
   turn_dividing_clocks_ += time_.now() - dividing_since_;
   while (own_.has_unsent()) {
@@ -74,8 +74,8 @@ void Node::send_built() {
   }
 }
 
-ReadHalfspace Node::read_halfspace(const HalfspaceId& name) {
-  const std::vector<isa::LinkWord> words = division::to_link(records_.encode_request(name), bus_width_);
+ReadHalfspace Node::read_halfspace(const HalfspaceId& id) {
+  const std::vector<isa::LinkWord> words = division::to_link(records_.encode_request(id), bus_width_);
   awaiting_answer_ = true;
   const std::uint64_t start_clock = time_.now();
   for (std::size_t i = 0; i < words.size(); ++i) send_word(WordKind::request, words[i], i + 1 == words.size());

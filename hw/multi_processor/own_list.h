@@ -48,7 +48,7 @@ class OwnList {
   struct Timed {
     isa::Command command;
     std::uint64_t start_clock = 0;  ///< clock of dividing after all tests that lead to the command
-    std::uint64_t built = 0;
+    std::uint64_t built = 0;        ///< clock of dividing after the command has been built
   };
 
   [[nodiscard]] std::uint64_t words_of(const isa::Command& command) const;

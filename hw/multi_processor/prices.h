@@ -34,13 +34,14 @@ PixelCosts pixel_costs(const isa::Instruction& instruction, const Figures& figur
 struct InstructionCosts {
   PixelCosts at_pixel;
   std::uint64_t link = 0;   ///< clocks to append a call to a native program; 0 for interpreted lists
-  std::uint64_t reach = 0;  ///< clocks to fetch it from the list
+  std::uint64_t reach = 0;  ///< clocks to fetch the instruction from the list
   std::uint64_t sum = 0;    ///< clocks of its expression at the first pixel, and of its increments in x and y
   /// Clocks in addition to those at each pixel: once for the node's pixels, per row, and per pixel.
   std::uint64_t once = 0;
   std::uint64_t row = 0;
   std::uint64_t pixel = 0;
 
+  /// Clocks of a node with that number of rows and pixels, without those at each pixel.
   [[nodiscard]] constexpr std::uint64_t around(std::uint64_t rows, std::uint64_t pixels) const {
     return once + rows * row + pixels * pixel;
   }

@@ -160,18 +160,18 @@ HalfspaceId decode_request(const DisplayModel& model, const division::Candidates
                            const division::Bits& request) {
   const RecordFormat format = format_of(model);
   BitReader in(request);
-  HalfspaceId name;
-  name.primitive = static_cast<std::uint32_t>(in.take(format.index));
-  name.number = static_cast<std::uint32_t>(in.take(format.halfspaces));
-  require(name.primitive < survivors.halfspaces.size() && name.number < survivors.halfspaces[name.primitive].size(),
+  HalfspaceId id;
+  id.primitive = static_cast<std::uint32_t>(in.take(format.index));
+  id.number = static_cast<std::uint32_t>(in.take(format.halfspaces));
+  require(id.primitive < survivors.halfspaces.size() && id.number < survivors.halfspaces[id.primitive].size(),
           "request for a half-space that does not remain in the segment");
-  return name;
+  return id;
 }
 
 division::Bits halfspace_record(const DisplayModel& model, const division::Candidates& survivors,
-                                const HalfspaceId& name) {
-  const std::uint32_t number = survivors.halfspaces[name.primitive][name.number];
-  return halfspace_record(model, model.primitives[name.primitive].halfspaces[number], format_of(model));
+                                const HalfspaceId& id) {
+  const std::uint32_t number = survivors.halfspaces[id.primitive][id.number];
+  return halfspace_record(model, model.primitives[id.primitive].halfspaces[number], format_of(model));
 }
 
 void RecordReader::begin_frame() {
@@ -234,7 +234,7 @@ unsigned RecordReader::bits_of(Record record) const {
     case Record::primitive: return format_.primitive_record();
     case Record::node: return format_.node_record();
     case Record::count: return format_.count_record();
-    case Record::survivor: return format_.left_record();
+    case Record::survivor: return format_.survivor_record();
     case Record::halfspace: return format_.halfspace_record();
   }
   return 0;
@@ -247,7 +247,7 @@ void RecordReader::read(BitReader& in) {
     case Record::primitive: return read_primitive(in);
     case Record::node: return read_node(in);
     case Record::count: primitives_to_come_ = in.take(format_.primitives); return;
-    case Record::survivor: return read_left(in);
+    case Record::survivor: return read_survivor(in);
     case Record::halfspace: return read_halfspace(in);
   }
 }
@@ -281,11 +281,11 @@ void RecordReader::read_node(BitReader& in) {
   const bool is_operator = in.take(1) != 0;
   const auto op = in.take(1) != 0 ? division::Operator::intersect : division::Operator::unite;
   const auto operands = static_cast<std::uint32_t>(in.take(format_.operands));
-  require(is_operator == (operands > 0), "leaf with operands");
+  require(is_operator == (operands > 0), "leaf with operands, or operator without operands");
   model_.nodes.push_back({operands, op});
 }
 
-void RecordReader::read_left(BitReader& in) {
+void RecordReader::read_survivor(BitReader& in) {
   const auto index = static_cast<std::uint32_t>(in.take(format_.index));
   halfspaces_to_come_ = in.take(format_.halfspaces);
   --primitives_to_come_;
@@ -310,8 +310,8 @@ void RecordReader::read_halfspace(BitReader& in) {
   model_.planes.push_back(read.plane);
 }
 
-division::Bits RecordReader::encode_request(const HalfspaceId& name) const {
-  return numbers_record({{name.primitive, format_.index}, {name.number, format_.halfspaces}});
+division::Bits RecordReader::encode_request(const HalfspaceId& id) const {
+  return numbers_record({{id.primitive, format_.index}, {id.number, format_.halfspaces}});
 }
 
 ReadHalfspace RecordReader::decode_halfspace(const division::Bits& record) const {

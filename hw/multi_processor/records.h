@@ -9,7 +9,7 @@
 #include "hw/division/display_model.h"
 #include "hw/isa/link_word.h"
 
-/// The model on the control bus: records that each begin at a new word, least significant bits come first. Per
+/// The model on the control bus: records that each begin at a new word, with the least significant bits first. Per
 /// frame: the header, all primitives without their half-spaces, and the nodes of the tree. Per active segment: the
 /// number of surviving primitives, then each of them, followed by its half-spaces unless these stay with the display
 /// processor. In that case, a node requests a half-space by the primitive's index and the half-space's number among the
@@ -32,7 +32,7 @@ struct RecordFormat {
   [[nodiscard]] unsigned primitive_record() const;
   [[nodiscard]] unsigned node_record() const { return 2 + operands; }
   [[nodiscard]] unsigned count_record() const { return primitives; }
-  [[nodiscard]] unsigned left_record() const { return index + halfspaces; }
+  [[nodiscard]] unsigned survivor_record() const { return index + halfspaces; }
   // Widths of the numbers that a node reads: the box of a primitive, and everything but the colour of a half-space.
   [[nodiscard]] std::array<unsigned, 6> box_numbers() const;
   [[nodiscard]] std::array<unsigned, 5> halfspace_numbers() const { return {1, 1, slope, slope, constant}; }
@@ -51,7 +51,7 @@ Records segment_heads(const division::DisplayModel& model, const division::Candi
 /// Identifies a surviving half-space.
 struct HalfspaceId {
   std::uint32_t primitive = 0;
-  std::uint32_t number = 0;
+  std::uint32_t number = 0;  ///< among the surviving half-spaces of the primitive
 
   constexpr bool operator==(const HalfspaceId&) const = default;
 };
@@ -59,8 +59,9 @@ struct HalfspaceId {
 /// Decodes a request. Throws InputError if the half-space is not among the survivors.
 HalfspaceId decode_request(const division::DisplayModel& model, const division::Candidates& survivors,
                            const division::Bits& request);
+/// The record of a surviving half-space.
 division::Bits halfspace_record(const division::DisplayModel& model, const division::Candidates& survivors,
-                                const HalfspaceId& name);
+                                const HalfspaceId& id);
 
 /// Appends a word of the bus.
 void append(division::BitWriter& gathered, const isa::LinkWord& word, unsigned word_bits);
@@ -94,7 +95,7 @@ class RecordReader {
   /// Survivors of the segment.
   [[nodiscard]] const division::Candidates& survivors() const { return survivors_; }
   /// Used in a segment sent without half-spaces: encodes the request for one, and decodes the record that answers it.
-  [[nodiscard]] division::Bits encode_request(const HalfspaceId& name) const;
+  [[nodiscard]] division::Bits encode_request(const HalfspaceId& id) const;
   [[nodiscard]] ReadHalfspace decode_halfspace(const division::Bits& record) const;
   /// Format of the received frame.
   [[nodiscard]] const RecordFormat& format() const { return format_; }
@@ -110,7 +111,7 @@ class RecordReader {
   void read_header(division::BitReader& in);
   void read_primitive(division::BitReader& in);
   void read_node(division::BitReader& in);
-  void read_left(division::BitReader& in);
+  void read_survivor(division::BitReader& in);
   void read_halfspace(division::BitReader& in);
   [[nodiscard]] unsigned bits_of(Record record) const;
 

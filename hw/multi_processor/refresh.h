@@ -5,7 +5,7 @@
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
 
-/// Analytic model of the screen's turns of the nodes' memories.
+/// Analytic model of the turns in which the screen reads the nodes' memories.
 namespace csgsim::multi_processor {
 
 /// The nodes are stalled during a turn. Clocks are counted from the frame's first, and turns from 1: turn k begins with

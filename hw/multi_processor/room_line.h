@@ -13,8 +13,8 @@ class RoomPort : virtual public sc_core::sc_interface {
   [[nodiscard]] virtual bool is_pulled() const = 0;
 };
 
-/// The line is pulled by nodes that have no room for another command. It changes immediately: a reader must first let
-/// all events of the clock happen.
+/// The line is pulled by nodes that have no room for another command. It changes within the clock, so the line must be
+/// read after all other events of the clock.
 class RoomLine final : public sc_core::sc_module, public RoomPort {
  public:
   RoomLine(sc_core::sc_module_name name, std::uint32_t nodes);

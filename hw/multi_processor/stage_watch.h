@@ -10,7 +10,8 @@
 
 namespace csgsim::multi_processor {
 
-/// Counts the clocks of the stages in which all nodes are together. Not a hardware unit.
+/// Counts the clocks of the stages that all nodes go through together: second pruning, sharing, rendering and barriers.
+/// Not a hardware unit.
 class StageWatch final : public sc_core::sc_module {
  public:
   sc_core::sc_in<BusLines> bus{"bus"};

@@ -52,7 +52,7 @@ class PixelStory {
     return found == moments_.end() ? std::nullopt : Number(replayed_.list->first + found->index);
   }
 
-  /// Current state of the pixel; empty if it has none.
+  /// What `read` returns for the current state of the pixel; empty if the node holds no state of it.
   template <class Read>
   [[nodiscard]] Number state(const Read& read) {
     if (!renders()) {

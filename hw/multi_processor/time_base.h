@@ -19,6 +19,7 @@ class TimeBase {
   /// Clocks since the simulation began.
   [[nodiscard]] std::uint64_t now() const { return systemc::edges(period_); }
 
+  /// Duration of that number of clocks.
   [[nodiscard]] sc_core::sc_time of(std::uint64_t clocks) const {
     return sc_core::sc_time::from_value(clocks * period_.value());
   }

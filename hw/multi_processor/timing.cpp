@@ -27,9 +27,9 @@ using machines::Machine;
 
 /// Optional results in addition to the account.
 struct Requested {
-  machines::Timeline* timeline = nullptr;  ///< blank timeline to fill, or null
-  std::uint32_t segment = 0;               ///< segment of the Program whose parts are requested
-  std::vector<StartedPart>* parts = nullptr;
+  machines::Timeline* timeline = nullptr;     ///< blank timeline to fill, or null
+  std::uint32_t segment = 0;                  ///< segment of the Program whose parts are requested
+  std::vector<StartedPart>* parts = nullptr;  ///< receives these parts, unless null
 };
 
 using Met = std::span<const machines::PixelActivity>;
@@ -101,7 +101,7 @@ class FrameModel {
     nodes_free_ = now;
   }
 
-  /// Draws from the division of the first list on; returns the clock in which all lists are rendered.
+  /// Draws a segment from the division of its first list on. Returns the clock in which all lists are rendered.
   std::uint64_t draw_lists(Subsegments parts, const Passes& passes, std::uint64_t now) {
     now = prune(parts, passes.divided, now);
     std::vector<Piece> received;
@@ -163,7 +163,8 @@ class FrameModel {
     return machine_.link.latency + words * machine_.link.word_clocks;
   }
 
-  /// `clocks`: clocks of each node. Returns the clock in which the barrier releases all nodes.
+  /// All nodes divide at the same time, node i for clocks[i] clocks. Returns the clock in which the barrier releases
+  /// them.
   std::uint64_t prune(Subsegments parts, std::span<const std::uint64_t> clocks, std::uint64_t now) {
     std::uint64_t slowest = now;
     for (std::size_t i = 0; i < parts.size(); ++i) {

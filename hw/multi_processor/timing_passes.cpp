@@ -22,9 +22,9 @@ using machines::Machine;
 /// The part of its list that a node builds before its memory is full.
 struct BuiltPart {
   std::size_t commands = 0;
-  std::uint64_t words = 0;  ///< words in the node's memory
-  std::uint64_t clocks = 0;
-  std::uint64_t reads = 0;  ///< half-spaces read from the display processor
+  std::uint64_t words = 0;   ///< words in the node's memory
+  std::uint64_t clocks = 0;  ///< clocks to build the part
+  std::uint64_t reads = 0;   ///< half-spaces read from the display processor
 };
 
 /// Maximum number of a node's words that a command takes.
@@ -172,7 +172,7 @@ class ListExchange {
     stop();
   }
 
-  /// Rendered parts leave the memory.
+  /// Ends the message with a pause, in which the parts received are rendered and leave the memory.
   void stop() {
     now_.pauses = true;
     passes_.messages.push_back(std::exchange(now_, {}));
@@ -188,7 +188,7 @@ class ListExchange {
   const std::uint32_t node_bits_;
   const std::uint32_t bus_bits_;
   std::vector<std::vector<BuiltPart>> built_;
-  std::uint64_t received_ = 0;  ///< words of lists
+  std::uint64_t received_ = 0;  ///< memory words of the lists received since the last pause
   std::uint64_t waiting_ = 0;   ///< words of the own list of the fullest node
   Message now_;
   Passes passes_;

@@ -66,6 +66,7 @@ struct ReadClocks {
 
 ReadClocks read_clocks(const ModelSizes& sizes, const machines::Machine& machine);
 
+/// Plans the transmissions of a segment's lists.
 Passes plan_passes(Subsegments parts, const ModelSizes& sizes, const machines::Machine& machine);
 
 }  // namespace csgsim::multi_processor

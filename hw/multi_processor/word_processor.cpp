@@ -234,7 +234,7 @@ std::uint64_t WordProcessor::root_of(std::uint64_t field, unsigned bits) {
   return static_cast<std::uint64_t>(root) << (bits + 1) | left;
 }
 
-/// Disables a written pixel whose number does not fit.
+/// Writes F to the target field where `where` is true, and disables the pixel if F does not fit there.
 void WordProcessor::write_linear(const isa::Instruction& instruction, PixelMemory& memory, std::size_t pixel,
                                  std::int64_t f, bool where) {
   const isa::Field target = instruction.fields[0];

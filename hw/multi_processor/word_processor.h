@@ -29,6 +29,7 @@ class WordProcessor {
   /// Clocks if no branch were taken.
   [[nodiscard]] std::uint64_t unbranched_clocks() const { return unbranched_clocks_; }
 
+  /// Counts an iteration of the loop over pixels, or over rows.
   void count_pixel() { spend(loop_.pixel); }
   void count_row() { spend(loop_.row); }
 
@@ -77,7 +78,7 @@ class WordProcessor {
 
  private:
   [[nodiscard]] std::uint64_t words(unsigned bits) const { return quotient_up(bits, word_bits_); }
-  /// Skipped work takes no time.
+  /// Counts the clocks of an operation; only unbranched_clocks() counts skipped work.
   void spend(std::uint64_t clocks) {
     unbranched_clocks_ += clocks;
     if (!skipping_) clocks_ += clocks;

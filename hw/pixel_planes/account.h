@@ -10,8 +10,8 @@
 
 namespace csgsim::pixel_planes {
 
-/// Clocks of the controller by activity; each clock counts for exactly one, and also for refresh_waits where that
-/// applies.
+/// Clocks of the controller by activity. Each clock counts for exactly one activity; refresh_waits counts some of the
+/// clocks again.
 struct ControllerAccount {
   std::uint64_t issuing = 0;     ///< a step of an instruction was on the wires
   std::uint64_t clearing = 0;    ///< the pixels were being cleared for a segment

@@ -74,10 +74,10 @@ class Controller final : public systemc::ClockedModule {
   /// Clocks of the current or last frame, including the final latency.
   [[nodiscard]] std::uint64_t clocks() const { return status_.clocks; }
   [[nodiscard]] const ControllerAccount& account() const { return account_; }
-  [[nodiscard]] std::uint64_t instructions() const { return instructions_; }  ///< executed in that frame
+  [[nodiscard]] std::uint64_t instructions() const { return instructions_; }  ///< number executed in that frame
   [[nodiscard]] bool idle() const { return state_ == State::idle; }
   [[nodiscard]] ControllerStatus status() const;
-  [[nodiscard]] std::string_view state() const;
+  [[nodiscard]] std::string_view state() const;  ///< name of the current state, for waves
 
  private:
   enum class State : std::uint8_t { idle, asking, ready, issuing, clearing, waiting, holding, copying, draining };
@@ -144,7 +144,7 @@ class Controller final : public systemc::ClockedModule {
   isa::Field colour_;           ///< colour field of the frame's last command
   isa::Field shown_;            ///< field last sent to the scan-out
   bool unlatched_ = false;      ///< whether some rows of that field have not been latched
-  bool refreshed_ = false;      ///< a refresh word is on the wires
+  bool refreshed_ = false;      ///< whether a refresh word is on the wires
   std::uint32_t drained_ = 0;
   std::uint64_t programs_done_ = 0;
 };

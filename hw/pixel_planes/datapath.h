@@ -1,4 +1,5 @@
-// whether a refresh word is on the wires
+// The clocked path from the controller's wires to the pixels' memories.
+// Used by PixelPipeline.
 #pragma once
 
 #include <cstddef>

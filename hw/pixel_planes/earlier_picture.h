@@ -15,6 +15,7 @@ class EarlierPicture {
   /// `colours` is in row order and must outlive this object.
   EarlierPicture(array::PlaneShape shape, std::span<const std::uint32_t> colours) : shape_(shape), colours_(colours) {}
 
+  /// Sets the field that holds the picture.
   void show(isa::Field field) { field_ = field; }
 
   /// A row of memory bit `address` of the displayed field, as RefreshPort::memory_row() returns it. Valid until the

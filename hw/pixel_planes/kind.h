@@ -20,7 +20,7 @@ class Kind final : public machines::KindOf<Figures> {
   void check(const Program& program, const Machine& machine) const override;
   /// Same as bit_serial_clocks(), plus the levels of the global OR for a global-OR test.
   std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine) const override;
-  /// Counts from the clock in which the controller requests the frame, like the modules.
+  /// Counts from the clock in which the controller requests the frame, like the SystemC modules.
   machines::FrameTiming time(const Program& program, const Machine& machine, const RunOutcome& outcome) const override;
   /// Clocks in which the controller has the steps of an instruction on its wires or waits for an answer, and clocks in
   /// which the steps are at the pixels, which all execute them at the same time.

@@ -147,9 +147,9 @@ void PixelPlanes::check(std::span<const isa::Program> programs) const {
     check_fits(program.shape, {shape.width, shape.height, pipeline_.pixels().memory_bits()});
     const isa::Field colour = isa::frame_header(program).colour;
     if (machines::own<Figures>(machine_).scan_out_buffers < 2 || colour.width == first.width) continue;
-    throw InputError(
-        "frames with colours of " + std::to_string(first.width) + " and " + std::to_string(colour.width) +
-        " bits are drawn in sequence on a machine with two buffers; compile all with the same --colour-bits");
+    throw InputError("a machine with two buffers cannot draw frames with colours of " + std::to_string(first.width) +
+                     " and " + std::to_string(colour.width) +
+                     " bits in sequence; compile all with the same --colour-bits");
   }
 }
 

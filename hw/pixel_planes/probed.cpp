@@ -88,7 +88,7 @@ array::Place place_of(wave::Pixel pixel, const isa::Program& program) {
 
 std::uint32_t built_index(const systemc::EarlierRun& earlier, array::Place place) {
   const auto found = std::find(earlier.pixels.begin(), earlier.pixels.end(), place);
-  if (found == earlier.pixels.end()) throw std::out_of_range("a probed pixel that is not built");
+  if (found == earlier.pixels.end()) throw std::out_of_range("the probed pixel is not built");
   return static_cast<std::uint32_t>(std::distance(earlier.pixels.begin(), found));
 }
 

@@ -381,7 +381,7 @@ Moment instruction_moment(const isa::Program& program, const machines::Machine& 
   FrameModel frame(machine, tasks, copy_clocks(colour_bits, machine), nullptr, 0);
   frame.watch(task);
   frame.time();
-  if (!frame.watched()) throw std::logic_error("the moment of an instruction that is not executed");
+  if (!frame.watched()) throw std::logic_error("an instruction that is not executed has no moment");
   return *frame.watched();
 }
 

@@ -34,6 +34,6 @@ struct LineAccount {
 };
 
 /// Converts the counts of a frame of `clocks` clocks to the account that statistics and reports show.
-machines::Account account(const LineAccount& counted, const machines::Machine& machine, std::uint64_t clocks);
+machines::Account account(const LineAccount& counts, const machines::Machine& machine, std::uint64_t clocks);
 
 }  // namespace csgsim::scan_line

@@ -17,9 +17,9 @@ class ActiveList {
 
   [[nodiscard]] std::size_t primitives() const { return primitives_.size(); }
 
-  /// Advances to `row`: adds the buckets up to it, and removes primitives that ended before it. A row
-  /// above the previous one begins a new frame, or a new field of an interlaced one, with an empty list. Returns the
-  /// number of primitives visited.
+  /// Advances to `row`: adds the buckets up to it, and removes primitives that ended before it. A row above the
+  /// previous one begins a new frame, or a new field of an interlaced picture, with an empty list. Returns the number
+  /// of primitives visited.
   std::size_t advance_to(std::uint32_t row);
 
  private:

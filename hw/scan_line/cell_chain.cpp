@@ -17,7 +17,7 @@ void CellChain::clear(std::uint32_t pixels) {
 
 void CellChain::begin(std::size_t lines) { frames_.push_back({.lines_left = lines}); }
 
-CellCounts CellChain::take() {
+CellCounts CellChain::pop_counts() {
   const CellCounts counts = frames_.front().counts;
   frames_.pop_front();
   return counts;

@@ -38,7 +38,7 @@ class CellChain final : public systemc::ClockedModule {
   void begin(std::size_t lines);
 
   /// Removes and returns the counts of the oldest frame. All its lines must have left the cells.
-  CellCounts take();
+  CellCounts pop_counts();
 
   [[nodiscard]] const Chain& chain() const { return chain_; }
 

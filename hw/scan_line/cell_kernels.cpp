@@ -108,12 +108,12 @@ void run_alu(const Packet& packet, AluBits bits, const Lanes& lanes, CellRange r
   });
 }
 
-/// Properties of x - y (F minus the field) for which a comparison holds.
+/// Signs of x - y (F minus the field) for which a comparison holds.
 struct Condition {
   bool where_less = false;
   bool where_equal = false;
   bool where_greater = false;
-  bool with_signs = true;
+  bool with_signs = true;  ///< whether x and y are signed
 };
 
 struct Comparison {

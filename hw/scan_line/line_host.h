@@ -23,14 +23,15 @@ class LineHost final : public systemc::ClockedModule {
 
   LineHost(sc_core::sc_module_name name, const Figures& figures);
 
-  /// Starts with the next clock.
+  /// Begins a frame with the next clock.
   void begin(const PictureLines& frame);
 
   [[nodiscard]] const ActivityCounter& counter() const { return counter_; }  ///< counter of the frame that began last
 
   // State for waves.
   [[nodiscard]] std::string_view activity() const { return counter_.now(); }
-  [[nodiscard]] std::uint32_t line() const { return current_line_; }  ///< the number of lines after the last line
+  /// Line that the host works on; after the last line, the number of lines.
+  [[nodiscard]] std::uint32_t line() const { return current_line_; }
 
  private:
   void on_clock() override;

@@ -43,7 +43,7 @@ class PacketQueue final : public systemc::ClockedModule {
 
   PacketQueue(sc_core::sc_module_name name, const machines::Machine& machine, std::uint32_t chain);
 
-  /// Forgets the previous mark, so that the next one enters without a distance. Called when no mark is in the cells.
+  /// Lets the next mark enter without a distance from the previous one. Called when no mark is in the cells.
   void forget_mark() { marked_ = false; }
 
   /// Begins a frame with the next clock. All marks of the previous frame must have entered.

@@ -4,7 +4,7 @@
 
 namespace csgsim::scan_line {
 
-/// Counts the clock periods that have ended after the first edge since begin().
+/// Counts the clock periods that have ended since the first edge after begin().
 class Periods {
  public:
   void begin() { *this = {}; }

@@ -20,7 +20,7 @@ void RefreshCollector::begin(const PictureLines& frame) {
   for (std::vector<std::uint32_t>& line : next.shown.lines) line.reserve(next.pixels);
 }
 
-ShownFrame RefreshCollector::take() {
+ShownFrame RefreshCollector::pop_frame() {
   ShownFrame shown = std::move(complete_.front());
   complete_.pop_front();
   return shown;

@@ -37,11 +37,11 @@ class RefreshCollector final : public systemc::ClockedModule {
   RefreshCollector(sc_core::sc_module_name name, std::uint32_t chains);
 
   /// Begins a frame. Its width must equal that of frames whose pixels have not all arrived. All marks of the previous
-  /// frame have entered.
+  /// frame must have entered.
   void begin(const PictureLines& frame);
 
   /// Removes and returns the oldest complete frame.
-  ShownFrame take();
+  ShownFrame pop_frame();
 
   /// For waves: the line of the pixel at the chain's port or, if there is none, of the next pixel.
   [[nodiscard]] std::size_t line_of(std::size_t chain) const;
@@ -53,7 +53,7 @@ class RefreshCollector final : public systemc::ClockedModule {
     Periods periods{};
     std::vector<std::size_t> line_of_chain;  ///< for each chain, the line of its next pixel
     std::size_t missing_lines = 0;
-    std::uint64_t last_pixel = 0;  ///< clock in which it arrived
+    std::uint64_t last_pixel = 0;  ///< clock in which the last pixel arrived
     bool entering_marks = true;    ///< whether marks of the frame had not entered at the last edge
   };
 

@@ -167,7 +167,7 @@ std::vector<systemc::RunReport> ScanLineArray::run_sequence(std::span<const isa:
   return reports;
 }
 
-/// Requires that everything drawn has been shown.
+/// Empties the chains for lines of `pixels` pixels. All frames drawn must have been shown.
 void ScanLineArray::clear(std::uint32_t pixels) {
   for_each(queues_, [](PacketQueue& queue) { queue.forget_mark(); });
   for_each(chains_, [pixels](CellChain& chain) { chain.clear(pixels); });
@@ -203,7 +203,7 @@ void ScanLineArray::run_until_shown() {
 void ScanLineArray::collect() {
   for (; shown_ < frames_.read(); ++shown_) {
     const Showing& frame = showing_.front();
-    const ShownFrame shown = collector_.take();
+    const ShownFrame shown = collector_.pop_frame();
     systemc::RunReport& report = *frame.report;
     report.clocks = shown.clocks;
     report.shown_clocks = shown.clocks;
@@ -240,7 +240,7 @@ LineAccount ScanLineArray::make_account(const Entered& entered, const ShownFrame
     const LineClocks at_entry = entry.clocks_of(shown.clocks);
     account.entry_clocks += at_entry.of(LineActivity::entering);
     account.refresh_clocks += at_entry.of(LineActivity::waiting_for_refresh);
-    const CellCounts cells = chains_[i].take();
+    const CellCounts cells = chains_[i].pop_counts();
     if (cells.fill_clocks > 0 && (account.fill_clocks == 0 || cells.fill_clocks < account.fill_clocks))
       account.fill_clocks = cells.fill_clocks;
     account.busy_cells += cells.busy_cells;

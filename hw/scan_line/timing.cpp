@@ -171,8 +171,8 @@ class ChainTiming {
   /// Edge from which the host can transfer the next line.
   [[nodiscard]] Edge free_from() const { return lines_ == 0 ? 1 : taken_ + 1; }
 
-  /// `costs`: costs of the line's instructions. Records the packets of line `number` in `timeline`, unless that is
-  /// null.
+  /// `costs`: costs of the line's instructions. `handed_over`: edge at which the host transfers the line. Records the
+  /// packets of line `number` in `timeline`, unless that is null.
   void draw(const isa::Segment& line, std::span<const Cost> costs, Edge handed_over, machines::Timeline* timeline,
             std::size_t number) {
     const Edge idle_from = lines_ == 0 ? 1 : sent_;

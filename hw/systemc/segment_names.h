@@ -14,6 +14,7 @@ namespace csgsim::systemc {
 /// Finds the segment of the Program that has a given region. Used for reports only: no hardware reads it.
 class SegmentNames {
  public:
+  /// Sets the segments of the Program that is drawn next.
   void begin(std::span<const isa::Segment> segments) {
     numbers_.clear();
     for (std::uint32_t i = 0; i < segments.size(); ++i) numbers_[{segments[i].region.x, segments[i].region.y}] = i;

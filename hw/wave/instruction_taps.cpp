@@ -60,8 +60,9 @@ class Words {
 
 }  // namespace
 
-std::vector<Tap> instruction_taps(const std::string& part, const isa::Program& program, std::function<Number()> at) {
-  const auto words = std::make_shared<Words>(program, std::move(at));
+std::vector<Tap> instruction_taps(const std::string& part, const isa::Program& program,
+                                  std::function<Number()> current) {
+  const auto words = std::make_shared<Words>(program, std::move(current));
   const auto of_origin = [&](const char* name, auto read) {
     return text(part + name, [words, read] {
       const isa::Instruction* const one = words->instruction();

@@ -17,11 +17,12 @@ class Pieces {
   /// Text not written yet; callers append to it.
   std::string text;
 
-  /// Writes the text if it is long enough.
-  void pass() {
-    if (text.size() >= piece_bytes) pass_all();
+  /// Writes and clears the text if it has at least 64 KiB.
+  void write_if_long() {
+    if (text.size() >= piece_bytes) write_all();
   }
-  void pass_all() { write_(std::exchange(text, {})); }
+  /// Writes and clears the text.
+  void write_all() { write_(std::exchange(text, {})); }
 
  private:
   static constexpr std::size_t piece_bytes = std::size_t{1} << 16U;

@@ -114,7 +114,7 @@ void VcdWriter::sample(std::uint64_t clock) {
   fmt::format_to(std::back_inserter(out_.text), "0{}\n", clock_code);
   begun_ = true;
   next_ = clock + 1;
-  out_.pass();
+  out_.write_if_long();
 }
 
 void VcdWriter::show(std::size_t tap) {
@@ -143,7 +143,7 @@ void VcdWriter::show_unknown(std::size_t tap) {
 
 void VcdWriter::finish() {
   if (begun_) fmt::format_to(std::back_inserter(out_.text), "#{}\n", (next_ + 1) * period_);
-  out_.pass_all();
+  out_.write_all();
 }
 
 }  // namespace csgsim::wave

@@ -72,13 +72,13 @@ void TraceEvents::sample(std::uint64_t clock) {
     lane.begin = clock;
   }
   next_ = clock + 1;
-  out_.pass();
+  out_.write_if_long();
 }
 
 void TraceEvents::finish() {
   for (Lane& lane : lanes_) end(lane, next_);
   out_.text += "\n]}\n";
-  out_.pass_all();
+  out_.write_all();
 }
 
 void TraceEvents::put(std::string_view event) {

@@ -223,7 +223,7 @@ TEST_CASE("the paths of a tree lead to the same nodes as steps from parent to pa
     const std::vector<std::uint32_t> of_a = up(tree.leaf_of[a]);
     const std::vector<std::uint32_t> of_b = up(tree.leaf_of[b]);
     const auto both = std::find_first_of(of_a.begin(), of_a.end(), of_b.begin(), of_b.end());
-    const std::uint32_t above = paths.above(tree.leaf_of[a], tree.leaf_of[b]);
+    const std::uint32_t above = paths.common_ancestor(tree.leaf_of[a], tree.leaf_of[b]);
     RC_ASSERT(above == *both);
     RC_ASSERT(paths.first(above) <= std::min(a, b));
     RC_ASSERT(paths.last(above) >= std::max(a, b));
