@@ -11,11 +11,11 @@ module cell_alu #(
   input wire clk,
   input wire reset,
   input wire work,
-  input wire begins,                 // number of these bits within the field
+  input wire begins,                 // first bits of the operands
   input wire [2:0] operation,
   input wire [LANE-1:0] low,
   input wire [COUNT-1:0] count,
-  input wire [COUNT-1:0] meeting,     // number of these within the field
+  input wire [COUNT-1:0] meeting,    // number of the `count` bits that are within the field
   /* verilator lint_off UNUSEDSIGNAL */
   input wire try,                    // a root trial: x is the remainder, y the partial root
   input wire try_first,
