@@ -7,7 +7,7 @@ namespace csgsim::pixel_square {
 
 namespace {
 
-/// Account of a unit that has no refresh and ring activities.
+/// Account of a unit that neither refreshes nor waits for the ring.
 machines::PartAccount part(std::string name, const SquareClocks& clocks) {
   using enum SquareActivity;
   return machines::part_of(

@@ -171,8 +171,8 @@ std::uint64_t FrameBuffer::bits_to_come(const Incoming& square) const {
   return std::min<std::uint64_t>(port_bits_, colour_bits(square) - square.next_bit);
 }
 
-/// Calls act(at, from, count) for each pixel with colour bits in the next word: `count` bits, starting with bit `from`
-/// of the word, belong at position `at`. Returns the position at which the following word begins.
+/// Calls visit(at, from, count) for each pixel with colour bits in the next word: `count` bits, starting with bit
+/// `from` of the word, belong at position `at`. Returns the position at which the following word begins.
 template <class Visit>
 FrameBuffer::Cursor FrameBuffer::for_each_colour(const Incoming& square, const Visit& visit) const {
   Cursor at = square.next;

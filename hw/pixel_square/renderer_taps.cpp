@@ -30,7 +30,7 @@ std::function<Number()> at_pixels(const RendererParts& parts, const isa::Program
 
 }  // namespace
 
-/// While memory is being cleared, part of it still holds the previous square.
+/// Returns false while memory is being cleared, because part of it still holds the previous square.
 bool has(const RendererParts& parts, std::uint32_t segment) {
   const pixel_planes::ControlWord& before = parts.pipeline.now().last_executed();
   return parts.completion.segment() == segment && !(before.clears && !before.last);

@@ -24,7 +24,7 @@ class Screen {
   /// Edges until a turn begins or ends; valid only if takes().
   [[nodiscard]] std::uint64_t clocks_to_change() const;
 
-  /// First row read by the turn in the clock that begins with the current edge, if any.
+  /// First row read by the turn that occupies the clock after the current edge; empty if there is no turn.
   [[nodiscard]] std::optional<std::uint32_t> row() const;
 
   /// Whether the screen takes turns.
@@ -44,7 +44,7 @@ class Screen {
   std::uint32_t left_ = 0;   ///< remaining clocks of the current turn
 };
 
-/// Number of turns for one display of the picture.
+/// Number of turns in which the screen reads a whole picture once.
 std::uint64_t turns_of(const machines::Size& picture, std::uint32_t colour_bits, const Figures& figures);
 
 /// Throws InputError if the screen would occupy every clock of the memory.

@@ -60,7 +60,7 @@ class Sender : public systemc::ClockedModule {
   /// Event after which prepare() can return something other than waiting_for_divider; null to poll at each edge.
   [[nodiscard]] virtual const sc_core::sc_event* prepared(std::size_t /*square*/) const { return nullptr; }
 
-  /// Name of the state `working` while a square is prepared.
+  /// State shown in waves while prepare() returns `working`.
   [[nodiscard]] virtual std::string_view preparing() const = 0;
 
   /// Begins sending the prepared square.

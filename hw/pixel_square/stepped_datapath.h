@@ -14,9 +14,12 @@ namespace csgsim::pixel_square {
 /// `divider.port` bits, tests them, and writes instructions.
 class SteppedDatapath final : public division::Datapath {
  public:
-  /// Input of the divider: the first of two levels, a square from the list that this level produced, or a square from
-  /// the whole model.
-  enum class Level : std::uint8_t { group, listed, whole };
+  /// What the divider divides, and from which input.
+  enum class Level : std::uint8_t {
+    group,   ///< first of two levels: a group of squares, from the whole model
+    listed,  ///< a square, from the list that the first level produced
+    whole,   ///< a square, from the whole model
+  };
 
   struct Callbacks {
     std::function<void(std::uint64_t)> spend;                    ///< adds the given number of clocks
@@ -27,6 +30,7 @@ class SteppedDatapath final : public division::Datapath {
   SteppedDatapath(const division::ModelHeader& header, const division::ModelMemory& memory,
                   const machines::Machine& machine, bool remote_planes, Callbacks callbacks);
 
+  /// Sets the level of all following operations.
   void enter(Level level) { level_ = level; }
 
  private:

@@ -42,12 +42,14 @@ class Store {
   // Interface to the sender.
   /// Whether sending of a square can begin: the square is complete, or the store is full.
   [[nodiscard]] bool may_begin() const;
-  /// Oldest word; null if none was written at an earlier edge.
+  /// Oldest word; null if no stored word was written at an earlier edge.
   [[nodiscard]] const StoredWord* front() const;
+  /// Removes the oldest word; front() must not be null.
   void take();
   /// Event at which sending of a square may become possible; valid while no square can begin.
   [[nodiscard]] const sc_core::sc_event& ready();
 
+  /// Number of stored words.
   [[nodiscard]] std::uint64_t fill() const;
 
  private:

@@ -36,7 +36,7 @@ std::size_t processors_in(const Machine& machine) {
   return has_ring(figures) ? figures.processors : 0;
 }
 
-/// The machine's units, executed in the order of the agenda.
+/// Edge-level model of the whole machine for one frame: its units act in the order of the agenda.
 class FrameModel {
  public:
   FrameModel(const isa::Program& program, const Machine& machine, std::span<const machines::Skip> skips,
@@ -178,7 +178,7 @@ std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, co
   return result;
 }
 
-/// A question occupies the controller until its answer arrives, but the pixels only for one clock.
+/// A global-OR test occupies the controller until its answer arrives, but the pixels only for one clock.
 std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeline, const isa::Program& program,
                                                 const Machine& machine, std::uint32_t segment, std::uint32_t /*x*/,
                                                 std::uint32_t /*y*/) const {

@@ -26,7 +26,7 @@ ScreenTiming::ScreenTiming(const isa::Program& program, const machines::Machine&
   banks_ = figures.banks;
 }
 
-/// Number of turns that have begun.
+/// Number of turns that have begun up to edge `now`.
 std::uint64_t ScreenTiming::turns_until(Time now) const {
   return static_cast<std::uint64_t>(Wide{now} * turns_per_second_ / clock_hz_);
 }

@@ -105,7 +105,7 @@ module scan_out #(
   endgenerate
 
   reg arrives;                 // bits latched at the previous edge are on `line`
-  reg [5:0] arrives_at;        // number of these bits in the colours
+  reg [5:0] arrives_at;        // position of these bits in their colours
   always @(posedge clk) begin
     latched <= latches && held_next == width_here && row_here == LAST_ROW[SIDE-1:0];
     shown <= ends;
