@@ -283,9 +283,8 @@ void warn_of_near_faces(const model::Tree& tree, const facet::Geometry& geometry
   const std::string first = model::place_of(tree, found.first[0]);
   const std::string second = model::place_of(tree, found.first[1]);
   report_line(
-      fmt::format("{}: warning: one of its faces and one of {} are nearly, but not exactly, coplanar{}; specks or a "
-                  "thin skin may be "
-                  "visible: {}let one solid reach well into the other",
+      fmt::format("{}: warning: a face of this solid and a face of {} are nearly, but not exactly, coplanar{}; "
+                  "specks or a thin skin may be visible: {}let one solid reach well into the other",
                   first, second, others, is_snapped ? "" : "use --snap, or "));
 }
 

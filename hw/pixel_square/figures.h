@@ -73,7 +73,7 @@ struct Figures {
   std::uint32_t dividers = 1;
   std::uint32_t levels = 1;            ///< with 2, the model is first divided for a group of squares
   std::uint32_t group_side = 1;        ///< side of a group, in squares
-  std::uint32_t list_entries = 1;      ///< capacity of the list of what remains for a group after the first level
+  std::uint32_t list_entries = 1;      ///< capacity of the list of primitives and half-spaces that remain for a group
   std::uint32_t model_bits = 1;        ///< bits of the memory that holds the model
   std::uint32_t record_bits = 1;       ///< bits read from that memory per clock
   std::uint32_t halfspaces = 1;        ///< capacity of the half-space memory of the current surface
