@@ -46,7 +46,7 @@ class CornerDivider final : public sc_core::sc_module {
 
  private:
   void work();
-  void take_model();
+  void receive_model();
   void divide(std::size_t square, SteppedDatapath& path);
   void begin_group(const isa::Region& group, SteppedDatapath& path);
   [[nodiscard]] isa::Region enclosing_group(const isa::Region& square) const;

@@ -67,11 +67,11 @@ void FrameBuffer::on_clock() {
 /// Accounts for the elapsed clocks; the frame buffer slept through all but the last.
 void FrameBuffer::count(std::uint64_t clocks) {
   if (screen_.row()) clocks_.add(SquareActivity::refreshing, clocks - 1);
-  screen_.on_clocks(clocks);
+  screen_.advance(clocks);
 }
 
 void FrameBuffer::sleep() {
-  if (!screen_.takes()) return next_trigger(words_written_);
+  if (!screen_.takes_turns()) return next_trigger(words_written_);
   const std::uint64_t clocks = screen_.clocks_to_change();
   if (clocks > 1) next_trigger(sc_core::sc_time::from_value(clocks * period_.value()), words_written_);
 }

@@ -19,7 +19,7 @@ class OutputBuffer {
   void begin(const isa::Region& region, std::uint32_t colour_bits);
 
   /// Loads the next row: the field `colour` of each of its pixels. The square is at the top left corner of the array.
-  void take_row(const pixel_planes::RefreshPort& memory, isa::Field colour);
+  void load_row(const pixel_planes::RefreshPort& memory, isa::Field colour);
 
   /// Begins a square and loads all its rows.
   void load(const pixel_planes::RefreshPort& memory, isa::Field colour, const isa::Region& region);

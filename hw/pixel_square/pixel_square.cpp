@@ -276,7 +276,7 @@ std::vector<wave::Tap> PixelSquareMachine::pixel_taps(wave::Pixel pixel, const i
   const std::string part = wave::part_of(pixel);
   taps.push_back(wave::number(part + ".renderer", 8, [this, segment]() -> wave::Number {
     for (std::size_t i = 0; i < renderers_.size(); ++i) {
-      if (has(renderers_[i].parts(), segment)) return i;
+      if (holds_segment(renderers_[i].parts(), segment)) return i;
     }
     return std::nullopt;
   }));

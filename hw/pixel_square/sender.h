@@ -70,7 +70,7 @@ class Sender : public systemc::ClockedModule {
   [[nodiscard]] virtual const isa::LinkWord* next_word() const = 0;
 
   /// Advances past the word that has been sent. Returns whether it was the last word of the square.
-  virtual bool pass() = 0;
+  virtual bool advance() = 0;
 
  private:
   void on_clock() override;

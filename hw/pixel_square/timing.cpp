@@ -55,7 +55,7 @@ class FrameModel {
 
   SquareTiming run() {
     if (!program_.segments.empty()) {
-      if (!dividers_.empty()) take_model();
+      if (!dividers_.empty()) receive_model();
       has_processors() ? processors_.begin() : sender_.begin();
       while (frame_buffer_.end() == 0) step();
     }
@@ -95,7 +95,7 @@ class FrameModel {
   }
 
   /// Receives the words of the model as fast as the host can send them and the FIFO has room.
-  void take_model() {
+  void receive_model() {
     const machines::Link& link = machine_.link;
     const std::uint64_t words = quotient_up(8 * std::uint64_t{program_.display_model.size()}, link.width);
     Time last = 0;
