@@ -67,6 +67,6 @@ struct SquareAccount {
 };
 
 /// Converts the counts to the account that statistics and reports show.
-machines::Account account(const SquareAccount& counted);
+machines::Account account(const SquareAccount& counts);
 
 }  // namespace csgsim::pixel_square

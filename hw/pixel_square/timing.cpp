@@ -59,7 +59,7 @@ class FrameModel {
       has_processors() ? processors_.begin() : sender_.begin();
       while (frame_buffer_.end() == 0) step();
     }
-    return {frame_buffer_.end(), counted()};
+    return {frame_buffer_.end(), frame_account()};
   }
 
  private:
@@ -122,7 +122,7 @@ class FrameModel {
     renderers_[part].draw(now);
   }
 
-  SquareAccount counted() {
+  SquareAccount frame_account() {
     const Time end = frame_buffer_.end();
     SquareAccount account;
     account.squares_skipped = has_processors() ? processors_.skipped() : sender_.skipped();
