@@ -20,7 +20,7 @@ namespace csgsim::pixel_square {
 /// A square that the sender begins to send.
 struct SquareStart {
   isa::Region region;
-  bool is_clear = false;  ///< the square is empty; no words follow
+  bool is_clear = false;  ///< whether the square is empty, so that no words follow
 };
 
 /// State of a sender, for waves, in the clock that began with the last edge.
@@ -91,7 +91,7 @@ class Sender : public systemc::ClockedModule {
   std::size_t index_ = 0;                ///< index of the square in progress
   std::optional<SquareStart> square_;    ///< set once the square is prepared
   std::optional<std::size_t> target_;    ///< renderer that receives the square; none if it is cleared
-  std::size_t sent_ = 0;                 ///< number of words of its header already sent
+  std::size_t sent_ = 0;                 ///< number of words of the header of an empty square already sent
   std::uint32_t elapsed_ = 0;            ///< clocks spent on the current word
   std::vector<std::uint64_t> assigned_;  ///< squares assigned to each renderer
   std::uint64_t skipped_ = 0;

@@ -10,7 +10,7 @@
 
 namespace csgsim::pixel_square {
 
-/// Counts the clocks of a machine's divider (docs/machines/pixel-square.md), which reads records through a port of
+/// Counts the clocks of a divider in the machine (docs/machines/pixel-square.md), which reads records through a port of
 /// `divider.port` bits, tests them, and writes instructions.
 class SteppedDatapath final : public division::Datapath {
  public:
@@ -23,7 +23,7 @@ class SteppedDatapath final : public division::Datapath {
 
   struct Callbacks {
     std::function<void(std::uint64_t)> spend;                    ///< adds the given number of clocks
-    std::function<void(const isa::Instruction&)> store_command;  ///< writes a command to the store, word by word
+    std::function<void(const isa::Instruction&)> store_command;  ///< writes an instruction to the store, word by word
   };
 
   /// `remote_planes`: whether the planes did not fit the divider's memory and are read from the host over the link.
@@ -51,7 +51,7 @@ class SteppedDatapath final : public division::Datapath {
   const Callbacks callbacks_;
   Level level_ = Level::whole;
   std::uint64_t read_ = 0;  ///< clocks to read the records of the current test
-  bool testing_ = false;    ///< a test overlaps with the current read
+  bool testing_ = false;    ///< whether a test overlaps with the current read
 };
 
 }  // namespace csgsim::pixel_square

@@ -15,7 +15,7 @@ namespace csgsim::pixel_square {
 struct StoredWord {
   isa::LinkWord word;
   bool is_clear = false;  ///< marks an empty square; `word` is unused
-  bool is_last = false;   ///< last entry of its square
+  bool is_last = false;   ///< whether this is the last entry of its square
 };
 
 /// The memory between a divider, which writes one word per edge, and the sender, which reads one word per edge. A word
