@@ -15,7 +15,7 @@ namespace csgsim::convex {
 
 /// Clips one polytope by a sequence of half-spaces. Results are bit-identical to those of clip(), but vertices and
 /// faces far from a plane are not visited. A cut visits all corners of the faces that it meets, so solids whose faces
-/// all share a corner or a face still take time quadratic in their half-spaces. Keeps references to its arguments.
+/// all share a corner or a face still take time quadratic in their half-spaces. Keeps a reference to `planes`.
 class Carver {
  public:
   Carver(Polytope polytope, const facet::PlaneTable& planes);

@@ -22,8 +22,8 @@ double tolerance(const facet::PlaneTable& planes);
 /// the tolerance, in a sheet along the plane; if no vertex is farther inside than the tolerance, the whole polytope is
 /// lost. Excess parts are equally thin.
 ///
-/// If vertices within the tolerance make the cut something other than one polygon, it is repeated with fractions and
-/// then with multiples of the tolerance until it is one polygon.
+/// If the cross-section is not a single polygon, because of vertices within the tolerance, the cut is repeated with
+/// fractions and then with multiples of the tolerance until it is one.
 Polytope clip(Polytope polytope, facet::Halfspace halfspace, const facet::PlaneTable& planes);
 
 /// Approximate cost, in steps of work (hw/base/work.h), of one cut that visits `vertices` vertices.

@@ -29,11 +29,11 @@ struct CutFace {
   FaceCorners corners;
 };
 
-/// The result of cutting a polytope by a plane: the changed faces and the polygon that closes the cut.
+/// The result of cutting a polytope by a plane.
 struct Cut {
-  std::vector<CutFace> faces;
+  std::vector<CutFace> faces;     ///< the faces that change
   std::vector<glm::dvec3> added;  ///< new vertices, numbered consecutively after those of the polytope
-  FaceCorners cap;
+  FaceCorners cap;                ///< corners of the polygon that closes the cut
 };
 
 /// Cuts the given faces, in ascending order, by a plane. `faces` must include every face with a vertex that is not

@@ -107,7 +107,7 @@ class BoxSearch {
   facet::Box found_;
 };
 
-/// Whether the tree contains only unions, so that the folded boxes are those of the model.
+/// Whether the tree contains only unions of primitives, so that the primitives' boxes give the box of the model.
 bool is_union(const csg::PositiveTree& tree) {
   return std::all_of(tree.nodes.begin(), tree.nodes.end(), [](const csg::PositiveNode& node) {
     return node.is_leaf ? !node.complemented : node.op == csg::PositiveOperator::unite;

@@ -18,7 +18,7 @@ constexpr std::string_view merging = "merging convex pieces";
 /// Cost of comparing the boxes of two polytopes.
 constexpr std::uint64_t pair_steps = 4;
 
-/// A polytope's entry under one of its planes.
+/// A face of a polytope, sorted by its plane.
 struct Entry {
   std::uint32_t plane = 0;
   bool negative = false;

@@ -69,8 +69,8 @@ std::vector<Oriented> sorted(const facet::PlaneTable& planes) {
   return all;
 }
 
-/// A second direction whose values distinguish normals. They are in single precision, so that several fit a vector
-/// register.
+/// A second direction: the normals' components along it distinguish planes with nearly equal sort positions. The
+/// components are in single precision, so that several fit a vector register.
 constexpr glm::dvec3 discriminator{0.7333, -0.5477, 0.4019};
 constexpr float discriminator_window =
     static_cast<float>(near_normals * (discriminator.x - discriminator.y + discriminator.z)) + 4e-7F;
@@ -85,7 +85,7 @@ std::vector<float> discriminating_values(const std::vector<Oriented>& all, const
   return values;
 }
 
-/// Calls visit(j) for each j in [begin, end) whose value differs by at most the window of nearly equal planes.
+/// Calls visit(j) for each j in [begin, end) for which values[j] differs from `value` by at most discriminator_window.
 template <class Visit>
 void for_near_values(const std::vector<float>& values, float value, std::size_t begin, std::size_t end,
                      const Visit& visit) {
@@ -140,7 +140,7 @@ bool are_near(const facet::Plane& one, const facet::Plane& other, double sign, d
   return tilt <= near_normals && offset <= (is_parallel ? near_parallel_offsets : near_offsets);
 }
 
-/// The number in the file of each primitive's node.
+/// The number, in file order, of each primitive's node.
 std::vector<std::uint32_t> node_numbers(const model::Tree& tree) {
   std::vector<std::uint32_t> nodes;
   std::uint32_t node = 0;
@@ -283,9 +283,8 @@ void warn_of_near_faces(const model::Tree& tree, const facet::Geometry& geometry
   const std::string first = model::place_of(tree, found.first[0]);
   const std::string second = model::place_of(tree, found.first[1]);
   report_line(
-      fmt::format("{}: warning: one of its faces and one of {} are nearly, but not exactly, coplanar{}; specks or a "
-                  "thin skin may be "
-                  "visible: {}let one solid reach well into the other",
+      fmt::format("{}: warning: a face of this solid and a face of {} are nearly, but not exactly, coplanar{}; "
+                  "specks or a thin skin may be visible: {}let one solid reach well into the other",
                   first, second, others, is_snapped ? "" : "use --snap, or "));
 }
 

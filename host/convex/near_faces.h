@@ -30,8 +30,8 @@ struct NearFaces {
 /// Maximum number of pairs of faces that are tested.
 inline constexpr std::uint64_t max_near_faces = 1'000'000;
 
-/// Finds the pairs. Takes n log n time in the number of planes, plus the time for at most max_near_faces pairs of faces
-/// in nearly equal planes.
+/// Finds the pairs of nodes with overlapping faces in nearly equal planes. Takes n log n time in the number of planes,
+/// plus the time for at most max_near_faces pairs of faces.
 NearFaces near_faces(const model::Tree& tree, const facet::Geometry& geometry);
 
 /// Prints a one-line warning if there are such pairs. `is_snapped`: rotations have been restored from printed digits.

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view taking_away = "subtracting solids from convex pieces";
 
-/// Whether a face of the common part lies in the plane, and part of the rest is beyond the plane.
+/// Whether the plane contains a face of the common part `both`, and part of `rest` is outside the half-space.
 bool is_wall(facet::Halfspace halfspace, const Polytope& both, const Polytope& rest, const facet::PlaneTable& planes) {
   const bool has_face =
       std::any_of(both.faces.begin(), both.faces.end(), [&](const Face& face) { return face.halfspace == halfspace; });

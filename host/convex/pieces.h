@@ -22,6 +22,7 @@ struct Piece {
   std::uint32_t product = 0;
 };
 
+/// Default maximum number of parts before merging.
 inline constexpr std::size_t max_pieces = 100'000;
 
 /// The model as a union of convex pieces: the subtracted primitives are cut from each of its products

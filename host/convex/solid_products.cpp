@@ -25,8 +25,8 @@ constexpr std::uint64_t visit_steps = 16;
 
 /// The region outside which a subtree is constant: entirely inside or entirely outside.
 struct Reach {
-  bool in_elsewhere = false;
-  facet::Box box;  ///< relative to PlaneTable::centre()
+  bool in_elsewhere = false;  ///< whether all points outside the box are inside the subtree
+  facet::Box box;             ///< relative to PlaneTable::centre()
 };
 
 /// Bounds of a node. If each operand alone decides the result outside its box, only the intersection of these boxes is
@@ -67,7 +67,7 @@ struct Partial {
   std::uint32_t primitive = model::no_index;
 };
 
-/// An operand of a union with which the expansion continues.
+/// A partial product, and the subtree with which to intersect it next: an operand of a union, or the root.
 struct Branch {
   std::shared_ptr<const Partial> parent;
   std::uint32_t node;

@@ -49,7 +49,7 @@ class VertexIndex {
       return below + (place[axis] < middle() ? 0U : 1U);
     }
     void put(const Held& one);
-    /// Whether every vertex is lower above the plane than `height`, including rounding errors.
+    /// Whether every vertex is certainly less than `height` above the plane, despite rounding errors.
     [[nodiscard]] bool is_surely_below(const facet::Plane& plane, double height) const;
   };
 

@@ -7,7 +7,7 @@ namespace csgsim::pixel_square {
 
 namespace {
 
-/// Account of a unit that has no refresh and ring activities.
+/// Account of a unit that neither refreshes nor waits for the ring.
 machines::PartAccount part(std::string name, const SquareClocks& clocks) {
   using enum SquareActivity;
   return machines::part_of(
@@ -34,26 +34,26 @@ machines::PartAccount frame_buffer(const SquareClocks& clocks) {
 }
 
 /// Adds the units that distribute the squares, and those that supply them.
-void add_front(const SquareAccount& counted, machines::Account& account) {
-  if (!counted.ring) account.parts.push_back(part("host", counted.host));
-  for (std::size_t i = 0; i < counted.processors.size(); ++i)
-    account.parts.push_back(processor("processor " + std::to_string(i), counted.processors[i]));
-  if (counted.ring) {
-    account.parts.push_back(ring(counted.ring->clocks));
-    account.counts.push_back({"ring_words", counted.ring->words});
-    account.counts.push_back({"ring_full_clocks", counted.ring->full_clocks});
+void add_front(const SquareAccount& counts, machines::Account& account) {
+  if (!counts.ring) account.parts.push_back(part("host", counts.host));
+  for (std::size_t i = 0; i < counts.processors.size(); ++i)
+    account.parts.push_back(processor("processor " + std::to_string(i), counts.processors[i]));
+  if (counts.ring) {
+    account.parts.push_back(ring(counts.ring->clocks));
+    account.counts.push_back({"ring_words", counts.ring->words});
+    account.counts.push_back({"ring_full_clocks", counts.ring->full_clocks});
   }
-  for (std::size_t i = 0; i < counted.dividers.size(); ++i) {
-    const std::string name = counted.dividers.size() == 1 ? "divider" : "divider " + std::to_string(i);
-    account.parts.push_back(part(name, counted.dividers[i]));
+  for (std::size_t i = 0; i < counts.dividers.size(); ++i) {
+    const std::string name = counts.dividers.size() == 1 ? "divider" : "divider " + std::to_string(i);
+    account.parts.push_back(part(name, counts.dividers[i]));
   }
-  if (counted.sender) account.parts.push_back(part("sender", *counted.sender));
+  if (counts.sender) account.parts.push_back(part("sender", *counts.sender));
 }
 
 /// Fraction of the renderers' clocks spent drawing.
-machines::Share utilisation(const SquareAccount& counted) {
+machines::Share utilisation(const SquareAccount& counts) {
   machines::Share share{.name = "renderer_utilisation"};
-  for (const SquareClocks& renderer : counted.renderers) {
+  for (const SquareClocks& renderer : counts.renderers) {
     share.part += renderer.of(SquareActivity::working);
     share.whole += renderer.total();
   }
@@ -67,18 +67,18 @@ SquareClocks complete_clocks(SquareClocks counted, SquareActivity rest, std::uin
   return counted;
 }
 
-machines::Account account(const SquareAccount& counted) {
+machines::Account account(const SquareAccount& counts) {
   machines::Account account{
-      .counts = {{"squares_drawn", counted.squares_drawn}, {"squares_skipped", counted.squares_skipped}},
-      .shares = {utilisation(counted)},
+      .counts = {{"squares_drawn", counts.squares_drawn}, {"squares_skipped", counts.squares_skipped}},
+      .shares = {utilisation(counts)},
       .parts = {}};
-  add_front(counted, account);
-  for (std::size_t i = 0; i < counted.renderers.size(); ++i) {
+  add_front(counts, account);
+  for (std::size_t i = 0; i < counts.renderers.size(); ++i) {
     const std::string name = "renderer " + std::to_string(i);
-    account.counts.push_back({"squares of " + name, counted.renderer_squares[i]});
-    account.parts.push_back(part(name, counted.renderers[i]));
+    account.counts.push_back({"squares of " + name, counts.renderer_squares[i]});
+    account.parts.push_back(part(name, counts.renderers[i]));
   }
-  account.parts.push_back(frame_buffer(counted.frame_buffer));
+  account.parts.push_back(frame_buffer(counts.frame_buffer));
   return account;
 }
 

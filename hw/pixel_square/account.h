@@ -14,8 +14,8 @@ namespace csgsim::pixel_square {
 
 /// Activities of a unit of the pixel-square machine. Each clock of the frame counts for exactly one.
 enum class SquareActivity : std::uint8_t {
-  /// The host sends the model; a divider receives it, tests and writes; a sender sends; a renderer clears, draws or
-  /// moves a square; the frame buffer stores.
+  /// The host sends the model; a divider receives the model, tests or writes; a sender sends; a renderer clears, draws
+  /// or moves a square; the frame buffer stores.
   working,
   waiting_for_host,          ///< the first word has not left the host, or the model has not arrived
   waiting_for_divider,       ///< the model FIFO is full, no square is in the store, or no complete command has arrived
@@ -37,7 +37,7 @@ constexpr std::string_view name_of(SquareActivity activity) {
 /// Clocks of one unit by activity; their sum is the frame's clocks.
 using SquareClocks = machines::ClockTally<SquareActivity, square_activity_names.size()>;
 
-/// Completes the clocks counted until now to a frame of `clocks` clocks: the remaining clocks are counted as `rest`.
+/// Returns `counted` with the remaining clocks of a frame of `clocks` clocks added to activity `rest`.
 SquareClocks complete_clocks(SquareClocks counted, SquareActivity rest, std::uint64_t clocks);
 
 /// Counts of the ring in one frame.
@@ -67,6 +67,6 @@ struct SquareAccount {
 };
 
 /// Converts the counts to the account that statistics and reports show.
-machines::Account account(const SquareAccount& counted);
+machines::Account account(const SquareAccount& counts);
 
 }  // namespace csgsim::pixel_square

@@ -59,7 +59,7 @@ void CornerDivider::work() {
       state_ = name_of(SquareActivity::done);
       continue;
     }
-    take_model();
+    receive_model();
     SteppedDatapath path(header_, memory_, machine_, remote_planes_, callbacks());
     for (const std::size_t square : assigned_) divide(square, path);
     wait_spent();
@@ -70,7 +70,7 @@ void CornerDivider::work() {
 
 /// The boxes of the tree's nodes are computed while the model is received, and written to the node memory after its
 /// last word.
-void CornerDivider::take_model() {
+void CornerDivider::receive_model() {
   constexpr unsigned byte_bits = 8;
   const division::DisplayModel model = division::from_link(receiver_.bytes(), byte_bits);
   header_ = model.header();

@@ -21,7 +21,7 @@ namespace csgsim::pixel_square {
 /// State of a divider, for waves.
 struct DividerStatus {
   std::string_view state;  ///< `receiving`, `testing`, `writing`, `done`, or the name of the reason for waiting
-  std::optional<std::size_t> square;
+  std::optional<std::size_t> square;  ///< index of the square in progress
 };
 
 /// A divider in the machine (thesis fig. 7.3, docs/machines/pixel-square.md). After the model has been received, it
@@ -46,7 +46,7 @@ class CornerDivider final : public sc_core::sc_module {
 
  private:
   void work();
-  void take_model();
+  void receive_model();
   void divide(std::size_t square, SteppedDatapath& path);
   void begin_group(const isa::Region& group, SteppedDatapath& path);
   [[nodiscard]] isa::Region enclosing_group(const isa::Region& square) const;
@@ -71,7 +71,7 @@ class CornerDivider final : public sc_core::sc_module {
   std::optional<division::Divider> divider_;  ///< set once the model has been received
   bool remote_planes_ = false;
   isa::Region group_;                         ///< group that the list belongs to
-  std::optional<division::Candidates> list_;  ///< survivors of the group, if they fit the list memory
+  std::optional<division::Candidates> list_;  ///< result of the first level for the group, if it fits the list memory
   std::optional<std::size_t> square_;         ///< square in progress
   bool begun_square_ = false;                 ///< whether part of the square is in the store
   SquareClocks clocks_;                       ///< counted since the model was received

@@ -73,7 +73,7 @@ struct Figures {
   std::uint32_t dividers = 1;
   std::uint32_t levels = 1;            ///< with 2, the model is first divided for a group of squares
   std::uint32_t group_side = 1;        ///< side of a group, in squares
-  std::uint32_t list_entries = 1;      ///< capacity of the list of survivors between the levels
+  std::uint32_t list_entries = 1;      ///< capacity of the list of primitives and half-spaces that remain for a group
   std::uint32_t model_bits = 1;        ///< bits of the memory that holds the model
   std::uint32_t record_bits = 1;       ///< bits read from that memory per clock
   std::uint32_t halfspaces = 1;        ///< capacity of the half-space memory of the current surface
@@ -109,7 +109,7 @@ constexpr std::uint32_t command_word_bits(const Figures& figures, std::uint32_t 
 }
 
 /// Bits stored for each half-space of the current surface (docs/machines/pixel-square.md): 251 for the half-space, and
-/// its index among the survivors in cells of each of 15 sizes.
+/// an index for each of 15 cell sizes: the half-space's place among those that remain in a cell of that size.
 constexpr std::uint64_t halfspace_entry_bits(const Figures& figures) {
   constexpr std::uint64_t itself = 251;
   constexpr std::uint64_t sizes = 15;

@@ -67,11 +67,11 @@ void FrameBuffer::on_clock() {
 /// Accounts for the elapsed clocks; the frame buffer slept through all but the last.
 void FrameBuffer::count(std::uint64_t clocks) {
   if (screen_.row()) clocks_.add(SquareActivity::refreshing, clocks - 1);
-  screen_.on_clocks(clocks);
+  screen_.advance(clocks);
 }
 
 void FrameBuffer::sleep() {
-  if (!screen_.takes()) return next_trigger(words_written_);
+  if (!screen_.takes_turns()) return next_trigger(words_written_);
   const std::uint64_t clocks = screen_.clocks_to_change();
   if (clocks > 1) next_trigger(sc_core::sc_time::from_value(clocks * period_.value()), words_written_);
 }
@@ -171,8 +171,8 @@ std::uint64_t FrameBuffer::bits_to_come(const Incoming& square) const {
   return std::min<std::uint64_t>(port_bits_, colour_bits(square) - square.next_bit);
 }
 
-/// Calls act(at, from, count) for each pixel with colour bits in the next word: `count` bits, starting with bit `from`
-/// of the word, belong at position `at`. Returns the position at which the following word begins.
+/// Calls visit(at, from, count) for each pixel with colour bits in the next word: `count` bits, starting with bit
+/// `from` of the word, belong at position `at`. Returns the position at which the following word begins.
 template <class Visit>
 FrameBuffer::Cursor FrameBuffer::for_each_colour(const Incoming& square, const Visit& visit) const {
   Cursor at = square.next;

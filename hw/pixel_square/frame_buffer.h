@@ -39,8 +39,8 @@ class FrameBuffer final : public systemc::ClockedModule {
 
   void begin(const FrameContents& contents);
 
-  /// Colour of every pixel, in row order: the last stored value, or 0 if none was stored since the picture got its
-  /// size.
+  /// Colour of every pixel, in row order: the last stored value, or 0 if none was stored since the picture's size last
+  /// changed.
   [[nodiscard]] std::span<const std::uint32_t> picture() const { return picture_; }
 
   // State for waves: the port served last at the last edge, if any; the row that the screen reads, if any; the square

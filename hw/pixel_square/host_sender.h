@@ -20,7 +20,7 @@ class HostSender final : public Sender {
   [[nodiscard]] std::string_view preparing() const override { return name_of(SquareActivity::waiting_for_host); }
   SquareStart start(std::size_t square) override;
   [[nodiscard]] const isa::LinkWord* next_word() const override { return &words_[next_]; }
-  bool pass() override { return ++next_ == words_.size(); }
+  bool advance() override { return ++next_ == words_.size(); }
 
   const std::uint32_t link_width_;
   const std::uint32_t latency_;

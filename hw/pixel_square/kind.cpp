@@ -46,11 +46,10 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
     shared::link_latency,
     own_figure<Figures, &Figures::has_global_or>("global_or.present", "lines", 0, 1,
                                                  "wired OR of a renderer's enable bits, read by its controller"),
-    machines::or_ideal(
-        own_figure<Figures, &Figures::or_fan_in>(
-            "global_or.fan_in", "lines", 2, 65536,
-            "inputs of a gate of that OR, each gate followed by a register; ideal: it settles in a clock"),
-        0),
+    machines::or_ideal(own_figure<Figures, &Figures::or_fan_in>(
+                           "global_or.fan_in", "lines", 2, 65536,
+                           "inputs of a gate of the global OR, with a register after each gate; ideal: a single gate"),
+                       0),
     own_figure<Figures, &Figures::renderers>("renderers.count", "renderers", 1, 1024, "squares drawn in parallel"),
     own_figure<Figures, &Figures::buffers>("renderers.buffers", "squares", 1, 2,
                                            "finished or unfinished squares that a renderer holds"),
@@ -79,14 +78,14 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
         "banks that each store one word per clock; the picture's rows are interleaved over them"),
     own_figure<Figures, &Figures::pictures>(
         "frame_buffer.pictures", "pictures", 1, 2,
-        "pictures held; with 2, one is shown while the other is drawn, and the screen takes no turns"),
+        "pictures held; with 2, one is shown while the other is drawn, so the screen never delays drawing"),
     machines::or_ideal(
         own_figure<Figures, &Figures::refresh_rate>("refresh.rate", "Hz", 1, 1000, "pictures shown per second"),
         not_shown),
     own_figure<Figures, &Figures::refresh_bits>("refresh.bits", "bits", 1, 1U << 24U,
                                                 "bits of the picture that the screen reads per turn"),
     own_figure<Figures, &Figures::refresh_clocks>("refresh.clocks", "clocks", 1, 1000,
-                                                  "clocks for which such a turn occupies a bank of the frame buffer"),
+                                                  "clocks for which a turn of the screen occupies a bank"),
     own_figure<Figures, &Figures::order>("divider.order", "", 0, 2, "order in which squares are drawn",
                                          square_order_names),
     own_figure<Figures, &Figures::divider>("divider.kind", "", 0, 2,
@@ -100,18 +99,18 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
                                                      "words that the ring of processors carries concurrently"),
         all_channels),
     own_figure<Figures, &Figures::ring_bits>("ring.width", "bits", 1, isa::LinkWord::most_bits,
-                                             "bits of a word of commands or colours on that ring"),
+                                             "bits of a word of commands or colours on the ring"),
     own_figure<Figures, &Figures::ring_word_clocks>("ring.word_clocks", "clocks", 1, max_parameter_clocks,
-                                                    "clocks between two words on a channel of that ring"),
+                                                    "clocks between two words on a channel of the ring"),
     own_figure<Figures, &Figures::dividers>("divider.count", "dividers", 1, 64,
                                             "with corners: dividers, to which groups of squares are assigned "
                                             "round-robin, each with the following resources"),
     own_figure<Figures, &Figures::levels>("divider.levels", "levels", 1, 2,
                                           "with corners: 2 divides groups of squares first"),
-    own_figure<Figures, &Figures::group_side>("divider.group", "squares", 1, 1024,
-                                              "squares of a group, horizontally and vertically"),
-    own_figure<Figures, &Figures::list_entries>("divider.list", "entries", 0, 1'000'000'000,
-                                                "capacity of the list of what remains for a group"),
+    own_figure<Figures, &Figures::group_side>("divider.group", "squares", 1, 1024, "side of a group, in squares"),
+    own_figure<Figures, &Figures::list_entries>(
+        "divider.list", "entries", 0, 1'000'000'000,
+        "capacity of the list of primitives and half-spaces that remain for a group"),
     own_figure<Figures, &Figures::model_bits>(
         "divider.memory", "bits", 1, 4'000'000'000,
         "memory for the model; if the model does not fit, its planes stay on the host"),
@@ -122,8 +121,9 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
                                               "half-spaces held for a surface; the rest go to the model memory"),
     own_figure<Figures, &Figures::nodes>("divider.nodes", "nodes", 1, 1'000'000'000,
                                          "tree nodes held for a surface; the rest go to the model memory"),
-    own_figure<Figures, &Figures::store_words>("divider.store", "words", 1, 1'000'000'000,
-                                               "link words of the store for commands that have not left"),
+    own_figure<Figures, &Figures::store_words>(
+        "divider.store", "words", 1, 1'000'000'000,
+        "capacity, in link words, of the store for commands that wait for the sender"),
     machines::or_ideal(
         own_figure<Figures, &Figures::box_clocks>("divider.box_clocks", "clocks", 0, max_parameter_clocks,
                                                   "clocks to compare the box of a primitive with a square's"),
@@ -199,7 +199,7 @@ void check_answers(const isa::Program& program, const Machine& machine) {
     if (found == instructions.end()) continue;
     throw InputError(
         fmt::format("segment {}, instruction {}: global_or returns an answer to the host, but the renderers of {} "
-                    "have no path to it; omit it, or use a machine of kind frame-buffer, such as pixel-planes-4",
+                    "cannot send one; omit global_or, or use a machine of kind frame-buffer, such as pixel-planes-4",
                     s, found - instructions.begin(), machine.name));
   }
 }

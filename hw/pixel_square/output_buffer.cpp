@@ -33,7 +33,7 @@ void OutputBuffer::begin(const isa::Region& region, std::uint32_t colour_bits) {
   put_bits(bits_, 0, header_bits, header_of(region));
 }
 
-void OutputBuffer::take_row(const pixel_planes::RefreshPort& memory, isa::Field colour) {
+void OutputBuffer::load_row(const pixel_planes::RefreshPort& memory, isa::Field colour) {
   colours_.assign(region_.width, 0);
   read(memory, colour, rows_++, colours_);
   for (const std::uint32_t value : colours_) {
@@ -44,7 +44,7 @@ void OutputBuffer::take_row(const pixel_planes::RefreshPort& memory, isa::Field 
 
 void OutputBuffer::load(const pixel_planes::RefreshPort& memory, isa::Field colour, const isa::Region& region) {
   begin(region, colour.width);
-  for (std::uint32_t row = 0; row < region.height; ++row) take_row(memory, colour);
+  for (std::uint32_t row = 0; row < region.height; ++row) load_row(memory, colour);
 }
 
 }  // namespace csgsim::pixel_square

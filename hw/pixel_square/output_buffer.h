@@ -18,8 +18,8 @@ class OutputBuffer {
   /// Begins a square with `colour_bits` bits of colour per pixel; no row is loaded.
   void begin(const isa::Region& region, std::uint32_t colour_bits);
 
-  /// Loads the next row: the colour field of each of its pixels, from the top left corner of the memory.
-  void take_row(const pixel_planes::RefreshPort& memory, isa::Field colour);
+  /// Loads the next row: the field `colour` of each of its pixels. The square is at the top left corner of the array.
+  void load_row(const pixel_planes::RefreshPort& memory, isa::Field colour);
 
   /// Begins a square and loads all its rows.
   void load(const pixel_planes::RefreshPort& memory, isa::Field colour, const isa::Region& region);
@@ -27,7 +27,7 @@ class OutputBuffer {
   /// Whether part of the square has not been sent.
   [[nodiscard]] bool busy() const { return first_ < size_; }
 
-  /// Whether all bits of the next word are loaded; valid while busy.
+  /// Whether all bits of the next word are loaded; valid only if busy().
   [[nodiscard]] bool has_word() const { return first_ + port_bits_ <= filled_ || filled_ == size_; }
 
   /// Whether some bits of the next word of colours are not loaded.

@@ -34,7 +34,7 @@ void OutputPort::begin_square() {
 
 void OutputPort::transfer() {
   if (squares_.empty() || !squares_.front().needs_row() || latched_ < colour_.width) return;
-  squares_.front().take_row(*memory[0], colour_);
+  squares_.front().load_row(*memory[0], colour_);
   latched_ = 0;
   --rows_to_latch_;
 }

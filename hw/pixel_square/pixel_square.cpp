@@ -172,7 +172,7 @@ systemc::RunReport PixelSquareMachine::run(const isa::Program& program, systemc:
   return {.clocks = clocks,
           .skipped = skipped,
           .answers = {},
-          .account = account(counted(clocks)),
+          .account = account(frame_account(clocks)),
           .picture = picture_of(program)};
 }
 
@@ -197,7 +197,7 @@ void PixelSquareMachine::begin(const isa::Program& program, systemc::RunListener
 /// Clock edges since the machine was built.
 std::uint64_t PixelSquareMachine::edges() const { return systemc::edges(clock_.period()); }
 
-SquareAccount PixelSquareMachine::counted(std::uint64_t clocks) const {
+SquareAccount PixelSquareMachine::frame_account(std::uint64_t clocks) const {
   SquareAccount account;
   account.squares_skipped = front_.processors ? front_.processors->squares_skipped() : sender().squares_skipped();
   if (front_.host) account.host = front_.host->account(clocks);
@@ -276,7 +276,7 @@ std::vector<wave::Tap> PixelSquareMachine::pixel_taps(wave::Pixel pixel, const i
   const std::string part = wave::part_of(pixel);
   taps.push_back(wave::number(part + ".renderer", 8, [this, segment]() -> wave::Number {
     for (std::size_t i = 0; i < renderers_.size(); ++i) {
-      if (has(renderers_[i].parts(), segment)) return i;
+      if (holds_segment(renderers_[i].parts(), segment)) return i;
     }
     return std::nullopt;
   }));

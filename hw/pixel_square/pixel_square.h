@@ -94,7 +94,7 @@ class PixelSquareMachine final : public sc_core::sc_module, public systemc::Cloc
   void begin(const isa::Program& program, systemc::RunListener& listener);
   void on_done();
   [[nodiscard]] std::uint64_t edges() const;
-  [[nodiscard]] SquareAccount counted(std::uint64_t clocks) const;
+  [[nodiscard]] SquareAccount frame_account(std::uint64_t clocks) const;
   [[nodiscard]] std::vector<std::uint32_t> picture_of(const isa::Program& program) const;
 
   const machines::Machine machine_;

@@ -32,7 +32,7 @@ static_assert(header_bits == 64);
 std::uint64_t header_of(const isa::Region& region);
 isa::Region region_of(std::uint64_t header);
 
-/// Writes `count` bits (0 to 64); the destination bits must be 0.
+/// Writes the lowest `count` bits (0 to 64) of `value` to `into`, from bit `first` on. These bits must have been 0.
 void put_bits(std::span<std::uint64_t> into, std::uint64_t first, unsigned count, std::uint64_t value);
 
 /// Returns `count` bits from bit `first` on; bits beyond the end are 0.

@@ -30,8 +30,8 @@ std::function<Number()> at_pixels(const RendererParts& parts, const isa::Program
 
 }  // namespace
 
-/// While memory is being cleared, part of it still holds the previous square.
-bool has(const RendererParts& parts, std::uint32_t segment) {
+/// Returns false while memory is being cleared, because part of it still holds the previous square.
+bool holds_segment(const RendererParts& parts, std::uint32_t segment) {
   const pixel_planes::ControlWord& before = parts.pipeline.now().last_executed();
   return parts.completion.segment() == segment && !(before.clears && !before.last);
 }
@@ -65,7 +65,7 @@ std::vector<Tap> pixel_taps(wave::Pixel pixel, std::uint32_t segment, const Rend
                             const isa::Program& program, std::span<const wave::TreeLevel> levels, unsigned alu_bits) {
   const isa::Region& region = program.segments[segment].region;
   const array::Place place{pixel.x - region.x, pixel.y - region.y};
-  const auto shows = [parts, segment] { return has(parts, segment); };
+  const auto shows = [parts, segment] { return holds_segment(parts, segment); };
   std::vector<Tap> taps = wave::instruction_taps(wave::part_of(pixel), program, at_pixels(parts, program, segment));
   wave::add(
       pixel_planes::pixel_taps(pixel, {parts.pipeline, place, place, shows, parts.trees}, program, levels, alu_bits),

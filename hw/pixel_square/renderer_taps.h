@@ -27,6 +27,6 @@ std::vector<wave::Tap> pixel_taps(wave::Pixel pixel, std::uint32_t segment, cons
                                   unsigned alu_bits);
 
 /// Whether the pixels hold the square of the given segment and are not being cleared.
-bool has(const RendererParts& parts, std::uint32_t segment);
+bool holds_segment(const RendererParts& parts, std::uint32_t segment);
 
 }  // namespace csgsim::pixel_square

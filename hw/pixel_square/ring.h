@@ -35,6 +35,7 @@ class Ring final : public systemc::ClockedModule {
   /// Begins a frame with the next clock.
   void begin();
 
+  /// Counts in a frame of `clocks` clocks.
   [[nodiscard]] RingAccount account(std::uint64_t clocks) const {
     return {complete_clocks(clocks_, SquareActivity::waiting_for_divider, clocks), words_, full_clocks_};
   }

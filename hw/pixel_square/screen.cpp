@@ -24,7 +24,7 @@ void Screen::begin(const machines::Size& picture, std::uint32_t colour_bits) {
   left_ = 0;
 }
 
-void Screen::on_clocks(std::uint64_t clocks) {
+void Screen::advance(std::uint64_t clocks) {
   left_ -= static_cast<std::uint32_t>(std::min<std::uint64_t>(left_, clocks));
   phase_ += clocks * step_;
   if (phase_ < clock_hz_) return;
@@ -45,7 +45,7 @@ std::optional<std::uint32_t> Screen::row() const {
   return static_cast<std::uint32_t>(at_ / row_bits_);
 }
 
-std::uint64_t turns_of(const machines::Size& picture, std::uint32_t colour_bits, const Figures& figures) {
+std::uint64_t turns_per_picture(const machines::Size& picture, std::uint32_t colour_bits, const Figures& figures) {
   if (figures.refresh_rate == not_shown || figures.pictures >= 2) return 0;
   return quotient_up(std::uint64_t{picture.width} * picture.height * colour_bits, figures.refresh_bits);
 }
@@ -53,7 +53,7 @@ std::uint64_t turns_of(const machines::Size& picture, std::uint32_t colour_bits,
 void check_screen(const isa::FrameHeader& header, const machines::Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
   const std::uint64_t turns =
-      figures.refresh_rate * turns_of({header.shape.width, header.shape.height}, header.colour.width, figures);
+      figures.refresh_rate * turns_per_picture({header.shape.width, header.shape.height}, header.colour.width, figures);
   if (turns == 0 || turns <= (machine.clock_hz - 1) / figures.refresh_clocks) return;
   throw InputError(fmt::format(
       "the screen takes {} turns per second of {} clocks each, but the frame buffer has {} clocks per second, "

@@ -19,16 +19,16 @@ class Screen {
   void begin(const machines::Size& picture, std::uint32_t colour_bits);
 
   /// Advances by `clocks` edges, at most clocks_to_change().
-  void on_clocks(std::uint64_t clocks);
+  void advance(std::uint64_t clocks);
 
-  /// Edges until a turn begins or ends; valid only if takes().
+  /// Edges until a turn begins or ends; valid only if takes_turns().
   [[nodiscard]] std::uint64_t clocks_to_change() const;
 
-  /// First row read by the turn in the clock that begins with the current edge, if any.
+  /// First row read by the turn that occupies the clock after the current edge; empty if there is no turn.
   [[nodiscard]] std::optional<std::uint32_t> row() const;
 
   /// Whether the screen takes turns.
-  [[nodiscard]] bool takes() const { return step_ > 0; }
+  [[nodiscard]] bool takes_turns() const { return step_ > 0; }
 
  private:
   const std::uint64_t rate_;      ///< pictures per second; 0 for none
@@ -44,8 +44,8 @@ class Screen {
   std::uint32_t left_ = 0;   ///< remaining clocks of the current turn
 };
 
-/// Number of turns for one display of the picture.
-std::uint64_t turns_of(const machines::Size& picture, std::uint32_t colour_bits, const Figures& figures);
+/// Number of turns in which the screen reads a whole picture once.
+std::uint64_t turns_per_picture(const machines::Size& picture, std::uint32_t colour_bits, const Figures& figures);
 
 /// Throws InputError if the screen would occupy every clock of the memory.
 void check_screen(const isa::FrameHeader& header, const machines::Machine& machine);

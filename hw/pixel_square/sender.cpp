@@ -111,7 +111,7 @@ SquareActivity Sender::send_word() {
     ++assigned_[*target_];
   }
   if (!links[*target_].nb_write(*word)) return SquareActivity::waiting_for_renderer;
-  if (pass()) end_square();
+  if (advance()) end_square();
   return SquareActivity::working;
 }
 

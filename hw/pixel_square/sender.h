@@ -20,7 +20,7 @@ namespace csgsim::pixel_square {
 /// A square that the sender begins to send.
 struct SquareStart {
   isa::Region region;
-  bool is_clear = false;  ///< the square is empty; no words follow
+  bool is_clear = false;  ///< whether the square is empty, so that no words follow
 };
 
 /// State of a sender, for waves, in the clock that began with the last edge.
@@ -60,7 +60,7 @@ class Sender : public systemc::ClockedModule {
   /// Event after which prepare() can return something other than waiting_for_divider; null to poll at each edge.
   [[nodiscard]] virtual const sc_core::sc_event* prepared(std::size_t /*square*/) const { return nullptr; }
 
-  /// Name of the state `working` while a square is prepared.
+  /// State shown in waves while prepare() returns `working`.
   [[nodiscard]] virtual std::string_view preparing() const = 0;
 
   /// Begins sending the prepared square.
@@ -70,7 +70,7 @@ class Sender : public systemc::ClockedModule {
   [[nodiscard]] virtual const isa::LinkWord* next_word() const = 0;
 
   /// Advances past the word that has been sent. Returns whether it was the last word of the square.
-  virtual bool pass() = 0;
+  virtual bool advance() = 0;
 
  private:
   void on_clock() override;
@@ -91,7 +91,7 @@ class Sender : public systemc::ClockedModule {
   std::size_t index_ = 0;                ///< index of the square in progress
   std::optional<SquareStart> square_;    ///< set once the square is prepared
   std::optional<std::size_t> target_;    ///< renderer that receives the square; none if it is cleared
-  std::size_t sent_ = 0;                 ///< number of words of its header already sent
+  std::size_t sent_ = 0;                 ///< number of words of the header of an empty square already sent
   std::uint32_t elapsed_ = 0;            ///< clocks spent on the current word
   std::vector<std::uint64_t> assigned_;  ///< squares assigned to each renderer
   std::uint64_t skipped_ = 0;

@@ -11,7 +11,8 @@ SquareCompletion::SquareCompletion(sc_core::sc_module_name name) : sc_core::sc_m
   sensitive << retired << accounts.data_written();
 }
 
-/// The account of a question arrives after its step has reached the pixels; that of any other command arrives before.
+/// The account of a global-OR test arrives after the test has reached the pixels; the account of any other command
+/// arrives before.
 void SquareCompletion::complete() {
   CommandAccount account;
   if (reported_ == retired.read() || !accounts.nb_read(account)) return;

@@ -24,12 +24,12 @@ namespace csgsim::pixel_square {
 /// - A global-OR test takes the clock of its step, and the clocks until its answer arrives. If no pixel is enabled, as
 ///   many instructions as the test specifies are received and dropped, each in the clock in which the next command
 ///   could have been taken.
-/// - SegmentEnd takes one clock, and those in which the last step travels to the pixels.
+/// - SegmentEnd takes one clock, and the clocks in which the last step travels to the pixels.
 ///
-/// At the next edge at which the output buffer is free, the square starts to move there, `move_bits` bit planes per
-/// clock; moving all planes at once takes no clock. With a backing store, it moves as soon as the store has room for
-/// it, `backing_width` bits per clock. With neither a second buffer nor a backing store, the pixels wait until the
-/// square has left. Then the next command is taken.
+/// At the next edge at which the output buffer is free, the square starts to move into that buffer, `move_bits` bit
+/// planes per clock; moving all planes at once takes no clock. With a backing store, the square moves as soon as the
+/// store has room, `backing_width` bits per clock. With neither a second buffer nor a backing store, the pixels wait
+/// until the square has left. Then the next command is taken.
 class SquareController final : public sc_core::sc_module {
  public:
   sc_core::sc_in<bool> clock{"clock"};
@@ -127,7 +127,7 @@ class SquareController final : public sc_core::sc_module {
   std::uint64_t begun_count_ = 0;
   std::uint64_t finished_count_ = 0;
   std::uint64_t squares_ = 0;
-  std::uint64_t idle_from_ = 0;  ///< edge of the last square's last clock, or of the frame's first
+  std::uint64_t idle_from_ = 0;  ///< edge at which the controller became idle, or at which the frame began
   SquareClocks clocks_;
 };
 

@@ -10,23 +10,27 @@
 
 namespace csgsim::pixel_square {
 
-/// Counts the clocks of a machine's divider (docs/machines/pixel-square.md), which reads records through a port of
+/// Counts the clocks of a divider in the machine (docs/machines/pixel-square.md), which reads records through a port of
 /// `divider.port` bits, tests them, and writes instructions.
 class SteppedDatapath final : public division::Datapath {
  public:
-  /// Input of the divider: the first of two levels, a square from the list that this level produced, or a square from
-  /// the whole model.
-  enum class Level : std::uint8_t { group, listed, whole };
+  /// What the divider divides, and from which input.
+  enum class Level : std::uint8_t {
+    group,   ///< first of two levels: a group of squares, from the whole model
+    listed,  ///< a square, from the list that the first level produced
+    whole,   ///< a square, from the whole model
+  };
 
   struct Callbacks {
     std::function<void(std::uint64_t)> spend;                    ///< adds the given number of clocks
-    std::function<void(const isa::Instruction&)> store_command;  ///< writes a command to the store, word by word
+    std::function<void(const isa::Instruction&)> store_command;  ///< writes an instruction to the store, word by word
   };
 
   /// `remote_planes`: whether the planes did not fit the divider's memory and are read from the host over the link.
   SteppedDatapath(const division::ModelHeader& header, const division::ModelMemory& memory,
                   const machines::Machine& machine, bool remote_planes, Callbacks callbacks);
 
+  /// Sets the level of all following operations.
   void enter(Level level) { level_ = level; }
 
  private:
@@ -47,7 +51,7 @@ class SteppedDatapath final : public division::Datapath {
   const Callbacks callbacks_;
   Level level_ = Level::whole;
   std::uint64_t read_ = 0;  ///< clocks to read the records of the current test
-  bool testing_ = false;    ///< a test overlaps with the current read
+  bool testing_ = false;    ///< whether a test overlaps with the current read
 };
 
 }  // namespace csgsim::pixel_square

@@ -22,7 +22,7 @@ void Store::write(const StoredWord& word, std::uint64_t edge) {
   if (word.is_last || words_.size() == depth_) notify_after(edge);
 }
 
-/// An earlier pending notification is kept; the woken process checks again.
+/// Notifies one edge after `edge`. An earlier pending notification is kept; the woken process checks again.
 void Store::notify_after(std::uint64_t edge) {
   ready_.notify(sc_core::sc_time::from_value((edge + 1 - this->edge()) * period_.value()));
 }

@@ -15,7 +15,7 @@ namespace csgsim::pixel_square {
 struct StoredWord {
   isa::LinkWord word;
   bool is_clear = false;  ///< marks an empty square; `word` is unused
-  bool is_last = false;   ///< last entry of its square
+  bool is_last = false;   ///< whether this is the last entry of its square
 };
 
 /// The memory between a divider, which writes one word per edge, and the sender, which reads one word per edge. A word
@@ -42,12 +42,14 @@ class Store {
   // Interface to the sender.
   /// Whether sending of a square can begin: the square is complete, or the store is full.
   [[nodiscard]] bool may_begin() const;
-  /// Oldest word; null if none was written at an earlier edge.
+  /// Oldest word; null if no stored word was written at an earlier edge.
   [[nodiscard]] const StoredWord* front() const;
+  /// Removes the oldest word; front() must not be null.
   void take();
   /// Event at which sending of a square may become possible; valid while no square can begin.
   [[nodiscard]] const sc_core::sc_event& ready();
 
+  /// Number of stored words.
   [[nodiscard]] std::uint64_t fill() const;
 
  private:

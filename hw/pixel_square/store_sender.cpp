@@ -27,7 +27,7 @@ const isa::LinkWord* StoreSender::next_word() const {
   return front == nullptr ? nullptr : &front->word;
 }
 
-bool StoreSender::pass() {
+bool StoreSender::advance() {
   const bool is_last = store_->front()->is_last;
   store_->take();
   return is_last;

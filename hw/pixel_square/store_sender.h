@@ -25,7 +25,7 @@ class StoreSender final : public Sender {
   [[nodiscard]] std::string_view preparing() const override { return name_of(SquareActivity::waiting_for_divider); }
   SquareStart start(std::size_t square) override;
   [[nodiscard]] const isa::LinkWord* next_word() const override;
-  bool pass() override;
+  bool advance() override;
 
   std::span<const isa::Region> squares_;
   std::vector<Store*> stores_;

@@ -36,7 +36,7 @@ std::size_t processors_in(const Machine& machine) {
   return has_ring(figures) ? figures.processors : 0;
 }
 
-/// The machine's units, executed in the order of the agenda.
+/// Edge-level model of the whole machine for one frame: its units act in the order of the agenda.
 class FrameModel {
  public:
   FrameModel(const isa::Program& program, const Machine& machine, std::span<const machines::Skip> skips,
@@ -55,11 +55,11 @@ class FrameModel {
 
   SquareTiming run() {
     if (!program_.segments.empty()) {
-      if (!dividers_.empty()) take_model();
+      if (!dividers_.empty()) receive_model();
       has_processors() ? processors_.begin() : sender_.begin();
       while (frame_buffer_.end() == 0) step();
     }
-    return {frame_buffer_.end(), counted()};
+    return {frame_buffer_.end(), frame_account()};
   }
 
  private:
@@ -95,7 +95,7 @@ class FrameModel {
   }
 
   /// Receives the words of the model as fast as the host can send them and the FIFO has room.
-  void take_model() {
+  void receive_model() {
     const machines::Link& link = machine_.link;
     const std::uint64_t words = quotient_up(8 * std::uint64_t{program_.display_model.size()}, link.width);
     Time last = 0;
@@ -122,7 +122,7 @@ class FrameModel {
     renderers_[part].draw(now);
   }
 
-  SquareAccount counted() {
+  SquareAccount frame_account() {
     const Time end = frame_buffer_.end();
     SquareAccount account;
     account.squares_skipped = has_processors() ? processors_.skipped() : sender_.skipped();
@@ -178,7 +178,7 @@ std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, co
   return result;
 }
 
-/// A question occupies the controller until its answer arrives, but the pixels only for one clock.
+/// A global-OR test occupies the controller until its answer arrives, but the pixels only for one clock.
 std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeline, const isa::Program& program,
                                                 const Machine& machine, std::uint32_t segment, std::uint32_t /*x*/,
                                                 std::uint32_t /*y*/) const {

@@ -14,8 +14,8 @@ struct SquareTiming {
   SquareAccount account;
 };
 
-/// Computes the timing from the clocks of each instruction; the clocked modules must count the same clocks. `skips`:
-/// skips of the run, in program order.
+/// Computes the timing of a frame from the clocks of each instruction; the clocked modules must count the same clocks.
+/// `skips`: all skips that occurred in the run, in program order.
 SquareTiming time_squares(const isa::Program& program, const machines::Machine& machine,
                           std::span<const machines::Skip> skips = {});
 

@@ -108,12 +108,12 @@ class Agenda {
     }
   }
 
-  /// Schedules the unit if it sleeps.
+  /// Schedules the unit if it sleeps; otherwise its entry is kept.
   void wake(std::size_t part, Time when) {
     if (due_[part] == never) put(part, when);
   }
 
-  /// Next unit to act, and its edge.
+  /// Returns the next unit to act and its edge. The unit then sleeps until it is scheduled again.
   std::pair<Time, std::size_t> next() {
     for (;;) {
       const std::optional<std::size_t> part = this_edge_.take();
@@ -154,8 +154,7 @@ class Fifo {
   [[nodiscard]] bool has_word(Time now) const { return !words_.empty() && words_.front().second < now; }
   [[nodiscard]] bool has_room(Time now) const { return words_.size() + (read_ == now ? 1U : 0U) < depth_; }
 
-  /// Whether there is a word at the next edge, and whether there is room. Valid only if this is not so at the current
-  /// edge.
+  // State at the next edge without further reads and writes; valid only if there is no word, or no room, at this edge.
   [[nodiscard]] bool has_word_next() const { return !words_.empty(); }
   [[nodiscard]] bool has_room_next() const { return words_.size() < depth_; }
 
@@ -197,6 +196,7 @@ class Fifo {
 /// Clocks of a unit by activity, counted in chronological order.
 class PartClocks {
  public:
+  /// Counts the next `clocks` clocks as working.
   void work(Time clocks) { add(SquareActivity::working, clocks); }
 
   /// Counts all clocks before `now` that are not counted yet as `why`.

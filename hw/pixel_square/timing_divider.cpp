@@ -43,7 +43,7 @@ void DividerTiming::list_pieces(std::size_t square) {
   for (const isa::DivisionStep& step : counts.steps) {
     before_ += division_.test_clocks(step, from_list_);
     for (std::uint64_t i = 0; i < step.instructions; ++i, ++instruction) {
-      // The square begins in the store when its first instruction is written.
+      // SegmentStart is written to the store together with the first instruction.
       const std::uint64_t clocks = division_.instruction_clocks(segment.instructions[instruction]);
       if (instruction > 0) {
         store(commands[instruction + 1], clocks);

@@ -26,8 +26,7 @@ class DividerTiming {
   /// Assigns one more square to the divider, in program order.
   void assign(std::size_t square) { assigned_.push_back(square); }
 
-  /// Starts the divider when the model's last word has arrived at edge `now`, after `words` clocks in which words
-  /// arrived.
+  /// Starts the divider at edge `now`, at which the last of the model's `words` words arrives.
   void begin(Time now, std::uint64_t words);
 
   /// Acts at an edge.
@@ -36,11 +35,11 @@ class DividerTiming {
   [[nodiscard]] const SquareClocks& clocks(Time end) { return clocks_.complete(end); }
 
  private:
-  /// Words that are stored without tests between them, and the clocks of the tests before the first of them.
+  /// Words that are stored without tests between them.
   struct Piece {
-    std::uint64_t clocks = 0;
+    std::uint64_t clocks = 0;  ///< clocks of the tests before the first word
     std::uint64_t words = 0;
-    TimedStored last;
+    TimedStored last;  ///< the last of these words
   };
 
   void list_pieces(std::size_t square);
@@ -56,7 +55,7 @@ class DividerTiming {
   PartClocks clocks_;
   std::deque<std::size_t> assigned_;  ///< squares not yet divided
   std::deque<Piece> pieces_;          ///< remaining pieces of the current square
-  std::uint64_t stored_ = 0;          ///< words of the current piece
+  std::uint64_t stored_ = 0;          ///< words of the current piece that are stored
   std::uint64_t before_ = 0;          ///< clocks of tests before the next piece, in addition to its own
   bool from_list_ = false;
 };

@@ -11,7 +11,7 @@ namespace csgsim::pixel_square {
 /// Number of words of a square's header.
 std::uint64_t header_words(std::uint64_t port_bits);
 
-/// The words of a square that leaves for the frame buffer: first its header, then its colours.
+/// The words of a square that have not yet left for the frame buffer: first its header, then its colours.
 class LeavingSquare {
  public:
   LeavingSquare() = default;

@@ -20,7 +20,7 @@ struct TimedRingWord {
   std::optional<std::size_t> renderer;  ///< destination; empty for the frame buffer
   TimedLinkWord command;
   TimedPortWord header;
-  bool ends = false;  ///< last word of its square
+  bool ends = false;  ///< whether this is the last word of its square
 };
 
 /// Edge-level model of the graphics processors.

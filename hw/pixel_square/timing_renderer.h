@@ -29,7 +29,7 @@ struct TimedLinkWord {
 };
 
 struct TimedPortWord {
-  bool last = false;                 ///< last word of the square, or of the header of a square to clear
+  bool last = false;                 ///< whether this ends the square, or the header of a square to clear
   std::optional<std::uint32_t> row;  ///< row of the picture in which the word begins; empty for a header word
   std::size_t cleared = 0;           ///< number of the square; set in the last word of the header of a square to clear
 };

@@ -24,7 +24,7 @@ RingTiming::RingTiming(const machines::Machine& machine, ProcessorsTiming& proce
   for (std::size_t i = 0; i < renderers.size(); ++i) renderers[i].colours().track_in(sources_, processors.count() + i);
 }
 
-/// Sleeps until another unit can unblock a word.
+/// Sleeps if no word can be carried until another unit acts.
 void RingTiming::carry(Time now) {
   if (now % word_clocks_ != 0) return agenda_.put(part_, step_after(now));
   const std::size_t sources = processors_.count() + renderers_.size();

@@ -27,7 +27,11 @@ class RingTiming {
 
  private:
   /// Result of polling a source at an edge.
-  enum class Outcome : std::uint8_t { stuck, later, carried };
+  enum class Outcome : std::uint8_t {
+    stuck,    ///< no word can be carried until another unit acts
+    later,    ///< a word can be carried at a later edge, even if no other unit acts
+    carried,  ///< a word was carried
+  };
 
   Outcome carry_from(std::size_t source, Time now);
   Outcome carry_from_processor(std::size_t number, Time now);

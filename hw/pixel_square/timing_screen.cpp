@@ -17,7 +17,7 @@ __extension__ using Wide = unsigned __int128;
 ScreenTiming::ScreenTiming(const isa::Program& program, const machines::Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
   const isa::FrameHeader header = isa::frame_header(program);
-  turns_per_picture_ = turns_of({header.shape.width, header.shape.height}, header.colour.width, figures);
+  turns_per_picture_ = turns_per_picture({header.shape.width, header.shape.height}, header.colour.width, figures);
   turns_per_second_ = turns_per_picture_ * figures.refresh_rate;
   clock_hz_ = machine.clock_hz;
   turn_clocks_ = figures.refresh_clocks;
@@ -26,7 +26,7 @@ ScreenTiming::ScreenTiming(const isa::Program& program, const machines::Machine&
   banks_ = figures.banks;
 }
 
-/// Number of turns that have begun.
+/// Number of turns that have begun up to edge `now`.
 std::uint64_t ScreenTiming::turns_until(Time now) const {
   return static_cast<std::uint64_t>(Wide{now} * turns_per_second_ / clock_hz_);
 }

@@ -24,7 +24,7 @@ SenderTiming::SenderTiming(const isa::Program& program, const machines::Machine&
       timeline_(timeline),
       activity_(dividers.empty() ? SquareActivity::waiting_for_host : SquareActivity::waiting_for_divider) {}
 
-/// If there are dividers, their stores wake the sender instead.
+/// Schedules the host's first word. With dividers, the sender acts at edge 1 and is then woken by their stores.
 void SenderTiming::begin() {
   if (!is_host()) return agenda_.put(part_, 1);
   clocks_.wait(SquareActivity::waiting_for_host, 1 + machine_.link.latency);

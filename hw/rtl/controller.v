@@ -53,7 +53,7 @@ module controller #(
   input wire answer,
 
   output reg told,                         // reports an answer to the host
-  output reg told_any,
+  output reg told_any,                     // that answer: whether any pixel is enabled
   output reg done,                         // the frame is done
   output reg [31:0] clocks,                // clocks of the frame until it was done
 

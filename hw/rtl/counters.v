@@ -9,11 +9,11 @@ module counters (
   input wire refresh_waits,         // from the controller
   output reg [31:0] issuing,
   output reg [31:0] clearing,
-  output reg [31:0] starved,        // idle, waiting for a command
-  output reg [31:0] answering,
-  output reg [31:0] jumping,
+  output reg [31:0] starved,        // waiting for a command, except after a jump
+  output reg [31:0] answering,      // waiting for the answer of the global OR
+  output reg [31:0] jumping,        // waiting for the first command after a jump
   output reg [31:0] refreshing,     // refresh words sent while the controller had nothing else to do
-  output reg [31:0] holding,
+  output reg [31:0] holding,        // waiting to copy until the previous picture is latched
   output reg [31:0] copying,
   output reg [31:0] draining,
   output reg [31:0] waits           // clocks in which a requested refresh word had to wait

@@ -25,7 +25,7 @@ module pixel_planes #(
   parameter BUFFERS = 1,        // pictures in memory, 1 or 2
   parameter COLOUR_BITS = 24,   // maximum bits of a shown pixel
   parameter CHIP = 64,          // pixels that share word lines and their decoders
-  // Minimum number of wires of `video`.
+  // Number of wires of `video`; 1 if nothing is shown.
   parameter VIDEO = SCAN_PIXELS > 0 ? SCAN_PIXELS * COLOUR_BITS : 1
 ) (
   input wire clk,
@@ -41,7 +41,7 @@ module pixel_planes #(
   input wire word_valid,
   output wire word_ready,
   output wire told,                 // reports the answer to a global_or
-  output wire told_any,
+  output wire told_any,             // that answer: whether any pixel is enabled
   output wire done,                 // 1: the frame is drawn; with two buffers, also copied
   output wire [31:0] clocks,        // clocks of the frame
 

@@ -12,7 +12,7 @@ module program_rom #(
   parameter INSTRUCTIONS = 1,
   parameter LATENCY = 0,
   parameter WORD_CLOCKS = 1,
-  parameter FRAMES = 1,                 // number of times that the words are drawn; 0: endless
+  parameter FRAMES = 1,                 // number of times that the frame is drawn; 0: endless
   parameter WORDS_FILE = "",
   parameter BEGINS_FILE = ""
 ) (

@@ -29,11 +29,11 @@ module receiver #(
   assign command = gathered[COMMAND_BITS-1:0];
   wire [5:0] number = gathered[5:0];
 
-  // Number of bits known before the width of the coefficients or of a constant arrives, and the position of that width.
+  // Number of bits of the command, without coefficients and constant.
   reg [8:0] fixed;
   reg linear;
   reg constant;
-  reg behind_field;  // position of the width of the coefficients
+  reg behind_field;  // the width of the coefficients follows a field
   always @* begin
     fixed = 6;
     linear = 1'b0;

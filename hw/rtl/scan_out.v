@@ -14,7 +14,7 @@ module scan_out #(
   parameter HEIGHT = 8,
   parameter PIXELS = 1,        // pixels shown per clock
   parameter COLOUR_BITS = 24,  // maximum number of colour bits of a picture; further bits are omitted
-  parameter SHARED = 0,        // remaining pixels of the line being shown
+  parameter SHARED = 0,        // 1: bits are read through the pixels' port, by refresh words
   parameter ADDRESS = 7,
   parameter SIDE = 5
 ) (
@@ -104,8 +104,8 @@ module scan_out #(
     end
   endgenerate
 
-  reg arrives;                 // remaining pixels of the line being shown
-  reg [5:0] arrives_at;        // its bit number in the colour
+  reg arrives;                 // bits latched at the previous edge are on `line`
+  reg [5:0] arrives_at;        // position of these bits in their colours
   always @(posedge clk) begin
     latched <= latches && held_next == width_here && row_here == LAST_ROW[SIDE-1:0];
     shown <= ends;

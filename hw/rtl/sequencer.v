@@ -2,9 +2,9 @@
 // 7.2.1; hw/isa/opcodes.h defines each instruction, docs/instruction-set.md its clocks).
 //
 // F is compared with a field from its lowest bit on, after `shift` bits of fraction. K holds the comparison of the bits
-// processed; it starts with the result for two empty numbers. Beyond the field F is compared with zeros, and its sign
-// decides. With one port, instructions that read two fields latch a bit of s first, then combine it with the other
-// field.
+// processed; it starts with the result for two empty numbers. The bits of F above the field are compared with zeros;
+// if F is negative, it is less than any field. With one read port, instructions that read two fields latch a bit of
+// field s first, then combine it with the bit of the other field.
 //
 // A root of w bits has w turns. In turn k, from 0, the k + 3 bits of the field from 2(w - 1 - k) up are four times the
 // remainder plus two more bits. The turn subtracts 4q + 1, where q is the k-bit partial root stored above them; or, if

@@ -43,7 +43,7 @@ module uart_host #(
     .clk(clk), .reset(reset), .line(from_computer), .value(got), .valid(got_valid));
 
   reg waits;                  // a frame is available
-  reg stopped;                // incoming words belong to an earlier request
+  reg stopped;                // incoming words belong to an earlier request and are dropped
   reg in_word;
   reg [5:0] byte_number;
   /* verilator lint_off UNUSEDSIGNAL */

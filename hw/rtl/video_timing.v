@@ -1,7 +1,7 @@
 // Sync signals for a monitor, counted in pixel clocks: WIDTH pixels of a line are active, followed by front porch, sync
 // pulse and back porch; HEIGHT lines have the same structure. The scan-out has no pauses and shows each picture once,
 // so a monitor needs a picture memory between the two, which is read at x and y. The defaults are those of 640 x 480 at
-// 60 Hz, 25.175 MHz.
+// 60 Hz with a pixel clock of 25.175 MHz.
 module video_timing #(
   parameter WIDTH = 640,       // pixels
   parameter FRONT_X = 16,

@@ -28,7 +28,7 @@ TEST_CASE("warns about faces that six-digit rounding moved apart and --snap rest
   };
   const std::string warned = drawn("nothing.csg", "");
   const std::string skin = content(folder / "picture.png");
-  CHECK(warned.find("nothing.csg:3:1: warning: one of its faces and one of") != std::string::npos);
+  CHECK(warned.find("nothing.csg:3:1: warning: a face of this solid and a face of") != std::string::npos);
   CHECK(warned.find("nothing.csg:8:1 are nearly, but not exactly, coplanar") != std::string::npos);
   CHECK(warned.find("use --snap") != std::string::npos);
   const std::string snapped = drawn("nothing.csg", " --snap");

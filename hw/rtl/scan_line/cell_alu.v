@@ -11,16 +11,16 @@ module cell_alu #(
   input wire clk,
   input wire reset,
   input wire work,
-  input wire begins,                 // number of these bits within the field
+  input wire begins,                 // first bits of the operands
   input wire [2:0] operation,
   input wire [LANE-1:0] low,
   input wire [COUNT-1:0] count,
-  input wire [COUNT-1:0] meeting,     // number of these within the field
+  input wire [COUNT-1:0] meeting,    // number of the `count` bits that are within the field
   /* verilator lint_off UNUSEDSIGNAL */
   input wire try,                    // a root trial: x is the remainder, y the partial root
-  input wire try_first,
-  input wire try_second,
-  input wire try_last,
+  input wire try_first,              // the bits include bit 0 of the trial
+  input wire try_second,             // the bits include bit 1
+  input wire try_last,               // the bits include the sign
   /* verilator lint_on UNUSEDSIGNAL */
   input wire [2*LANES-1:0] x,
   input wire [2*LANES-1:0] y,

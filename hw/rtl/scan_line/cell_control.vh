@@ -54,7 +54,7 @@ localparam CC_STORE = CC_FUNCTION + 3;                         // 1: the value r
 localparam CC_GROUP = CC_STORE + 1;                            // group in which the bits begin
 localparam CC_LOW = CC_GROUP + GROUP;                          // first bit within the group
 localparam CC_COUNT = CC_LOW + LANE;                           // number of bits
-localparam CC_MEETING = CC_COUNT + COUNT;                       // number of these bits within the field
+localparam CC_MEETING = CC_COUNT + COUNT;                       // number of the CC_COUNT bits that are within the field
 // Fields of root trials.
 localparam CC_TRY = CC_MEETING + COUNT;                         // 1: the ALU tries a bit of a root
 localparam CC_TRY_FIRST = CC_TRY + 1;                          // 1: the bits include bit 0 of the trial
@@ -70,7 +70,8 @@ localparam PORT_WRITE = 2;                                     // 1: writes a wo
 localparam PORT_INDEX = 3;                                     // index of the word in its operand
 localparam PORT_ADDRESS = PORT_INDEX + INDEX;                  // address of the word in memory
 localparam PORT_LOW = PORT_ADDRESS + ADDRESS;                  // lowest bit read or written
-localparam PORT_HIGH = PORT_LOW + BIT;                         // 1: the word above is cleared
+// Highest bit read or written; at port 0, in a test of F's sign, the position of the sign.
+localparam PORT_HIGH = PORT_LOW + BIT;
 localparam PORT_BITS = PORT_HIGH + BIT;
 localparam CONTROL_BITS = CC_PORT + PORTS * PORT_BITS;
 

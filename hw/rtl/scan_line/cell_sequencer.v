@@ -28,7 +28,7 @@ module cell_sequencer #(
   input wire [63:0] target,
   input wire [15:0] work_from,
   input wire [15:0] result,
-  input wire [31:0] first_move,        // highest bit; at port 0, in a test of F's sign, the sign bit of F
+  input wire [31:0] first_move,        // distance in bits 0 to 15, number of words from bit 16 on
   input wire [31:0] second_move,
   input wire [2:0] operation,
   input wire [15:0] work_bits,

@@ -1,7 +1,7 @@
 `include "faults.vh"
 
 // The partial root, positioned for the next trial: after each trial it shifts down by one bit, and the new bit is
-// inserted below it, at the position of that trial's bit 0.
+// inserted below, at the position of the trial's bit 0.
 module found_root #(
   parameter BITS = 96,
   parameter PLACE = 7

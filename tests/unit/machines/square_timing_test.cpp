@@ -209,10 +209,9 @@ TEST_CASE("renderers with an OR skip instructions but send no answers to the hos
   CHECK_NOTHROW(machines::check_runs_on(program, machine));
   CHECK(machines::has_global_or(machine));
   program.segments[1].instructions[1] = {.opcode = Opcode::global_or};
-  CHECK(
-      error_of([&] { machines::check_runs_on(program, machine); }) ==
-      "segment 1, instruction 1: global_or returns an answer to the host, but the renderers of squares have no path to "
-      "it; omit it, or use a machine of kind frame-buffer, such as pixel-planes-4");
+  CHECK(error_of([&] { machines::check_runs_on(program, machine); }) ==
+        "segment 1, instruction 1: global_or returns an answer to the host, but the renderers of squares cannot send "
+        "one; omit global_or, or use a machine of kind frame-buffer, such as pixel-planes-4");
   machines::own<Figures>(machine).divider = pixel_square::DividerKind::corners;
   CHECK_FALSE(machines::has_global_or(machine));
 }

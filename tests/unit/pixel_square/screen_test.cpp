@@ -34,7 +34,7 @@ TEST_CASE("a screen's turns are evenly spaced and read the picture row by row re
   screen.begin({4, 2}, 3);
   std::string rows;
   for (int edge = 1; edge <= 20; ++edge) {
-    screen.on_clocks(1);
+    screen.advance(1);
     rows += screen.row() ? std::to_string(*screen.row()) : "-";
   }
   CHECK(rows == "---00-00-11--00-00-1");
@@ -49,8 +49,8 @@ TEST_CASE("a screen takes no turns with two pictures or without a rate or colour
   for (const auto& [figures, colour_bits] : {std::pair{two, 3U}, {none, 3U}, {shown, 0U}}) {
     Screen screen(figures, 10'000);
     screen.begin({4, 2}, colour_bits);
-    CHECK_FALSE(screen.takes());
-    screen.on_clocks(1);
+    CHECK_FALSE(screen.takes_turns());
+    screen.advance(1);
     CHECK_FALSE(screen.row());
   }
 }
@@ -65,7 +65,7 @@ TEST_CASE("ScreenTiming computes the turns of a stepped screen at every clock ed
     figures.pictures = *rc::gen::weightedElement<std::uint32_t>({{9, 1}, {1, 2}});
     const machines::Size picture{*rc::gen::inRange(1U, 20U), *rc::gen::inRange(1U, 20U)};
     const auto colour_bits = *rc::gen::inRange<std::uint16_t>(0, 33);
-    const std::uint64_t turns = figures.refresh_rate * pixel_square::turns_of(picture, colour_bits, figures);
+    const std::uint64_t turns = figures.refresh_rate * pixel_square::turns_per_picture(picture, colour_bits, figures);
     const std::uint64_t clock_hz = turns * figures.refresh_clocks + *rc::gen::inRange<std::uint64_t>(1, 5000);
     Screen screen(figures, clock_hz);
     screen.begin(picture, colour_bits);
@@ -75,7 +75,7 @@ TEST_CASE("ScreenTiming computes the turns of a stepped screen at every clock ed
     const auto seldom = *rc::gen::inRange<std::uint64_t>(2, 200);
     std::uint64_t clocks = 0;
     for (std::uint64_t edge = 1; edge < 500; ++edge) {
-      screen.on_clocks(1);
+      screen.advance(1);
       const std::optional<std::uint32_t> row = screen.row();
       if (row) ++clocks;
       const std::optional<std::uint32_t> bank = row ? std::optional(*row % figures.banks) : std::nullopt;
