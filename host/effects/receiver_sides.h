@@ -25,7 +25,7 @@ class ReceiverSides {
   /// `fraction_bits`: fraction bits of surfaces.
   ReceiverSides(std::span<const Receiver> receivers, unsigned fraction_bits);
 
-  /// Evaluates PlaneComparison's lines over the box of each receiver.
+  /// Sets `sides[i]` to the position of the box of receiver i's outline relative to the plane.
   void decide(const ShadowPlane& plane, std::span<ReceiverSide> sides);
 
  private:

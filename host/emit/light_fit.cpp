@@ -92,7 +92,8 @@ std::vector<Sample> take_samples(const Context& context, const Facet& facet, con
   return samples;
 }
 
-/// The magnitudes of the coordinates, which give them equal weight.
+/// The largest magnitude of each coordinate over the samples, or 1 if it is 0. Divided by these, all coordinates have
+/// equal weight.
 Coordinates coordinate_sizes(const std::vector<Sample>& samples) {
   Coordinates sizes{};
   for (const Sample& one : samples)

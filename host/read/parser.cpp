@@ -86,7 +86,7 @@ void Parser::finish_file() {
 }
 
 void Parser::fail_expecting(std::size_t offset, std::string_view expected) {
-  fail(offset, "expected {}, found {}", expected, found(offset));
+  fail(offset, "expected {}, found {}", expected, description_at(offset));
 }
 
 void Parser::fail_without_arguments(std::size_t offset) {
@@ -98,7 +98,7 @@ void Parser::fail_without_arguments(std::size_t offset) {
   fail_expecting(offset, fmt::format("`(` after {}", shown(name)));
 }
 
-std::string Parser::found(std::size_t offset) const {
+std::string Parser::description_at(std::size_t offset) const {
   const std::string_view text = source_.text();
   if (offset >= text.size()) return "the end of the file";
   const char first = text[offset];

@@ -61,7 +61,8 @@ class Parser {
   };
 
   void add_value(std::string_view text, ValueKind kind, double number = 0);
-  [[nodiscard]] std::string found(std::size_t offset) const;
+  /// What the text has at the offset, for messages: a character, a byte or the end of the file.
+  [[nodiscard]] std::string description_at(std::size_t offset) const;
   void clear_statement();
 
   Source& source_;

@@ -45,7 +45,8 @@ class Setter {
     while (true) {
       const std::size_t dot = key.find('.');
       parts.push_back(key.substr(0, dot));
-      if (parts.back().empty() || parts.size() > max_parts) fail("the key must be words and numbers separated by dots");
+      if (parts.back().empty()) fail("the key has an empty part; write words and numbers separated by single dots");
+      if (parts.size() > max_parts) fail(fmt::format("the key has more than {} parts; shorten it", max_parts));
       if (dot == key.npos) return parts;
       key.remove_prefix(dot + 1);
     }

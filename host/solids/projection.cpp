@@ -26,7 +26,7 @@ using ClipperLib::Paths;
 /// OpenSCAD treats corners of solids as equal within this distance, in model units.
 constexpr double same_corner = 0x1p-20;
 
-/// Maximum rounding error of a corner along z, in units of its x and y.
+/// Maximum rounding error of a corner's z, as a fraction of the larger of |x| and |y|.
 constexpr double corner_rounding = 0x1p-47;
 
 /// Maximum rounding step, as a fraction of an outline's size, without a warning.

@@ -117,7 +117,7 @@ void TriangleNet::cut_part(std::list<Half>::iterator part) {
   while (next(next(lower)) != upper) lower = cut_off(lower, next(lower), part);
 }
 
-std::vector<TriangleNet::Half> TriangleNet::diagonals() {
+std::vector<TriangleNet::Half> TriangleNet::queue_diagonals() {
   std::vector<Half> found;
   for (const Half part : parts_) {
     for (const Half half : {part, next(part), previous(part)}) {
@@ -152,7 +152,7 @@ void TriangleNet::enqueue(Half half, std::vector<Half>& stack) {
 }
 
 void TriangleNet::flip_diagonals() {
-  std::vector<Half> stack = diagonals();
+  std::vector<Half> stack = queue_diagonals();
   while (!stack.empty()) {
     const Half half = stack.back();
     stack.pop_back();

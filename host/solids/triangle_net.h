@@ -54,7 +54,8 @@ class TriangleNet {
   void find_parts();
   void cut_part(std::list<Half>::iterator part);
   Half cut_off(Half one, Half two, std::list<Half>::iterator part);
-  [[nodiscard]] std::vector<Half> diagonals();
+  /// Marks both halves of each inner diagonal as queued; returns one half of each.
+  [[nodiscard]] std::vector<Half> queue_diagonals();
   [[nodiscard]] float opposite_angle(Half half) const;
   void flip_diagonal(Half half);
   void enqueue(Half half, std::vector<Half>& stack);

@@ -72,7 +72,7 @@ void include_inner(Range& range, const FixedQuadratic& f, const PixelRect& rect)
   }
 }
 
-/// Sets the depths of a paraboloid.
+/// Sets the depth ranges of both roots from the range of the discriminant where the middle plane is constant.
 void set_depths(RootRanges& ranges, const ScreenQuadric& quadric, const Range& discriminant, unsigned fraction_bits) {
   const std::int64_t middle = quadric.middle.c >> fraction_bits;
   const Wide factor = quadric.factor.scaled();

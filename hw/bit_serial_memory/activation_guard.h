@@ -26,7 +26,7 @@ class ActivationGuard final : public sc_core::sc_module {
     four_[oldest_] = now + window_;
     oldest_ = (oldest_ + 1) % four_.size();
   }
-  /// First edge at which the window allows four activations.
+  /// First edge at which no earlier activation delays the next four: the gap has passed and the window is empty.
   [[nodiscard]] sc_core::sc_time idle() const { return std::max(apart_, *std::ranges::max_element(four_)); }
   void delay(const sc_core::sc_time& duration) {
     apart_ += duration;

@@ -37,8 +37,8 @@ class Step {
 
   [[nodiscard]] std::int64_t clocks() const { return last_; }
 
-  /// The resulting state, relative to the clock at which the last activation allows another. Earlier times are clamped
-  /// to that clock.
+  /// The resulting state, relative to the clock at which the gap after the last activation ends. Earlier times of
+  /// `allowed` and `bus` become 0; those of `free` become negative.
   [[nodiscard]] RankState to() const {
     RankState state = state_;
     for (std::int64_t& bank : state.free) bank -= last_;

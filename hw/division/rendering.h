@@ -41,6 +41,8 @@ class Rendering {
   void write_start(Writer& out) const;
   void write_extreme(Writer& out) const;
   void write_extreme_with_colours(Writer& out) const;
+  /// Writes the replacement of Z1, and of its colour, by the facet where it is more extreme, or equal if
+  /// `replace_equal`.
   void write_replacement(Writer& out, const Facet& facet, bool replace_equal) const;
   void write_candidate_colour(Writer& out, const Facet& facet) const;
   void write_near_test(Writer& out) const;

@@ -8,7 +8,8 @@ namespace csgsim::division {
 
 namespace {
 
-/// Narrows the depths to those between fronts and backs at the corners; empty if an edge contains nothing.
+/// Narrows the box's depths to those that the corner values of fronts and backs permit. The box becomes empty if an
+/// edge excludes all of it.
 void narrow(Box& box, const std::vector<Tested>& tested) {
   bool is_empty = false;
   for (const Tested& one : tested) {

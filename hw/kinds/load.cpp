@@ -92,8 +92,10 @@ machines::Machine read_built_in(const BuiltIn& known, const isa::MachineRecord& 
   std::vector<std::string> all_changes = machines::changes_of(record.name);
   machines::Machine machine = read(known, all_changes);
   if (!record.kind.empty() && record.kind != machine.kind->name) {
-    throw InputError(fmt::format("the machine '{}' has the kind {}, not {}; choose a machine with --machine",
-                                 record.name, machine.kind->name, record.kind));
+    throw InputError(
+        fmt::format("the Program was compiled for a machine '{}' of the kind {}, which is of the kind {} here; choose "
+                    "a machine with --machine",
+                    record.name, machine.kind->name, record.kind));
   }
   const std::vector<std::string> others = figure_differences(record, machine);
   all_changes.insert(all_changes.end(), others.begin(), others.end());

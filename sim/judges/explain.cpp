@@ -44,7 +44,7 @@ DepthLine depth_line(const isa::Program& program, double unit) {
 }  // namespace
 
 /// The results that a machine may compute for a plane at a place.
-struct Explainer::Nature {
+struct Explainer::PossibleResults {
   enum class Kind : std::uint8_t {
     surface,
     holds,      ///< an edge with the place on its positive side
@@ -93,41 +93,43 @@ Steps Explainer::steps(std::uint32_t index, Place place) const {
   return line_.steps({plane.c, plane.a, plane.b, 0, 0, 0, 0}, plane.condition, DepthLine::rounding(place), place);
 }
 
-Explainer::Nature Explainer::nature(std::uint32_t index, Place place) const {
+Explainer::PossibleResults Explainer::possible_results(std::uint32_t index, Place place) const {
   const SightPlane& plane = sight_.plane(index);
-  if (!std::isfinite(plane.error)) return {Nature::Kind::either, {}};
+  if (!std::isfinite(plane.error)) return {PossibleResults::Kind::either, {}};
   // Slope per pixel; the coefficients are per half pixel.
   const double a = 2.0 * std::abs(plane.a);
   const double b = 2.0 * std::abs(plane.b);
   const double slope = std::hypot(a, b) * line_.z_per_q;
   const double doubt = DepthLine::double_part * plane.condition;
   const bool exact_edge = plane.role == Role::edge;
-  if (!exact_edge && slope * (1.0 + doubt) < steepest_) return {Nature::Kind::surface, steps(index, place)};
-  if (!exact_edge && slope * (1.0 - doubt) <= steepest_) return {Nature::Kind::either, {}};
+  if (!exact_edge && slope * (1.0 + doubt) < steepest_) return {PossibleResults::Kind::surface, steps(index, place)};
+  if (!exact_edge && slope * (1.0 - doubt) <= steepest_) return {PossibleResults::Kind::either, {}};
   const double value = plane.at(place) - (exact_edge ? 0.0 : line_.q_middle);
   const double terms = std::abs(plane.c) + std::abs(plane.a * place.x) + std::abs(plane.b * place.y) +
                        (exact_edge ? 0.0 : std::abs(line_.q_middle));
   const double zone = (exact_edge ? 0.0 : line_.q_half_range) + DepthLine::double_part * terms * plane.condition +
                       std::max(a, b) * DepthLine::rounding(place) * std::ldexp(line_.ulp(), -edge_bits);
-  if (std::abs(value) <= zone) return {Nature::Kind::undecided, {}};
+  if (std::abs(value) <= zone) return {PossibleResults::Kind::undecided, {}};
   // A front's half-space is behind it: it contains the depths if the plane is nearer.
   const bool positive = plane.role == Role::back ? value > 0.0 : value < 0.0;
-  return {positive ? Nature::Kind::holds : Nature::Kind::excludes, {}};
+  return {positive ? PossibleResults::Kind::holds : PossibleResults::Kind::excludes, {}};
 }
 
 /// Adds the half-space's front, back or edge at the place to the candidate. Returns false if it excludes the whole ray.
 bool Explainer::add_halfspace(Candidate& candidate, const facet::Halfspace& halfspace, Place place) const {
-  const Nature is = nature(halfspace.plane, place);
+  const PossibleResults is = possible_results(halfspace.plane, place);
   switch (is.kind) {
-    case Nature::Kind::surface: {
+    case PossibleResults::Kind::surface: {
       const bool front = (sight_.plane(halfspace.plane).role == Role::front) == halfspace.positive;
       (front ? candidate.fronts : candidate.backs).push_back({halfspace.plane, is.steps});
       return true;
     }
-    case Nature::Kind::holds: return halfspace.positive;
-    case Nature::Kind::excludes: return !halfspace.positive;
-    case Nature::Kind::undecided: candidate.edges.push_back({halfspace.plane, halfspace.positive}); return true;
-    case Nature::Kind::either: candidate.is_doubtful = true; return true;
+    case PossibleResults::Kind::holds: return halfspace.positive;
+    case PossibleResults::Kind::excludes: return !halfspace.positive;
+    case PossibleResults::Kind::undecided:
+      candidate.edges.push_back({halfspace.plane, halfspace.positive});
+      return true;
+    case PossibleResults::Kind::either: candidate.is_doubtful = true; return true;
   }
   return true;
 }

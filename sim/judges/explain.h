@@ -52,8 +52,8 @@ class Explainer {
   Explainer(const model::Tree& tree, const facet::Geometry& geometry, std::unique_ptr<const Sight> sight,
             const isa::Program& program);
 
-  struct Nature;
-  [[nodiscard]] Nature nature(std::uint32_t plane, Place place) const;
+  struct PossibleResults;
+  [[nodiscard]] PossibleResults possible_results(std::uint32_t plane, Place place) const;
   [[nodiscard]] bool add_halfspace(Candidate& candidate, const facet::Halfspace& halfspace, Place place) const;
   [[nodiscard]] bool add_quadric(Candidate& candidate, const facet::QuadricSide& side, Place place) const;
   [[nodiscard]] Maybe in_rectangle(std::uint32_t primitive, Place place) const;

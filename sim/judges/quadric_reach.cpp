@@ -51,8 +51,9 @@ class Projector {
     return rect;
   }
 
-  /// A direction: right and down in half pixels, and forward in units of the view direction's length.
-  [[nodiscard]] glm::dvec3 lengths(const glm::dvec3& d) const {
+  /// The components of a direction along the view's axes: right and down in half pixels, and forward in units of the
+  /// view direction's length.
+  [[nodiscard]] glm::dvec3 components(const glm::dvec3& d) const {
     return {glm::dot(d, right_), glm::dot(d, down_), glm::dot(d, forward_)};
   }
 
@@ -123,7 +124,7 @@ double apex_shift(const facet::QuadricTable& quadrics, std::uint32_t index, cons
   const Vector from_centre = camera.eye - to_exact(quadrics.centre());
   const glm::dvec3 from_apex = to_double(from_centre - to_exact(quadrics.quadrics()[index].origin));
   const Projector projector(camera);
-  const glm::dvec3 places = projector.lengths(from_apex);
+  const glm::dvec3 places = projector.components(from_apex);
   // The distance of a corner from the middle in places, which are half pixels, equals the picture's size in pixels.
   return (std::hypot(places.x, places.y) + std::abs(places.z) * std::hypot(camera.width, camera.height)) / 2.0;
 }

@@ -52,7 +52,7 @@ TEST_CASE("classify prices stored counts for another processor without a new run
   CHECK(dear.begin().key() == "mc68000+price.load=24");
 }
 
-TEST_CASE("classify sees the same surfaces with every supported tree shape") {
+TEST_CASE("classify draws every supported tree shape and reports a tree that is too deep") {
   const Folder folder;
   const Outcome outcome =
       run(classify(" --shapes written,left-deep,balanced --reduced none,cells,inside --no-plots "

@@ -212,7 +212,7 @@ TEST_CASE("a Program with early out compiles and runs on machines with a global 
   }
 }
 
-TEST_CASE("colours of few bits are within one step of those of 24 bits") {
+TEST_CASE("colours of 12 bits differ by at most half a step from those of 24 bits") {
   const Folder folder;
   const std::string draw = "render " + model("old_example003") + " --size 40x30 ";
   succeeded(run(draw + "-o " + (folder / "fine.ppm")));

@@ -132,7 +132,7 @@ TEST_CASE("diff finds the first differing instruction and pixel with the history
   CHECK(outcome.out.find("\nB  pixel 4,0 shows") != std::string::npos);
 }
 
-TEST_CASE("diff finds levels and machines equal and rejects Programs it cannot compare") {
+TEST_CASE("diff finds levels and machines equal and rejects unequal sizes and options") {
   const std::string model_64 = "diff " + model("old_example011") + " --size 16x16 ";
   const Outcome levels = succeeded(run(model_64 + "--level-b cycle"));
   CHECK(levels.out.find("the states are equal after 26 instructions\nthe pictures are equal\n") != std::string::npos);

@@ -11,7 +11,7 @@
 
 using namespace csgsim::testing::cli;
 
-TEST_CASE("rejects a picture name without format or folder and leaves no file") {
+TEST_CASE("render rejects an unknown format and a missing folder and leaves no file") {
   const Folder folder;
   const std::string options = "render " + model("old_example011") + " --size 16x16 ";
   CHECK(run(options + "-o " + (folder / "picture.xyz")).code == 2);

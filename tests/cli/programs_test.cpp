@@ -195,7 +195,7 @@ TEST_CASE("rows writes the row commands of a run, to a file or to standard outpu
   CHECK(replaced.out.find("AAP; it contains ACT, ACT and PRE instead\n") != std::string::npos);
 }
 
-TEST_CASE("rows rejects other machines and forms and leaves no file") {
+TEST_CASE("rows rejects machines without row commands and unknown forms") {
   const Folder folder;
   const std::string out = " -o " + (folder / "trace.rows");
   fails(run("rows " + model("old_example011") + " --size 8x6" + out), 1,

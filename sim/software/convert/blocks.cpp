@@ -222,7 +222,7 @@ Bintree read_bintree(std::string_view text, std::string_view name) {
   bintree.side = words.number<double>();
   const bool has_place = std::isfinite(bintree.low.x) && std::isfinite(bintree.low.y) && std::isfinite(bintree.low.z);
   if (!has_place || !std::isfinite(bintree.side) || bintree.side <= 0)
-    words.fail("the position or the size of the cube is invalid");
+    words.fail("the cube needs a finite position and a finite side above 0");
   for (std::string_view word = words.next(); !word.empty(); word = words.next()) bintree.code += word;
   const bool is_code = bintree.code.find_first_not_of("(01") == std::string::npos &&
                        visit_leaves(bintree.code, bintree.resolution, [](const Block&, bool) {});

@@ -13,7 +13,7 @@ void Sheet::clear() {
   exactly_.clear();
 }
 
-std::uint32_t Sheet::add(std::uint32_t one, std::uint32_t other) {
+std::uint32_t Sheet::add_meeting(std::uint32_t one, std::uint32_t other) {
   points_.push_back(planes_.meet(plane_, one, other));
   places_.push_back(place_of(points_.back()));
   exactly_.emplace_back();
@@ -38,7 +38,7 @@ Region Sheet::begin(std::uint32_t plane) {
                                            planes_.wall(across, 0)};
   Region region;
   for (std::size_t i = 0; i < walls.size(); ++i) {
-    region.corners.push_back(add(walls[(i + 3) % 4], walls[i]));
+    region.corners.push_back(add_meeting(walls[(i + 3) % 4], walls[i]));
     region.planes.push_back(walls[i]);
   }
   return region;
@@ -50,7 +50,7 @@ Region Sheet::begin(std::uint32_t plane, std::span<const std::uint32_t> sides) {
   Region region;
   std::uint32_t before = sides.back();
   for (const std::uint32_t along : sides) {
-    region.corners.push_back(add(before, along));
+    region.corners.push_back(add_meeting(before, along));
     region.planes.push_back(along);
     before = along;
   }
@@ -136,7 +136,7 @@ void Sheet::trace(const Region& region, std::uint32_t plane, const In& to_in, co
     if (here <= 0) to_in(corner, here == 0 && next > 0 ? plane : along);
     if (here >= 0) to_out(corner, here == 0 && next < 0 ? plane : along);
     if (here * next >= 0) continue;
-    const std::uint32_t crossing = add(along, plane);
+    const std::uint32_t crossing = add_meeting(along, plane);
     to_in(crossing, here < 0 ? plane : along);
     to_out(crossing, here > 0 ? plane : along);
   }

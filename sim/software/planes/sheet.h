@@ -95,7 +95,8 @@ class Sheet {
     return planes_.side(points_[corner], plane, exactly_[corner]);
   }
   void clear();
-  std::uint32_t add(std::uint32_t one, std::uint32_t other);
+  /// Adds the point at which the sheet's plane meets two others; returns its index.
+  std::uint32_t add_meeting(std::uint32_t one, std::uint32_t other);
   template <class In, class Out>
   void trace(const Region& region, std::uint32_t plane, const In& to_in, const Out& to_out);
   void find_sides(const Region& region, facet::Halfspace halfspace);

@@ -33,7 +33,7 @@ inline std::vector<SpaceBox> boxes_of(const std::vector<BoxNode>& nodes, const s
   return boxes;
 }
 
-/// Counts a tree of boxes over `facets` facets.
+/// Records the size of a tree of boxes over `facets` facets in `built`.
 inline void count_boxes(const std::vector<BoxNode>& nodes, std::size_t facets, SpaceBuilt& built) {
   built.entries = nodes.size();
   built.references = built.bucket_words = facets;

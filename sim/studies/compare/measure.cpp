@@ -40,7 +40,8 @@ void count(const isa::Program& program, const machines::Machine& machine, Compar
   if (row.pixel_transistors) row.machine_transistors = *row.pixel_transistors * row.processors;
 }
 
-/// Bit-serial pixels are priced by processors and memory, as in `explore`.
+/// Energy of a frame in joules: from the account if it states one, otherwise from processors and memory, as in
+/// `explore`.
 std::optional<double> frame_joules(const isa::Program& program, const machines::Machine& machine,
                                    const engine::RunResult& result, const ComparisonRow& row) {
   if (const std::optional<double> joules = observe::frame_joules(result.account)) return joules;

@@ -119,7 +119,7 @@ TEST_CASE("rejects malformed bintrees") {
   for (const char* const cube : {"nan 0 0 1", "0 inf 0 1", "0 0 0 inf", "0 0 0 0", "0 0 0 -1"}) {
     CAPTURE(cube);
     CHECK(refusal("bintree 1\nresolution 2\ncube " + std::string(cube) + "\n0")
-              .find("the position or the size of the cube is invalid") != std::string::npos);
+              .find("the cube needs a finite position and a finite side above 0") != std::string::npos);
   }
   CHECK(refusal("bintree 1\nresolution 2\ncube 0 0 x 1\n0").find("'x' is not a number") != std::string::npos);
 }
@@ -206,11 +206,10 @@ TEST_CASE("rejects a bintree without a keyword or with an invalid resolution") {
   CHECK(refusal("bintree 1\nresolution 2\ncube 0 0 0") == "b.bintree: '' is not a number; create the bintree again");
   CHECK(refusal("bintree 1\nresolution 2\ncube 0 0 0 1\n").find("the code is not one complete tree") !=
         std::string::npos);
-  CHECK(
-      refusal("bintree 1\nresolution 2\ncube 0 -inf 0 1\n0").find("the position or the size of the cube is invalid") !=
-      std::string::npos);
-  CHECK(refusal("bintree 1\nresolution 2\ncube 0 0 inf 1\n0").find("the position or the size of the cube is invalid") !=
-        std::string::npos);
+  CHECK(refusal("bintree 1\nresolution 2\ncube 0 -inf 0 1\n0")
+            .find("the cube needs a finite position and a finite side above 0") != std::string::npos);
+  CHECK(refusal("bintree 1\nresolution 2\ncube 0 0 inf 1\n0")
+            .find("the cube needs a finite position and a finite side above 0") != std::string::npos);
   // Any whitespace is accepted, also within the code.
   const convert::Bintree read = convert::read_bintree("\tbintree 1 resolution 2\r\ncube 1 2 3 1e-3 ( 0\n1", "b");
   CHECK(read.code == "(01");

@@ -68,7 +68,7 @@ TEST_CASE("an error in a Program file begins with the file's name") {
   CHECK(refusal([&] { load_program(path); }).starts_with(path.string() + ":1:1: "));
 }
 
-TEST_CASE("a Program file larger than 1 GiB is rejected without reading it") {
+TEST_CASE("a Program file larger than 1 GiB is rejected") {
   const Scratch scratch("large");
   const fs::path path = scratch / "p.csgt";
   save_program(sample_program(), path);

@@ -50,7 +50,7 @@ TEST_CASE("each rendering order takes the hand-counted clocks of its loop over p
   CHECK(clocks_of(program, machine) == 3505);
 }
 
-TEST_CASE("a node unpacks records as it divides (hand calculation)") {
+TEST_CASE("unpacking records adds fields and shifts and masks to pruning (hand calculation)") {
   Machine machine = machine_4x4();
   const isa::Program program = program_for(machine);
   const FrameAccount before = account_of(program, machine);

@@ -156,7 +156,7 @@ std::size_t piece_count(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("a bent face of a polyhedron is split at a convex or a concave edge") {
+TEST_CASE("a box with one raised corner has at most two pieces") {
   // The raised corner is on the diagonal along which a quadrangle is cut, or it is not.
   CHECK(piece_count(polyhedron("[[0,0,0],[1,0,0],[1,1,0],[0,1,0],[0,0,1],[1,0,1],[1,1,1.25],[0,1,1]]",
                                outward_box_faces)) <= 2);

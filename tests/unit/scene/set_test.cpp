@@ -50,7 +50,7 @@ TEST_CASE("an error in a key given with --set is reported together with the key"
   CHECK(error_of_set("lights").find("KEY=VALUE") != std::string::npos);
   CHECK(error_of_set("lights.5.intensity=1").find("count from 0") != std::string::npos);
   CHECK(error_of_set("camera.eey=1,2,3").find("the keys here are eye, centre") != std::string::npos);
-  CHECK(error_of_set("camera..eye=1,2,3").find("separated by dots") != std::string::npos);
+  CHECK(error_of_set("camera..eye=1,2,3").find("separated by single dots") != std::string::npos);
   CHECK(error_of_set("ambient.intensity=2").find("ambient.intensity=2") != std::string::npos);
   CHECK(error_of_set("ambient.intensity.x=2").find("unknown key") == std::string::npos);
   CHECK_FALSE(error_of_set("ambient.intensity.x=2").empty());
@@ -58,9 +58,9 @@ TEST_CASE("an error in a key given with --set is reported together with the key"
 }
 
 TEST_CASE("a key given with --set has at most eight parts") {
-  CHECK(error_of_set("a.b.c.d.e.f.g.h=1").find("separated by dots") == std::string::npos);
+  CHECK(error_of_set("a.b.c.d.e.f.g.h=1").find("more than 8 parts") == std::string::npos);
   CHECK_FALSE(error_of_set("a.b.c.d.e.f.g.h=1").empty());
-  CHECK(error_of_set("a.b.c.d.e.f.g.h.i=1").find("separated by dots") != std::string::npos);
+  CHECK(error_of_set("a.b.c.d.e.f.g.h.i=1").find("more than 8 parts") != std::string::npos);
 }
 
 TEST_CASE("an unknown table in a key given with --set is reported with the key") {

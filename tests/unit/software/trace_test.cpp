@@ -77,7 +77,7 @@ TEST_CASE("ray tracing matches the rule-based judge in random scenes with all op
   CHECK(tally.covered > 10'000);
   CHECK(tally.refused < tally.scenes * 3 / 4);
 }
-TEST_CASE("ray tracing draws the thesis's objects as the judge and few facets are loose") {
+TEST_CASE("ray tracing draws the thesis's objects as the judge does with few loose facets") {
   Tally tally;
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
     for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {

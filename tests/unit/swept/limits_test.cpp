@@ -75,7 +75,7 @@ TEST_CASE("the error for a wrong curve of a sweep names the curve") {
   CHECK(swept::fault_of(sweep) == "the scale" + what);
 }
 
-TEST_CASE("a point as contour or trajectory and a closed function are rejected") {
+TEST_CASE("a point as contour or trajectory and a closed rotation or scale are rejected") {
   Sweep sweep = block();
   sweep.contour = {0, true, {{1, 1, 0}}};
   CHECK(swept::fault_of(sweep).find("the contour") == 0);
