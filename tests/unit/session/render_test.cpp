@@ -58,7 +58,7 @@ TEST_CASE("render accepts model and run and report options and --check and a pix
     CHECK(testing::option_error<RenderRequest>({"a.csg", "--max-wrong-pixels", wrong}) != "");
   for (const char* const bits : {"--z-bits", "--fraction-bits"})
     CHECK(testing::option_error<RenderRequest>({"a.csg", "--max-wrong-pixels", "3", bits, "9"}) ==
-          std::string("--max-wrong-pixels excludes ") + bits + "; leave one out");
+          bits + std::string(" excludes --max-wrong-pixels; leave one out");
 }
 
 TEST_CASE("a compiled model records its file and imports or its text in memory as inputs") {
