@@ -115,13 +115,12 @@ class FigureReader {
     if (!is_one_of(figure.provenance, provenances))
       fail(table.get("provenance")->source().begin,
            fmt::format("{} has the provenance '{}'; write 'published' or 'assumed'", form.key, figure.provenance));
-    figure.range = range_of(table, form, word ? std::nullopt : std::optional(value));
+    figure.range = range_of(table, form);
     return {0, value, std::move(figure)};
   }
 
-  /// The range of a number; empty if the table has none. `value` is empty for a word in place of a number.
-  std::optional<FigureRange> range_of(const toml::table& table, const FigureForm& form,
-                                      std::optional<std::int64_t> value) const {
+  /// The range of a number; empty if the table has none.
+  std::optional<FigureRange> range_of(const toml::table& table, const FigureForm& form) const {
     const auto first = std::ranges::find_if(range_keys, [&](std::string_view key) { return table.contains(key); });
     if (first == std::end(range_keys)) return std::nullopt;
     const toml::source_position& place = table.get(*first)->source().begin;
@@ -132,9 +131,8 @@ class FigureReader {
         fail(place,
              fmt::format("{} has '{}' but no '{}'; give low, high and the reason, range", form.key, *first, key));
     const FigureRange range{number_at(table, form, "low"), number_at(table, form, "high"), text_of(table, "range")};
-    if (range.low > range.high || (value && (*value < range.low || *value > range.high)))
-      fail(place, fmt::format("the range of {} is {} to {}; it must contain the value{}", form.key, range.low,
-                              range.high, value ? fmt::format(", {}", *value) : ""));
+    if (range.low > range.high)
+      fail(place, fmt::format("the range of {} is {} to {}; make low at most high", form.key, range.low, range.high));
     return range;
   }
 

@@ -145,7 +145,7 @@ void warn_other_version(const Gathered& gathered, const std::string& output) {
 }  // namespace
 
 void GatherRequest::add_to(session::OptionList& list) {
-  list.option("FOLDER", folders, "Output folder (-o) of each shard").required();
+  list.option("FOLDER", folders, "The output (-o) of each shard").required();
   list.option("-o,--output", output, "Folder for the results; default: FOLDER if there is only one").folder();
   list.option("--report", page, "Write the study's page, for a browser").check(session::not_empty);
   list.flag("--no-plots", no_plots, "Omit plots (drawn by gnuplot)");

@@ -19,11 +19,8 @@ void RenderRequest::add_to(OptionList& options) {
   run.add_to(options);
   run.report.add_to(options);
   options.flag("--check", check, "Compare the picture with the exact one and add the differences to the stats");
-  options
-      .option("--max-wrong-pixels", max_wrong_pixels,
-              "Use the cheapest --z-bits and --fraction-bits with at most this number of wrong pixels")
-      .excludes("--z-bits")
-      .excludes("--fraction-bits");
+  options.option("--max-wrong-pixels", max_wrong_pixels,
+                 "Use the cheapest --z-bits and --fraction-bits with at most this number of wrong pixels");
 }
 
 Compiled compile(RenderRequest& request, const ChooseBits& choose, const InPlace& in_place) {

@@ -71,7 +71,11 @@ TEST_CASE("every assumed figure of a built-in process has a range with a reason"
     for (const machines::Figure& figure : process::load_process(row.name).figures) {
       CAPTURE(row.name);
       CAPTURE(figure.key);
-      if (figure.provenance == "assumed") CHECK((figure.range && figure.range->reason.size() > 10));
+      if (figure.provenance != "assumed") continue;
+      REQUIRE(figure.range.has_value());
+      CHECK(figure.range->reason.size() > 10);
+      CHECK(figure.range->low <= std::stoll(figure.value));
+      CHECK(figure.range->high >= std::stoll(figure.value));
     }
   }
 }

@@ -56,9 +56,6 @@ TEST_CASE("render accepts model and run and report options and --check and a pix
   CHECK(std::ranges::count(given, std::string("p.html"), &session::GivenOption::value) == 1);
   for (const char* const wrong : {"-1", "1.5", "x"})
     CHECK(testing::option_error<RenderRequest>({"a.csg", "--max-wrong-pixels", wrong}) != "");
-  for (const char* const bits : {"--z-bits", "--fraction-bits"})
-    CHECK(testing::option_error<RenderRequest>({"a.csg", "--max-wrong-pixels", "3", bits, "9"}) ==
-          bits + std::string(" excludes --max-wrong-pixels; leave one out");
 }
 
 TEST_CASE("a compiled model records its file and imports or its text in memory as inputs") {

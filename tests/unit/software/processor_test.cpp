@@ -78,7 +78,11 @@ TEST_CASE("every assumed number of a built-in processor has a range with a reaso
     for (const machines::Figure& figure : load_processor(std::string(one.name)).figures) {
       CAPTURE(one.name);
       CAPTURE(figure.key);
-      if (figure.provenance == "assumed") CHECK((figure.range && figure.range->reason.size() > 10));
+      if (figure.provenance != "assumed") continue;
+      REQUIRE(figure.range.has_value());
+      CHECK(figure.range->reason.size() > 10);
+      CHECK(figure.range->low <= std::stoll(figure.value));
+      CHECK(figure.range->high >= std::stoll(figure.value));
     }
   }
 }
