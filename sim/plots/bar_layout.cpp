@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "sim/plots/axes.h"
 #include "sim/plots/key.h"
@@ -52,10 +53,25 @@ std::vector<KeyEntry> key_of(const std::vector<std::string>& names, const Bars& 
   if (more > 0) {
     key.push_back({fmt::format("{} more in {}", more, plot.table), Sample::fill, {palette::background.colour, "", {}}});
   }
-  key.push_back({"free", Sample::fill, {palette::paper, "", {}}});
+  if (!plot.is_signed) key.push_back({"free", Sample::fill, {palette::paper, "", {}}});
   if (plot.bars.size() > max_bars)
     key.push_back({fmt::format("{} more bars in {}", plot.bars.size() - max_bars, plot.table)});
   return key;
+}
+
+std::string part_text(const Bars& plot, const Part& part) {
+  if (plot.is_signed) return fmt::format("{:+}", part.begin < 0 ? part.begin : part.end);
+  return shorten(fmt::format("{} {}", part.name, part.end - part.begin), longest_name);
+}
+
+/// The range of the bars that are drawn.
+Extent extent_of(std::span<const Bar> bars) {
+  Extent extent{0, 1};
+  for (const Bar& bar : bars) {
+    extent.high = std::max(extent.high, bar.length);
+    for (const Part& part : bar.parts) extent.low = std::min(extent.low, part.begin);
+  }
+  return extent;
 }
 
 void add_bar(Drawing& drawing, const Bars& plot, const Bar& bar, const std::vector<std::string>& names,
@@ -66,7 +82,7 @@ void add_bar(Drawing& drawing, const Bars& plot, const Bar& bar, const std::vect
     const Box box{x(part.begin), row.top, x(part.end), row.bottom};
     const std::string_view colour = fill_of(names, part.name);
     drawing.fills.push_back({box, colour, tip_text(plot, bar, part)});
-    const std::string text = shorten(fmt::format("{} {}", part.name, part.end - part.begin), longest_name);
+    const std::string text = part_text(plot, part);
     if (text_width(text) + 4 <= box.right - box.left) {
       drawing.texts.push_back({text,
                                {(box.left + box.right) / 2, (row.top + row.bottom) / 2},
@@ -83,17 +99,13 @@ Drawing lay_out(const Bars& plot) {
   Drawing drawing{plot_width, 0, {}, {}, {}, {}};
   const std::size_t count = std::min(plot.bars.size(), max_bars);
   std::vector<std::string> labels;
-  double maximum = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    labels.push_back(plot.bars[i].name);
-    maximum = std::max(maximum, plot.bars[i].length);
-  }
+  for (std::size_t i = 0; i < count; ++i) labels.push_back(plot.bars[i].name);
   labels = shorten(labels, longest_name);
   double widest = 0;
   for (const std::string& label : labels) widest = std::max(widest, text_width(label));
   const Box area{widest + 20, title_height, plot_width - right_margin,
                  title_height + row_height * static_cast<double>(std::max<std::size_t>(count, 1))};
-  const Extent extent{0, std::max(maximum, 1.0)};
+  const Extent extent = extent_of(std::span(plot.bars).first(count));
   const std::vector<std::string> names = names_of(plot);
   add_title(drawing, plot.title);
   for (std::size_t i = 0; i < count; ++i) {
@@ -101,6 +113,10 @@ Drawing lay_out(const Bars& plot) {
     add_bar(drawing, plot, plot.bars[i], names, extent,
             {area.left, middle - bar_height / 2, area.right, middle + bar_height / 2});
     drawing.texts.push_back({labels[i], {area.left - 8, middle}, Anchor::right});
+  }
+  if (plot.is_signed) {
+    const double zero = area.left + extent.along(0) * (area.right - area.left);
+    drawing.lines.push_back({{{zero, area.top}, {zero, area.bottom}}, palette::ink});
   }
   const double bottom = add_x_axis(drawing, plot.x, extent, area);
   drawing.height = add_key(drawing, key_of(names, plot), side_margin, plot_width - side_margin, bottom) + side_margin;

@@ -87,13 +87,15 @@ struct Bar {
   std::vector<Part> parts{};
 };
 
-/// Horizontal bars that start at 0. The first `max_bars` are drawn; the key gives the number of the others.
+/// Horizontal bars that start at 0, or extend from 0 to both sides. The first `max_bars` are drawn; the key gives the
+/// number of the others.
 struct Bars {
   std::string title;
   Axis x;
   std::vector<Bar> bars;
   std::vector<std::string> names;  ///< names of parts in the order of the key; names missing here come last
   std::string table;               ///< name of the file with all values
+  bool is_signed = false;          ///< parts extend from 0 to the left or to the right, and no bar has free sections
 };
 inline constexpr std::size_t max_bars = 40;
 

@@ -99,6 +99,7 @@ JUDGES_OF = {  # in the order of execution
     "sim/studies/compare": ["studies", "cli"],
     "sim/studies/corpus": ["studies", "cli"],
     "sim/studies/mesh": ["cli"],
+    "sim/studies/sensitivity": ["studies", "cli"],
     "sim/studies/subdivide": ["cli"],
     "sim/studies/sweep": ["studies", "cli"],
 }

@@ -41,16 +41,6 @@ double stretched(double value, const ExploreAxis& axis) { return std::log(axis.m
 /// Row indices of a design, one per model.
 using Design = std::vector<std::size_t>;
 
-std::optional<double> value_of(std::span<const ExploreRow> rows, const Design& design, const ExploreAxis& axis) {
-  double all = 0;
-  for (const std::size_t row : design) {
-    const std::optional<double> one = axis.value(rows[row]);
-    if (!one) return std::nullopt;
-    all = axis.is_of_picture ? all + *one : std::max(all, *one);
-  }
-  return all;
-}
-
 ExploreGroup group_of(std::span<const ExploreRow> rows, std::string model, std::vector<Design> designs,
                       std::span<const ExploreAxis> axes) {
   ExploreGroup group{std::move(model), {}, {}, {}, {}, {}};
@@ -79,6 +69,17 @@ ExploreGroup group_of(std::span<const ExploreRow> rows, std::string model, std::
 }
 
 }  // namespace
+
+std::optional<double> value_of(std::span<const ExploreRow> rows, std::span<const std::size_t> design,
+                               const ExploreAxis& axis) {
+  double all = 0;
+  for (const std::size_t row : design) {
+    const std::optional<double> one = axis.value(rows[row]);
+    if (!one) return std::nullopt;
+    all = axis.is_of_picture ? all + *one : std::max(all, *one);
+  }
+  return all;
+}
 
 std::span<const ExploreAxis> explore_axes() { return front_axes; }
 

@@ -32,6 +32,11 @@ std::vector<std::string> explore_axis_names();
 /// Parses a list of names separated by commas and keeps its order. Throws InputError for an unknown name.
 std::vector<ExploreAxis> parse_axes(const std::string& text);
 
+/// Value on the axis of a design, given by its rows, one per model: the sum or the maximum. Empty if a row has no
+/// price.
+std::optional<double> value_of(std::span<const ExploreRow> rows, std::span<const std::size_t> design,
+                               const ExploreAxis& axis);
+
 /// Values of a candidate, one per axis; all candidates have the same number.
 using Values = std::vector<double>;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <optional>
 #include <stdexcept>
 
 #include "host/emit/options.h"
@@ -213,16 +214,16 @@ void DesignMeter::judge(const DesignPoint& point, const Job& job, const Fitted& 
   row.colour_error = errors.colour_error;
 }
 
-DesignRow DesignMeter::measure(const DesignPoint& point, const Job& job) {
+DesignRow DesignMeter::measure(const DesignPoint& point, const Job& job, const process::Process* process) {
   if (!job.reason.empty()) return refused_row(point, job);
   return measured_row<DesignRow>(point, job.inputs, [&](DesignRow& row) {
     Fitted fitted = fit(point, job);
     count_program(fitted.program, row);
     count_machine(fitted, row);
-    if (question_.process) give_clock(*question_.process, fitted, row);
+    if (process != nullptr) give_clock(*process, fitted, row);
     row.clock_hz = fitted.machine.clock_hz;
     put(timer_.time(fitted.program, fitted.machine), fitted.machine, row);
-    if (question_.process) price(*question_.process, fitted, timer_, row);
+    if (process != nullptr) price(*process, fitted, timer_, row);
     judge(point, job, fitted, row);
   });
 }

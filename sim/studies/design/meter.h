@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <map>
 #include <mutex>
-#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -45,8 +44,7 @@ DesignRow measure_picture(const DesignPoint& point, const Job& job, bool is_draw
 
 /// Settings of a measurement of designs.
 struct DesignQuestion {
-  std::uint32_t max_bits = max_fitted_bits;   ///< maximum memory bits per pixel of a Program
-  std::optional<process::Process> process{};  ///< sets the clock rate and the prices of machines
+  std::uint32_t max_bits = max_fitted_bits;  ///< maximum memory bits per pixel of a Program
   std::vector<unsigned> colour_bits{};  ///< all numbers of colour bits of the designs, if colour errors are requested
 };
 
@@ -56,9 +54,9 @@ class DesignMeter {
  public:
   explicit DesignMeter(DesignQuestion question = {}) : question_(std::move(question)) {}
 
-  /// Measures a point. Without memory bits, the machine gets exactly the bits that the Program uses. If the model does
-  /// not fit, the row holds the reason.
-  DesignRow measure(const DesignPoint& point, const Job& job);
+  /// Measures a point. Without memory bits, the machine gets exactly the bits that the Program uses. The process, if
+  /// any, sets the clock rate and the prices of the machine. If the model does not fit, the row holds the reason.
+  DesignRow measure(const DesignPoint& point, const Job& job, const process::Process* process = nullptr);
 
  private:
   struct PixelErrors {

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -26,6 +28,9 @@
 #include "sim/studies/folder.h"
 #include "sim/studies/groups.h"
 #include "sim/studies/plot_names.h"
+#include "sim/studies/sensitivity/outcome.h"
+#include "sim/studies/sensitivity/show.h"
+#include "sim/studies/sensitivity/variants.h"
 #include "sim/studies/study.h"
 
 namespace csgsim::studies {
@@ -82,15 +87,17 @@ class Explore : public StudyOf<ExploreRow> {
     return session::input_files(files, {options_.model.machine});
   }
   [[nodiscard]] std::set<std::string> varied() const override {
-    std::set<std::string> names{"vary", "points", "seed", "search", "axes", "machine", "process"};
+    std::set<std::string> names{"vary",    "points",  "seed",        "search", "axes",
+                                "machine", "process", "sensitivity", "samples"};
     for (const Axis& axis : axes()) names.emplace(axis.key);
     return names;
   }
 
   std::vector<PointRequest> request_points() override {
     grid_.emplace(options_.designs());
+    variants_ = options_.variants();
+    check_number();
     process_ = options_.loaded_process();
-    meter_ = std::make_unique<DesignMeter>(DesignQuestion{max_fitted_bits, process_});
     std::vector<PointRequest> requested = ask_from(0);
     refuse_unread();
     return requested;
@@ -111,13 +118,22 @@ class Explore : public StudyOf<ExploreRow> {
     return ask_from(before);
   }
 
-  void print() const override { print_explored(rows(), groups_); }
-
-  [[nodiscard]] std::string json(const std::string& title) const override {
-    return explore_json(title, rows(), groups_);
+  void print() const override {
+    print_explored(stated(), groups_);
+    if (sensitivity_) print_sensitivity(rows(), *sensitivity_, designs_of(stated(), *sensitivity_));
   }
 
-  [[nodiscard]] std::vector<plots::Plot> plots() const override { return plots_of_explore(groups_); }
+  [[nodiscard]] std::string json(const std::string& title) const override {
+    return explore_json(title, rows(), groups_, sensitivity_ ? &*sensitivity_ : nullptr);
+  }
+
+  [[nodiscard]] std::vector<plots::Plot> plots() const override {
+    std::vector<plots::Plot> all = plots_of_explore(groups_);
+    if (sensitivity_)
+      std::ranges::move(plots_of_sensitivity(*sensitivity_, designs_of(stated(), *sensitivity_)),
+                        std::back_inserter(all));
+    return all;
+  }
 
   [[nodiscard]] std::string page_title() const override { return "Design space"; }
 
@@ -138,9 +154,16 @@ class Explore : public StudyOf<ExploreRow> {
                                  report::cell(data, at + "/knee/commands/" + std::to_string(j))});
       }
     }
-    if (fronts.parts.empty()) return {};
-    fronts.parts.emplace_back(std::move(commands));
-    return {std::move(fronts)};
+    std::vector<report::Section> sections;
+    if (!fronts.parts.empty()) {
+      fronts.parts.emplace_back(std::move(commands));
+      sections.push_back(std::move(fronts));
+    }
+    if (data.contains("sensitivity")) {
+      if (report::Section section = sensitivity_section(data); !section.parts.empty())
+        sections.push_back(std::move(section));
+    }
+    return sections;
   }
 
   void refuse() const override {
@@ -157,13 +180,14 @@ class Explore : public StudyOf<ExploreRow> {
     const Job& job = jobs_[point];
     return session::with_memory_for_picture(
         {job.machine.picture.width, job.machine.picture.height, session::ample_memory_bits},
-        [&] { return ExploreRow(meter_->measure(points_[point], job)); });
+        [&] { return ExploreRow(meter_.measure(points_[point], job, process_of(points_[point]))); });
   }
 
   void conclude() override {
     const std::vector<ExploreAxis> axes = parse_axes(options_.requested_axes());
     groups_.clear();
-    for (ExploreGroup& group : groups_of(rows(), axes)) {
+    if (options_.sensitivity) take_variants(axes);
+    for (ExploreGroup& group : groups_of(stated(), axes)) {
       std::vector<std::string> commands = commands_of(group);
       groups_.push_back({std::move(group), std::move(commands)});
     }
@@ -175,11 +199,14 @@ class Explore : public StudyOf<ExploreRow> {
     std::vector<PointRequest> requested;
     for (const std::string& model : without_duplicates(options_.models)) {
       for (std::size_t i = first; i < grid_->designs().size(); ++i) {
-        session::ModelRequest design = grid_->designs()[i];
-        design.model = model;
-        add(design);
-        design_of_point_.push_back(i);
-        requested.push_back({point_cells<ExploreRow>(points_.back()), jobs_.back().inputs});
+        for (const Variant& variant : variants_.all) {
+          session::ModelRequest design = grid_->designs()[i];
+          design.model = model;
+          design.machine += name_suffix(variants_, variant, false);
+          add(design, name_suffix(variants_, variant, true));
+          design_of_point_.push_back(i);
+          requested.push_back({point_cells<ExploreRow>(points_.back()), jobs_.back().inputs});
+        }
       }
     }
     if (first == 0) first_designs_ = grid_->designs().size();
@@ -192,37 +219,75 @@ class Explore : public StudyOf<ExploreRow> {
       throw InputError(jobs_.front().reason);
   }
 
+  /// The rows with the stated figures: all, without --sensitivity.
+  [[nodiscard]] std::span<const ExploreRow> stated() const {
+    return sensitivity_ ? std::span<const ExploreRow>(stated_) : rows();
+  }
+
+  /// Throws UsageError if there are too many points.
+  void check_number() const {
+    const std::size_t points = grid_->designs().size() * variants_.all.size();
+    if (variants_.all.size() == 1 || points <= max_designs) return;
+    throw session::UsageError(
+        "--sensitivity", fmt::format("{} designs with {} variants each are {} points, the maximum is {}; vary fewer "
+                                     "parameters or take fewer --samples",
+                                     grid_->designs().size(), variants_.all.size(), points, grouped(max_designs)));
+  }
+
+  /// The variants follow from the options and the files of the machine and the process, also for gathered rows.
+  void take_variants(std::span<const ExploreAxis> axes) {
+    if (variants_.figures.empty()) variants_ = options_.variants();
+    const std::size_t models = without_duplicates(options_.models).size();
+    if (rows().size() % (models * variants_.all.size()) != 0)
+      throw InputError(
+          "the file of the machine or of the process has changed since the points were measured; "
+          "measure them again");
+    stated_ = stated_rows(rows(), variants_.all.size());
+    sensitivity_ = sensitivity_of(rows(), models, variants_, axes);
+  }
+
   /// Adds a design. If its parameters are inconsistent, its row holds the reason.
-  void add(const session::ModelRequest& design) {
+  void add(const session::ModelRequest& design, const std::string& process_changes) {
     try {
       Job job = maker_.job_of(design);
       refuse_unseen(design, job);
       DesignPoint point = point_of(design, job.machine.picture);
       if (options_.has_memory(design)) point.memory_bits = job.machine.array.memory_bits;
-      add(std::move(point), std::move(job));
+      add(std::move(point), std::move(job), process_changes);
     } catch (const InputError& error) {
-      add_refused(design, error.what());
+      add_refused(design, process_changes, error.what());
     } catch (const session::UsageError& error) {
-      add_refused(design, error.what());
+      add_refused(design, process_changes, error.what());
     }
   }
 
-  void add_refused(const session::ModelRequest& design, const std::string& why) {
+  void add_refused(const session::ModelRequest& design, const std::string& process_changes, const std::string& why) {
     session::ModelRequest plain = options_.model;
     plain.model = design.model;
     plain.sets = design.sets;
     Job job = maker_.job_of(plain);
     job.reason = escaped(why);
-    add(point_of(design, {}), std::move(job));
+    add(point_of(design, {}), std::move(job), process_changes);
   }
 
-  void add(DesignPoint point, Job job) {
+  void add(DesignPoint point, Job job, const std::string& process_changes) {
     if (process_) {
-      point.process = escaped(process_->name);
-      job.inputs.machine_hash = with_process(job.inputs.machine_hash, *process_);
+      point.process = escaped(process_->name) + process_changes;
+      job.inputs.machine_hash = with_process(job.inputs.machine_hash, load_changed(point.process, process_changes));
     }
     points_.push_back(std::move(point));
     jobs_.push_back(std::move(job));
+  }
+
+  /// The process of that name in a point, with changes in addition to those of --process.
+  const process::Process& load_changed(const std::string& name, const std::string& changes) {
+    const auto [known, is_new] = processes_.try_emplace(name);
+    if (is_new) known->second = changes.empty() ? *process_ : process::load_process(options_.process + changes);
+    return known->second;
+  }
+
+  [[nodiscard]] const process::Process* process_of(const DesignPoint& point) const {
+    return point.process.empty() ? nullptr : &processes_.at(point.process);
   }
 
   /// Rejects designs with transparent solids, which cannot be compared with an exact picture.
@@ -242,10 +307,10 @@ class Explore : public StudyOf<ExploreRow> {
   /// Commands that draw a group's knee, one per model of the group, with enough memory for all of them.
   [[nodiscard]] std::vector<std::string> commands_of(const ExploreGroup& group) const {
     if (!group.knee) return {};
-    const DesignPoint& knee = rows()[group.rows[*group.knee]].point;
+    const DesignPoint& knee = stated()[group.rows[*group.knee]].point;
     std::vector<const ExploreRow*> drawn;
     std::uint32_t memory_bits = 0;
-    for (const ExploreRow& row : rows()) {
+    for (const ExploreRow& row : stated()) {
       DesignPoint same = row.point;
       same.model = knee.model;
       const bool is_meant = group.model.empty() || row.point.model == group.model;
@@ -263,7 +328,9 @@ class Explore : public StudyOf<ExploreRow> {
 
   ExploreOptions options_;
   const session::OptionList* command_ = nullptr;
-  std::optional<process::Process> process_;
+  std::optional<process::Process> process_;            ///< as stated
+  std::map<std::string, process::Process> processes_;  ///< by their names in points
+  Variants variants_;
   std::optional<DesignGrid> grid_;
   std::size_t first_designs_ = 0;  ///< number of designs before the search
   JobMaker maker_;
@@ -272,8 +339,10 @@ class Explore : public StudyOf<ExploreRow> {
   std::vector<Job> jobs_;
   std::map<const Subject*, std::string>
       transparency_;  ///< why a model cannot be compared with an exact picture; empty if it can
-  std::unique_ptr<DesignMeter> meter_;
+  DesignMeter meter_;
   std::vector<ShownGroup> groups_;
+  std::vector<ExploreRow> stated_;  ///< only with --sensitivity
+  std::optional<SensitivityOutcome> sensitivity_;
 };
 
 }  // namespace
@@ -287,6 +356,8 @@ extern const StudyRow explore_row{
         "  csgsim explore *.csg --vary link.width=8,16,32 --vary z-bits=10..24 --vary fraction-bits=2..12 "
         "--points 500 --seed 2 --axes time,memory -o out\n"
         "  csgsim explore *.csg --vary z-bits=8..30 --vary fraction-bits=0..16 --points 20 --search 200 -o out\n"
+        "  csgsim explore carburettor.csg --vary alu.bits=2 --vary evaluator.bits=1,2 --process nmos-3um --sensitivity "
+        "-o ranges\n"
         "A design is on the front if no other is as good on every axis and better on one. The knee is the design on "
         "the\n"
         "front that is closest to the best values of all axes: logarithms are scaled from 0, the minimum on the front, "

@@ -4,10 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "hw/base/error.h"
 #include "hw/base/text.h"
+#include "hw/kinds/load.h"
 #include "hw/machines/names.h"
 #include "sim/session/options/lists.h"
 #include "sim/session/options/progress.h"
@@ -17,6 +19,7 @@
 #include "sim/studies/design/axes.h"
 #include "sim/studies/design/front.h"
 #include "sim/studies/dimensions.h"
+#include "sim/studies/sensitivity/figures.h"
 
 namespace csgsim::studies {
 
@@ -39,11 +42,16 @@ std::vector<Dimension> dimensions_of(const ExploreOptions& options) {
   return dimensions;
 }
 
+/// The machine's name with the parameters that were set.
+std::string machine_of(const ExploreOptions& options) {
+  return session::with_parameters({options.model.machine}, options.model.sets).front();
+}
+
 /// The machine with the parameters that were set, which become part of its name.
 session::ModelRequest base_of(const ExploreOptions& options, const std::vector<Dimension>& dimensions) {
   session::ModelRequest base = options.model;
   base.sets = session::divide_sets(options.model.sets).scene;
-  base.machine = session::with_parameters({options.model.machine}, options.model.sets).front();
+  base.machine = machine_of(options);
   for (const std::string& change : machines::changes_of(base.machine)) {
     if (std::ranges::find(dimensions, key_of(change), &Dimension::key) != dimensions.end())
       throw session::UsageError("--vary", "'" + key_of(change) + "' is both varied and fixed; remove one");
@@ -63,12 +71,35 @@ void refuse_unpriced_axes(const ExploreOptions& options) {
   }
 }
 
+constexpr std::uint32_t default_samples = 64;
+
+/// Throws UsageError for options that exclude each other.
+void check_sensitivity(const ExploreOptions& options) {
+  if (!options.sensitivity && options.samples)
+    throw session::UsageError("--samples", "only --sensitivity takes samples; add it, or remove --samples");
+  if (options.sensitivity && options.search > 0)
+    throw session::UsageError("--sensitivity", "a search compares designs as stated; remove --search or --sensitivity");
+}
+
+std::vector<RangedFigure> figures_of(const ExploreOptions& options) {
+  std::set<std::string> varied;
+  for (const Dimension& dimension : dimensions_of(options)) varied.insert(dimension.key);
+  std::vector<RangedFigure> figures;
+  add_ranged_figures(kinds::load(machine_of(options)).figures, false, varied, figures);
+  if (const std::optional<process::Process> process = options.loaded_process())
+    add_ranged_figures(process->figures, true, varied, figures);
+  if (figures.empty())
+    throw session::UsageError(
+        "--sensitivity", "no figure has a range: the files of the machine and the process state none, or all are set");
+  return figures;
+}
+
 }  // namespace
 
 std::vector<std::string> own_explore_options() {
   std::vector<std::string> names = axis_keys();
-  for (const char* name : {"vary", "points", "seed", "search", "axes", "process", "machine", "set", "output", "threads",
-                           "shard", "no-plots", "progress", "report", "quiet"})
+  for (const char* name : {"vary", "points", "seed", "search", "axes", "process", "sensitivity", "samples", "machine",
+                           "set", "output", "threads", "shard", "no-plots", "progress", "report", "quiet"})
     names.emplace_back(name);
   return names;
 }
@@ -123,6 +154,22 @@ void ExploreOptions::add_to(session::OptionList& command) {
                   "a .toml file; to change parameters: NAME+KEY=VALUE. Without a process, a machine has the clock "
                   "of its description",
                   fmt::join(process::process_names(), ", ")));
+  command.flag("--sensitivity", sensitivity,
+               "Also measure each design with each assumed figure of the machine and the process at the low and at the "
+               "high value of its range, and with samples of all of them; omits figures that are varied or set, and "
+               "sizes of picture, array and memory");
+  command
+      .option("--samples", samples,
+              fmt::format("Number of Latin-hypercube samples for --sensitivity, drawn with --seed: whole numbers, "
+                          "uniform in the logarithm if the high value is more than 4 times the low one; default: {}",
+                          default_samples))
+      .between(0U, max_designs);
+}
+
+Variants ExploreOptions::variants() const {
+  check_sensitivity(*this);
+  if (!sensitivity) return {{}, {{}}};
+  return make_variants(figures_of(*this), {samples.value_or(default_samples), seed});
 }
 
 std::string ExploreOptions::requested_axes() const {

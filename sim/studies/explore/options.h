@@ -12,6 +12,7 @@
 #include "sim/session/options/option_list.h"
 #include "sim/studies/design/grid.h"
 #include "sim/studies/design/row.h"
+#include "sim/studies/sensitivity/variants.h"
 
 namespace csgsim::studies {
 
@@ -25,6 +26,8 @@ struct ExploreOptions {
   std::uint32_t search = 0;
   std::string axes;
   std::string process;
+  bool sensitivity = false;
+  std::optional<std::uint32_t> samples{};  ///< of all figures together; only with `sensitivity`
 
   void add_to(session::OptionList& command);
 
@@ -36,6 +39,10 @@ struct ExploreOptions {
 
   /// The process of --process; empty if there is none. Throws UsageError, or InputError if its file is invalid.
   [[nodiscard]] std::optional<process::Process> loaded_process() const;
+
+  /// The variants of each design: with `sensitivity` those of the assumed figures, otherwise the design as it is.
+  /// Throws UsageError, or InputError if a file is invalid.
+  [[nodiscard]] Variants variants() const;
 
   /// Whether the memory bits per pixel are specified.
   [[nodiscard]] bool has_memory(const session::ModelRequest& design) const;

@@ -15,6 +15,7 @@
 #include "sim/plots/common_looks.h"
 #include "sim/session/options/numbers.h"
 #include "sim/studies/design/axes.h"
+#include "sim/studies/design/value_text.h"
 #include "sim/studies/groups.h"
 #include "sim/studies/plot_names.h"
 #include "sim/studies/rows_json.h"
@@ -25,30 +26,6 @@ namespace {
 
 /// Maximum number of printed rows of a front; the files have all.
 constexpr std::size_t max_printed = 40;
-
-/// Values from here on are printed without a fraction.
-constexpr double min_rounded = 10'000;
-constexpr double max_grouped = 1e15;
-
-std::string value_text(double value) {
-  const bool is_shown_whole = value >= min_rounded || value == std::floor(value);
-  if (value >= 0 && value < max_grouped && is_shown_whole)
-    return grouped(static_cast<std::uint64_t>(std::llround(value)));
-  return fmt::format("{:.4g}", value);
-}
-
-/// Prints a table with a line per row and columns as wide as necessary.
-void print_cells(const std::vector<std::vector<std::string>>& lines) {
-  std::vector<std::size_t> widths(lines.front().size());
-  for (const std::vector<std::string>& line : lines) {
-    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
-  }
-  for (const std::vector<std::string>& line : lines) {
-    std::string text;
-    for (std::size_t i = 0; i < line.size(); ++i) text += fmt::format("  {:>{}}", line[i], widths[i]);
-    fmt::print("{}\n", text);
-  }
-}
 
 void print_front(std::span<const ExploreRow> rows, const DesignNames& names, const ExploreGroup& group) {
   std::vector<std::vector<std::string>> lines(1, names.keys());
@@ -212,6 +189,18 @@ std::string DesignNames::text(const DesignPoint& point) const {
   return parts.empty() ? point.machine : fmt::format("{}", fmt::join(parts, ", "));
 }
 
+DesignLabels designs_of(std::span<const ExploreRow> stated, const SensitivityOutcome& sensitivity) {
+  std::vector<ExploreRow> drawn;
+  std::ranges::copy_if(stated, std::back_inserter(drawn), &ExploreRow::is_compiled);
+  const DesignNames names(drawn);
+  DesignLabels labels;
+  for (const ExploreRow& row : stated.first(sensitivity.order.designs)) {
+    labels.texts.push_back(names.text(row.point));
+    labels.json.push_back(design_json(names, row.point));
+  }
+  return labels;
+}
+
 void print_explored(std::span<const ExploreRow> rows, std::span<const ShownGroup> groups) {
   const DesignNames names(rows);
   bool is_first = true;
@@ -225,11 +214,13 @@ void print_explored(std::span<const ExploreRow> rows, std::span<const ShownGroup
   }
 }
 
-std::string explore_json(const std::string& title, std::span<const ExploreRow> rows,
-                         std::span<const ShownGroup> groups) {
-  const DesignNames names(rows);
+std::string explore_json(const std::string& title, std::span<const ExploreRow> rows, std::span<const ShownGroup> groups,
+                         const SensitivityOutcome* sensitivity) {
+  const std::size_t variants = sensitivity == nullptr ? 1 : sensitivity->order.variants;
+  const std::vector<ExploreRow> stated = stated_rows(rows, variants);
+  const DesignNames names(stated);
   std::map<std::size_t, std::pair<bool, bool>>
-      marks;  // per row: whether it is on its model's front, and whether it is the knee
+      marks;  // per stated row: whether it is on its model's front, and whether it is the knee
   for (const ShownGroup& shown : groups) {
     const ExploreGroup& group = shown.group;
     for (std::size_t i = 0; i < group.rows.size() && !group.model.empty(); ++i)
@@ -239,13 +230,15 @@ std::string explore_json(const std::string& title, std::span<const ExploreRow> r
   Json json = points_json(title, rows.size(), [&](Json& point, std::size_t row) {
     columns(point, row);
     point["design"] = design_json(names, rows[row].point);
-    if (!rows[row].is_compiled()) return;
-    const std::pair<bool, bool>& mark = marks[row];
+    if (sensitivity != nullptr) point["figures"] = variant_json(sensitivity->variants, row % variants);
+    if (!rows[row].is_compiled() || row % variants != 0) return;
+    const std::pair<bool, bool>& mark = marks[row / variants];
     point["pareto"] = mark.first;
     point["knee"] = mark.second;
   });
   json["fronts"] = Json::array();
-  for (const ShownGroup& shown : groups) json["fronts"].push_back(group_json(rows, names, shown));
+  for (const ShownGroup& shown : groups) json["fronts"].push_back(group_json(stated, names, shown));
+  if (sensitivity != nullptr) json["sensitivity"] = sensitivity_json(*sensitivity, designs_of(stated, *sensitivity));
   return file_text(json);
 }
 

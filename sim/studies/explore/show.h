@@ -10,6 +10,8 @@
 
 #include "sim/plots/plot.h"
 #include "sim/studies/design/front.h"
+#include "sim/studies/sensitivity/outcome.h"
+#include "sim/studies/sensitivity/show.h"
 
 namespace csgsim::studies {
 
@@ -38,9 +40,13 @@ struct ShownGroup {
 /// Prints, for each group, the number of designs, the front and the knee.
 void print_explored(std::span<const ExploreRow> rows, std::span<const ShownGroup> groups);
 
-/// explore.json: all points, with whether each is on its model's front and whether it is the knee; and the groups.
-std::string explore_json(const std::string& title, std::span<const ExploreRow> rows,
-                         std::span<const ShownGroup> groups);
+/// The names of the designs by what varies among those that can be drawn, given the rows with the stated figures.
+DesignLabels designs_of(std::span<const ExploreRow> stated, const SensitivityOutcome& sensitivity);
+
+/// explore.json: all points, with whether each is on its model's front and whether it is the knee; the groups; and the
+/// sensitivity, if it was measured.
+std::string explore_json(const std::string& title, std::span<const ExploreRow> rows, std::span<const ShownGroup> groups,
+                         const SensitivityOutcome* sensitivity = nullptr);
 
 /// One chart per group with at least two axes, of the first axis against each of the others: all designs, those on
 /// the front, the front of these two axes alone, and the knee.

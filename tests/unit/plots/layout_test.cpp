@@ -215,6 +215,18 @@ TEST_CASE("a plot counts the bars beyond the displayed maximum") {
   CHECK(with(drawing, "7 more bars in table.csv").size() == 1);
 }
 
+TEST_CASE("signed bars extend from 0 to both sides and show signed values") {
+  plots::Bars bars{"title", {"%"}, {{"gate.delay", 32, {{"low", -29.5, 0}, {"high", 0, 32}}}}, {}, "table.csv", true};
+  const plots::Drawing drawing = plots::lay_out(bars);
+  check(drawing);
+  CHECK(with(drawing, "free").empty());
+  CHECK(with(drawing, "-29.5").size() == 1);
+  CHECK(with(drawing, "+32").size() == 1);
+  REQUIRE(drawing.fills.size() >= 3);
+  CHECK(drawing.fills[1].box.right == drawing.fills[2].box.left);
+  CHECK(drawing.fills[1].box.left < drawing.fills[1].box.right);
+}
+
 TEST_CASE("shortened names still differ and fit the maximum width") {
   const std::string middle(80, 'x');
   const std::vector<std::string> names{"begin" + middle + "1" + middle + "end", "begin" + middle + "2" + middle + "end",
