@@ -24,7 +24,7 @@ plots::Part part_of(const char* name, double change) { return {name, std::min(ch
 
 double length(const plots::Part& part) { return part.end - part.begin; }
 
-/// Of two parts on one side of 0, the longer one begins where the shorter one ends.
+/// Lets the longer of two parts on one side of 0 begin where the shorter one ends.
 void separate(std::vector<plots::Part>& parts) {
   if (parts.size() != 2) return;
   const auto [shorter, longer] =

@@ -1,10 +1,12 @@
-"""The processes included in csgsim, from their files, for docs/design-space.md."""
+"""Tables of docs/design-space.md: the processes included in csgsim, from their files, and the output of csgsim explore."""
 
 import tomllib
 
 from figures import row
 from runs import ROOT
 
+PAGE = "docs/design-space.md"
+AGAINST = "alu.bits=1, evaluator.bits=1"
 MEANINGS = {
     "gate.delay": "of a gate with some load",
     "gate.fan_in": "of a gate at most",
@@ -37,3 +39,20 @@ def processes(figures):
                      *(cell for one in values for cell in (f"{one['value']:,}", one["provenance"][0]))))
     head = [row("parameter", "unit", *(cell for name in names for cell in (f"`{name}`", ""))), "|---|---|" + "--:|---|" * len(names)]
     return "\n".join(head + [row(*cells) for cells in rows])
+
+
+def assumed(figures):
+    """Runs the command that the page shows for the ranges of the assumed figures."""
+    words, _, _ = figures.shown(PAGE, "csgsim explore tests/models/carburettor.csg").rpartition(" -o ")
+    return figures.runs.run(f"{words} --progress none -o $OUT/assumed > $OUT/printed; cp $OUT/assumed/tornado_* $OUT")
+
+
+def assumed_folder(figures):
+    return assumed(figures).folder
+
+
+def sensitivity(figures):
+    """The comparisons of equal widths of trees and ALU."""
+    text = (assumed_folder(figures) / "printed").read_text(encoding="utf-8")
+    parts = [part for part in text.split("\n\n") if any(f"alu.bits={n}, evaluator.bits={n} against {AGAINST}" in part for n in (2, 4))]
+    return "\n".join(["```", "\n\n".join("\n".join(line.rstrip() for line in part.splitlines()) for part in parts), "```"])

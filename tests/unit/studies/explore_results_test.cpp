@@ -229,9 +229,9 @@ TEST_CASE("designs have four axes by default and five with a process unless requ
   CHECK(options.requested_axes() == "time,wrong");
   const Texts own = studies::own_explore_options();
   CHECK(std::set<std::string>(own.begin(), own.end()) ==
-        std::set<std::string>{"size",     "memory-bits", "z-bits",    "fraction-bits", "colour-bits",
-                              "strategy", "stack-bits",  "colouring", "curves",        "pruning",
-                              "vary",     "points",      "seed",      "search",        "axes",
-                              "process",  "machine",     "set",       "output",        "threads",
-                              "shard",    "no-plots",    "progress",  "report",        "quiet"});
+        std::set<std::string>{"size",       "memory-bits", "z-bits", "fraction-bits", "colour-bits", "strategy",
+                              "stack-bits", "colouring",   "curves", "pruning",       "vary",        "points",
+                              "seed",       "search",      "axes",   "process",       "sensitivity", "samples",
+                              "machine",    "set",         "output", "threads",       "shard",       "no-plots",
+                              "progress",   "report",      "quiet"});
 }

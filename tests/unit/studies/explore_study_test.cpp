@@ -275,9 +275,9 @@ TEST_CASE("explore lists models and scene and machine and process files as input
   CHECK(std::set<fs::path>(read.begin(), read.end()) ==
         std::set<fs::path>{"a.csg", models / "scene.toml", models / "pixel-planes-4.toml", models / "nmos-3um.toml"});
   CHECK(explored.study().varied() == std::set<std::string>{"vary", "points", "seed", "search", "axes", "machine",
-                                                           "process", "size", "memory-bits", "z-bits", "fraction-bits",
-                                                           "colour-bits", "strategy", "stack-bits", "colouring",
-                                                           "curves", "pruning"});
+                                                           "process", "sensitivity", "samples", "size", "memory-bits",
+                                                           "z-bits", "fraction-bits", "colour-bits", "strategy",
+                                                           "stack-bits", "colouring", "curves", "pruning"});
   CHECK_FALSE(explored.study().is_adaptive());
   CHECK(Explored({"a.csg", "--vary", "z-bits=12", "--search", "1"}).study().is_adaptive());
   CHECK(explored.study().page_title() == "Design space");

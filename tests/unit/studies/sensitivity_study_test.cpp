@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "hw/kinds/load.h"
+#include "sim/session/options/usage.h"
 #include "sim/studies/sensitivity/figures.h"
 #include "sim/studies/sensitivity/show.h"
-#include "tests/support/error_of.h"
 #include "tests/unit/studies/explored.h"
 
 using namespace csgsim;
@@ -64,10 +64,15 @@ TEST_CASE("explore --sensitivity requests all variants of each design once") {
 
 TEST_CASE("explore refuses --sensitivity with a search and --samples alone") {
   const Models models;
-  const auto error = [&](const Texts& more) {
+  const auto error = [&](const Texts& more) -> std::string {
     Texts words{models / "cube.csg", "--size", "8x8"};
     words.insert(words.end(), more.begin(), more.end());
-    return testing::error_of([&] { Explored(words).ask(); });
+    try {
+      Explored(words).ask();
+    } catch (const session::UsageError& refused) {
+      return refused.what();
+    }
+    return "";
   };
   CHECK(error({"--vary", "z-bits=12", "--search", "3", "--sensitivity"}).find("remove --search") != std::string::npos);
   CHECK(error({"--vary", "z-bits=12", "--samples", "3"}).find("only --sensitivity") != std::string::npos);
