@@ -203,13 +203,14 @@ class SectionBuilder {
 
   Paths make_paths(std::uint32_t term, const PlaneGrid& grid) {
     const std::vector<Wanted> nodes = nodes_below(term);
-    for (auto one = nodes.rbegin(); one != nodes.rend(); ++one) {
-      const model::Node& node = tree_.nodes[one->node];
-      Paths& made = made_[one->node];
-      if (one->box.empty()) {
+    for (std::size_t i = nodes.size(); i-- > 0;) {
+      const Wanted& one = nodes[i];
+      const model::Node& node = tree_.nodes[one.node];
+      Paths& made = made_[one.node];
+      if (one.box.empty()) {
         made.clear();
       } else if (node.is_leaf) {
-        made = {grid.to_path(cut_around(leaves_[node.primitive], one->box))};
+        made = {grid.to_path(cut_around(leaves_[node.primitive], one.box))};
       } else {
         std::vector<Paths> operands;
         for (const std::uint32_t child : node.children) operands.push_back(std::move(made_[child]));
