@@ -61,7 +61,7 @@ TEST_CASE("the commands in docs/design-space.md draw what the page states") {
   std::string figures;
   unsigned commands = 0;
   for (std::string line; std::getline(page, line);) {
-    if (line.find(" clocks, ") != std::string::npos && line.find("bits a pixel, ") != std::string::npos) figures = line;
+    if (line.find(" clocks, ") != std::string::npos && line.find("bits per pixel, ") != std::string::npos) figures = line;
     const std::size_t begin = line.find("csgsim render tests/");
     if (begin == std::string::npos) continue;
     ++commands;
@@ -73,7 +73,7 @@ TEST_CASE("the commands in docs/design-space.md draw what the page states") {
     const nlohmann::json stats = json(folder / "p.json");
     const auto says = [&](const std::string& text) { return figures.find(text) != std::string::npos; };
     const std::string clocks = std::to_string(stats["clocks"].get<std::uint64_t>());
-    CHECK(says(": " + stats["memory"]["used_bits"].dump() + " bits a pixel, "));
+    CHECK(says(": " + stats["memory"]["used_bits"].dump() + " bits per pixel, "));
     CHECK(says(" " + stats["accuracy"]["wrong"].dump() + " wrong pixel"));
     CHECK(says(" " + clocks.substr(0, clocks.size() - 3) + "," + clocks.substr(clocks.size() - 3) + " clocks"));
   }
