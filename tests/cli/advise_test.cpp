@@ -61,7 +61,8 @@ TEST_CASE("the commands in docs/design-space.md draw what the page states") {
   std::string figures;
   unsigned commands = 0;
   for (std::string line; std::getline(page, line);) {
-    if (line.find(" clocks, ") != std::string::npos && line.find("bits per pixel, ") != std::string::npos) figures = line;
+    if (line.find(" clocks, ") != std::string::npos && line.find("bits per pixel, ") != std::string::npos)
+      figures = line;
     const std::size_t begin = line.find("csgsim render tests/");
     if (begin == std::string::npos) continue;
     ++commands;
