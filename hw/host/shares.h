@@ -17,8 +17,8 @@ namespace csgsim::host {
 processors::Operations largest_share(const isa::Program& program, const machines::Machine& machine,
                                      const processors::Processor& processor);
 
-/// Work done once for the model by the busiest of the Kind::hosts() processors. It is divided into as many equal parts
-/// as the segment with the most chunks has chunks, which the processors take in turn.
+/// Work done once for the model by the busiest of the Kind::hosts() processors. The processors take equal parts in
+/// turn; the number of parts is that of the chunks of the segment with the most.
 processors::Operations largest_model_share(const isa::Program& program, const machines::Machine& machine);
 
 }  // namespace csgsim::host

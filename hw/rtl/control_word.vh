@@ -36,9 +36,9 @@ localparam CW_X = CW_CLEAR + 1;                            // address of operand
 localparam CW_Y = CW_X + ADDRESS;                          // address of operand y
 localparam CW_W = CW_Y + ADDRESS;                          // address to write, or the first to clear
 localparam CW_COUNT = CW_W + ADDRESS;                      // number of memory bits to clear
-// For a clear: number of columns of the segment; pixels right of these take no part.
+// Number of columns of the segment, for a clear; pixels right of these take no part.
 localparam CW_COLUMNS = CW_COUNT + ADDRESS + 1;
-// For a clear: number of rows of the segment; pixels below these take no part.
+// Number of rows of the segment, for a clear; pixels below these take no part.
 localparam CW_ROWS = CW_COLUMNS + SIDE;
 localparam CW_X_BY_FLAG = CW_ROWS + SIDE;                  // 1: operand x is inverted where G is 0 (root subtraction)
 localparam CW_SET_FLAG = CW_X_BY_FLAG + 1;                 // 1: G := inverted result

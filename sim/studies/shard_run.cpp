@@ -21,8 +21,7 @@ namespace fs = std::filesystem;
 void refuse_other_study(const ShardFile& file, const ShardHeader& header, const fs::path& folder) {
   if (file.header.words == header.words && file.header.shard == header.shard) return;
   throw InputError(fmt::format("{}: holds a shard of another study, {}; choose another folder with -o, or delete {}",
-                               file.path.native(), printable(fmt::format("{}", fmt::join(file.header.words, " "))),
-                               shards_folder(folder).native()));
+                               file.path.native(), fmt::join(file.header.words, " "), shards_folder(folder).native()));
 }
 
 }  // namespace

@@ -82,11 +82,11 @@ const convert::Format& requested_format(const Options& options) {
   const convert::Format* const format = convert::format_of(format_file(options));
   if (format == nullptr && is_unnamed_stream(options.output))
     throw UsageError("--format", fmt::format("{} has no ending that selects a format; name one, as in --format stl",
-                                             printable(options.output)));
+                                             options.output));
   if (format == nullptr)
     throw UsageError("--output", fmt::format("'{}' has an unknown ending; end the name in one of {}, or name a format "
                                              "with --format",
-                                             printable(options.output), fmt::join(endings(), ", ")));
+                                             options.output, fmt::join(endings(), ", ")));
   if (options.resolution) throw UsageError("--resolution", "applies to .bintree files only; leave it out");
   if (options.ascii && !format->has_text)
     throw UsageError("--ascii", fmt::format("a {} file has only one form; leave it out", format->ending));
@@ -126,8 +126,7 @@ nlohmann::ordered_json model_json(const Options& options, const model::Tree& tre
 }
 
 [[noreturn]] void refuse_empty(const Options& options) {
-  throw InputError(
-      fmt::format("{}: the model is empty; there is nothing to convert", printable(shown_name(options.model.model))));
+  throw InputError(fmt::format("{}: the model is empty; there is nothing to convert", shown_name(options.model.model)));
 }
 
 [[noreturn]] void refuse_thin(const Options& options, const convert::Measures& measures) {
@@ -135,7 +134,7 @@ nlohmann::ordered_json model_json(const Options& options, const model::Tree& tre
       "{}: solids are too thin for their size, or too small for their distance from the origin: rounding "
       "coordinates to doubles may change the volume of the mesh, {:.3g}, by {:.3g}; make the solids thicker, or move "
       "them nearer to the origin if they are far from it",
-      printable(shown_name(options.model.model)), measures.volume, measures.volume_error));
+      shown_name(options.model.model), measures.volume, measures.volume_error));
 }
 
 /// The output files, committed as a group: all of them or none.

@@ -62,7 +62,8 @@ ModelFile read_as_model(const ModelRequest& request, Read read) {
 }
 
 /// Rejects options of OpenSCAD for a model that it does not evaluate.
-void refuse_scad_options(const ModelRequest& request) {
+void refuse_scad_options(const ModelRequest& request, Subject subject) {
+  if (subject == Subject::scad) return;
   const std::string why =
       fmt::format("{} has no variables to set, only a .scad source has; leave it out", shown_name(request.model));
   if (!request.defines.empty()) throw UsageError("--define", why);
@@ -72,7 +73,7 @@ void refuse_scad_options(const ModelRequest& request) {
 
 /// The text of a model; a source has been evaluated by OpenSCAD. `replacement` is read in place of the file.
 std::string text_of(const ModelRequest& request, Subject subject, const std::optional<std::string>& replacement) {
-  if (subject != Subject::scad) refuse_scad_options(request);
+  refuse_scad_options(request, subject);
   if (subject == Subject::scad) return evaluate_scad(request.model, replacement, request.scad_options());
   if (replacement) return *replacement;
   return read_file(request.model, subject == Subject::mesh ? read::mesh_file : read::model_file);

@@ -14,7 +14,6 @@
 #include "hw/base/error.h"
 #include "hw/base/input_file.h"
 #include "hw/base/inputs_kept.h"
-#include "hw/base/text.h"
 #include "sim/session/model/scad_messages.h"
 #include "sim/system/child_process.h"
 #include "sim/system/memory_file.h"
@@ -34,7 +33,7 @@ std::string_view fix_for(system::Exceeded exceeded) {
 }
 
 std::string reason_of(const system::ChildEnd& end, const system::ChildLimits& limits) {
-  const std::string why = printable(system::failure_text(end, limits));
+  const std::string why = system::failure_text(end, limits);
   return end.exceeded == system::Exceeded::nothing
              ? why
              : "OpenSCAD was stopped: " + why + "; " + std::string(fix_for(end.exceeded));
@@ -89,7 +88,7 @@ std::vector<std::string> openscad_words(std::vector<std::string> first, const st
   return first;
 }
 
-/// Throws InputError with the reason, which OpenSCAD's own message lacks, if the file does not exist.
+/// Records the file as an input. Throws InputError if it does not exist: OpenSCAD's own message lacks the reason.
 void record_existing(const std::string& file) {
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored))

@@ -6,8 +6,7 @@
 
 namespace csgsim::studies {
 
-/// Five-number summary and sum. Quartiles are interpolated linearly: quantile p is at position p * (count - 1) of the
-/// sorted numbers, counted from 0.
+/// Five-number summary and sum; quartiles by quantile().
 struct Distribution {
   std::size_t count = 0;
   double total = 0;

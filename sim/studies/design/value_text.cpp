@@ -26,14 +26,17 @@ std::string value_text(double value) {
   return fmt::format("{:.4g}", value);
 }
 
-void print_cells(const std::vector<std::vector<std::string>>& lines) {
+void print_cells(const std::vector<std::vector<std::string>>& lines, Align align) {
   std::vector<std::size_t> widths(lines.front().size());
   for (const std::vector<std::string>& line : lines) {
     for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
   }
+  if (align == Align::left) widths.back() = 0;
   for (const std::vector<std::string>& line : lines) {
     std::string text;
-    for (std::size_t i = 0; i < line.size(); ++i) text += fmt::format("  {:>{}}", line[i], widths[i]);
+    for (std::size_t i = 0; i < line.size(); ++i)
+      text += align == Align::left ? fmt::format("  {:<{}}", line[i], widths[i])
+                                   : fmt::format("  {:>{}}", line[i], widths[i]);
     fmt::print("{}\n", text);
   }
 }

@@ -2,6 +2,7 @@
 // Used by sim/studies/explore and sim/studies/sensitivity.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,9 @@ namespace csgsim::studies {
 /// Whole and large numbers with grouped digits, others with four digits.
 std::string value_text(double value);
 
-/// Prints a table with a line per row, columns as wide as necessary, aligned right.
-void print_cells(const std::vector<std::vector<std::string>>& lines);
+enum class Align : std::uint8_t { left, right };
+
+/// Prints a table with a line per row and columns as wide as necessary. Aligned left, the last column is not padded.
+void print_cells(const std::vector<std::vector<std::string>>& lines, Align align = Align::right);
 
 }  // namespace csgsim::studies

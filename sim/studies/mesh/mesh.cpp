@@ -84,14 +84,13 @@ class Mesh : public StudyOf<MeshRow> {
       throw InputError(
           fmt::format("{}: only sweeps and patches of command files (.jan) can be meshed; csgsim convert makes "
                       "a mesh of other models",
-                      printable(session::shown_name(model_))));
+                      session::shown_name(model_)));
     Hash hash;
     hash.add(text);
     inputs_ = {hash.text(), "none", session::version_and_build()};
     surfaces_ = commands::surfaces_in(text, session::shown_name(model_));
     if (surfaces_.empty())
-      throw InputError(
-          fmt::format("{}: contains no sweep and no patch to mesh", printable(session::shown_name(model_))));
+      throw InputError(fmt::format("{}: contains no sweep and no patch to mesh", session::shown_name(model_)));
     std::vector<PointRequest> requested;
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
       for (const std::string& flatness : parse_flatness(flatness_)) {

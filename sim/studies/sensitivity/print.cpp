@@ -56,18 +56,6 @@ std::vector<std::string> comparison_line(const Variants& variants, const Explore
                       changes_text(variants, comparison.sign, "sign"))};
 }
 
-/// Prints a table whose columns are as wide as necessary, aligned left.
-void print_left(const std::vector<std::vector<std::string>>& lines) {
-  std::vector<std::size_t> widths(lines.front().size());
-  for (const std::vector<std::string>& line : lines) {
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
-  }
-  for (const std::vector<std::string>& line : lines) {
-    for (std::size_t i = 0; i < line.size(); ++i) fmt::print("  {:<{}}", line[i], widths[i]);
-    fmt::print("\n");
-  }
-}
-
 void print_comparison(const SensitivityOutcome& outcome, const SensitivityGroup& group, std::size_t design,
                       const DesignLabels& designs) {
   std::vector<std::vector<std::string>> lines;
@@ -78,17 +66,17 @@ void print_comparison(const SensitivityOutcome& outcome, const SensitivityGroup&
   if (lines.empty()) return;
   fmt::print("\n{}: {} against {}\n", group_name(group), designs.texts[group.designs[design]],
              designs.texts[group.designs.front()]);
-  print_left(lines);
+  print_cells(lines, Align::left);
 }
 
-/// With two designs, the ranking is the sign.
+/// Prints the rankings of three or more designs; the ranking of two is the sign of their comparison.
 void print_rankings(const SensitivityOutcome& outcome, const SensitivityGroup& group) {
   if (group.designs.size() < 3) return;
   fmt::print("\n{}: ranking of the {}\n", group_name(group), count_text(group.designs.size(), "design"));
   std::vector<std::vector<std::string>> lines;
   for (const MetricOutcome& metric : group.metrics)
     lines.push_back({metric.axis.name, changes_text(outcome.variants, metric.ranking, "ranking")});
-  print_left(lines);
+  print_cells(lines, Align::left);
 }
 
 void print_refused(std::span<const ExploreRow> rows, const SensitivityOutcome& outcome, const SensitivityGroup& group,

@@ -10,8 +10,8 @@
 
 namespace csgsim::studies {
 
-/// Positions from 0 to below 1 of `samples` samples of one figure, one in each of as many strata of equal width, in
-/// random order (McKay, Beckman and Conover 1979). They depend on the key, the number of samples and the seed only.
+/// Positions from 0 to below 1 of `samples` samples of one figure, in random order: one in each of `samples` strata of
+/// equal width (McKay, Beckman and Conover 1979). They depend on the key, the number of samples and the seed only.
 std::vector<double> strata(std::string_view key, std::uint32_t samples, std::uint32_t seed);
 
 /// Whether samples are uniform in the logarithm: the low value is positive and the high one more than 4 times as high.

@@ -1,19 +1,12 @@
 #include "sim/studies/sensitivity/tornado.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "sim/studies/quantile.h"
 
 namespace csgsim::studies {
 
 namespace {
-
-/// Values in ascending order; `share` from 0 to 1.
-double quantile(const std::vector<double>& values, double share) {
-  const double place = share * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::size_t>(std::floor(place));
-  const std::size_t above = std::min(below + 1, values.size() - 1);
-  return values[below] + (place - std::floor(place)) * (values[above] - values[below]);
-}
 
 FigureEffect effect_of(std::size_t figure, double base, const Variants& variants, const VariantValues& values) {
   FigureEffect effect{figure, values[variants.low[figure]], values[variants.high[figure]]};

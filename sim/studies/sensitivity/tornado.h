@@ -13,7 +13,7 @@ namespace csgsim::studies {
 /// A metric of a design in each of the Variants; empty where the design cannot be drawn or has no price.
 using VariantValues = std::vector<std::optional<double>>;
 
-/// Percentiles over the samples that have a value, interpolated between neighbours.
+/// Percentiles over the samples that have a value, by quantile().
 struct Percentiles {
   std::size_t samples = 0;  ///< number of samples that have a value
   double p5 = 0;
@@ -52,7 +52,7 @@ struct Span {
 };
 Span span_of(const Tornado& tornado);
 
-/// Number of figures with both values, neither of which differs from the stated case.
+/// Number of figures whose low and high values both equal the stated case.
 std::size_t without_effect(const Tornado& tornado);
 
 }  // namespace csgsim::studies

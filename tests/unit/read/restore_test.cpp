@@ -109,7 +109,7 @@ TEST_CASE("a rotation before or after a scale or mirror is restored to 1e-14") {
 TEST_CASE("a restored matrix has the six written digits within half a unit of the last") {
   CHECK(rc::check([] {
     const auto turn = [] { return *rc::gen::inRange(-3'600'000, 3'600'001); };
-    // Angles in ten-thousandths of a degree, few of which are recognized.
+    // Angles in ten-thousandths of a degree; few are recognized.
     const auto about = [](int axis, int fine) {
       Exact whole = turn_about(axis, fine / 100);
       const long double rest = fine % 100 * std::numbers::pi_v<long double> / 1'800'000;
