@@ -78,6 +78,8 @@ constexpr auto options = std::to_array<KnownOption>({
     {varied, "seed", "N"},
     {varied, "search", "N"},
     {varied, "axes", "LIST"},
+    {varied, "sensitivity"},
+    {varied, "samples", "N"},
     {varied, "process", "NAME|FILE", FileRole::processes},
     {varied, "advice"},
     {varied, "pixel", "X,Y"},
