@@ -115,10 +115,10 @@ bool DeferredPixels::must_replay(const Batch& batch, const Stale& stale) {
 }
 
 /// Whether the batch writes memory on which the results of the skipped batch depend.
-bool DeferredPixels::invalidates(const Batch& batch, std::uint64_t stale) {
-  if (checked_batch_ == stale) return is_invalidated_;
-  checked_batch_ = stale;
-  is_invalidated_ = batch.writes.meets(kept(stale).reads);
+bool DeferredPixels::invalidates(const Batch& batch, std::uint64_t skipped_batch) {
+  if (checked_batch_ == skipped_batch) return is_invalidated_;
+  checked_batch_ = skipped_batch;
+  is_invalidated_ = batch.writes.meets(kept(skipped_batch).reads);
   return is_invalidated_;
 }
 
@@ -153,15 +153,15 @@ void DeferredPixels::replay(std::span<const std::uint32_t> blocks) {
 }
 
 /// Replays each batch once, on all blocks that skipped it.
-void DeferredPixels::replay_register(std::span<const std::uint32_t> blocks, std::uint64_t Stale::*what,
+void DeferredPixels::replay_register(std::span<const std::uint32_t> blocks, std::uint64_t Stale::*register_member,
                                      kernels::Effects effects) {
   for (const std::uint32_t first : blocks) {
-    const std::uint64_t number = stale_[first].*what;
+    const std::uint64_t number = stale_[first].*register_member;
     if (number == 0) continue;
     same_batch_.clear();
     for (const std::uint32_t block : blocks) {
-      if (stale_[block].*what != number) continue;
-      stale_[block].*what = 0;
+      if (stale_[block].*register_member != number) continue;
+      stale_[block].*register_member = 0;
       same_batch_.push_back(block);
     }
     run(kept(number), same_batch_, effects);
@@ -203,10 +203,10 @@ void DeferredPixels::clear_stale() {
   std::fill(since_.begin(), since_.end(), last_kept_);
 }
 
-void DeferredPixels::clear_memory(unsigned address, unsigned count) {
+void DeferredPixels::clear_memory(unsigned address, unsigned bit_count) {
   settle_registers();
   for (std::size_t number = 0; number < stale_.size(); ++number)
-    std::fill_n(block(number) + bits_.memory(address) * kernels::block_words, count * kernels::block_words, 0);
+    std::fill_n(block(number) + bits_.memory(address) * kernels::block_words, bit_count * kernels::block_words, 0);
 }
 
 void DeferredPixels::select(const Words& present) {

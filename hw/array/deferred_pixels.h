@@ -13,7 +13,7 @@
 
 namespace csgsim::array {
 
-/// The bits of all pixels, with deferred execution: steps are logged, and executed in batches when a result is read,
+/// The bits of all pixels, with deferred execution: steps are queued, and executed in batches when a result is read,
 /// block by block of pixels.
 ///
 /// A block without enabled pixels skips a batch that changes neither memory nor enable bits of disabled pixels,
@@ -24,10 +24,10 @@ class DeferredPixels {
  public:
   DeferredPixels(PlaneShape shape, std::span<const Place> places, PixelBits bits);
 
-  /// Logs the step of one clock.
+  /// Queues the step of one clock.
   void push(const ArrayStep& step, const StreamBit& tree);
-  /// Logs the step of one clock in which the registers between trees and pixels hold `tree`: one plane per bit, lowest
-  /// bit first. The number of planes must be the same in all calls. `tree` is read only if the step uses it.
+  /// Queues the step of one clock. `tree` holds the bit planes in the registers between trees and pixels, lowest bit
+  /// first; the number of planes must be the same in all calls.
   void push_with(std::span<const std::uint64_t> tree, const ArrayStep& step);
 
   /// Executes pending steps, so that memory and enable are up to date.
@@ -39,20 +39,21 @@ class DeferredPixels {
 
   /// Discards pending steps and clears memory.
   void reset();
-  void clear_memory(unsigned address, unsigned count);
+  void clear_memory(unsigned address, unsigned bit_count);
   /// Clears the registers. The pixels in `present` take part in all later steps; the others stay disabled.
   void select(const Words& present);
 
-  // State without the effects of pending steps; settle() executes these. `bit` is an index as in bits().
+  // State without the effects of pending steps; settle() executes these. `bit_index` is an index as in bits().
   [[nodiscard]] const PixelBits& bits() const { return bits_; }
   [[nodiscard]] const Words& enable() const { return enable_; }
-  [[nodiscard]] std::uint64_t word(unsigned bit, std::size_t word) const {
-    return words_[(word / kernels::block_words * bits_.count() + bit) * kernels::block_words +
-                  word % kernels::block_words];
+  [[nodiscard]] std::uint64_t word_index(unsigned bit_index, std::size_t word_index) const {
+    return words_[(word_index / kernels::block_words * bits_.count() + bit_index) * kernels::block_words +
+                  word_index % kernels::block_words];
   }
 
  private:
-  /// Numbers of the last skipped batches that wrote a block's carry, latch and flag; 0 if a register is up to date.
+  /// For one block and each register: number of the last skipped batch that wrote the register; 0 if the register is
+  /// up to date.
   struct Stale {
     std::uint64_t carry = 0;
     std::uint64_t latch = 0;
@@ -63,13 +64,13 @@ class DeferredPixels {
 
   static constexpr std::uint64_t kept_batches = 64;
 
-  [[nodiscard]] std::uint64_t* block(std::size_t number) {
-    return &words_[number * bits_.count() * kernels::block_words];
+  [[nodiscard]] std::uint64_t* block(std::size_t block_number) {
+    return &words_[block_number * bits_.count() * kernels::block_words];
   }
-  [[nodiscard]] const Batch& kept(std::uint64_t number) const { return kept_[number % kept_batches]; }
+  [[nodiscard]] const Batch& kept(std::uint64_t batch_number) const { return kept_[batch_number % kept_batches]; }
   [[nodiscard]] static bool is_skippable(const Batch& batch);
   [[nodiscard]] bool must_replay(const Batch& batch, const Stale& stale);
-  [[nodiscard]] bool invalidates(const Batch& batch, std::uint64_t stale);
+  [[nodiscard]] bool invalidates(const Batch& batch, std::uint64_t skipped_batch);
   void choose(const Batch& batch);
   void add_to_run(std::uint32_t block, const Batch& batch);
   void note_stale(std::uint32_t block);
@@ -77,7 +78,8 @@ class DeferredPixels {
   void replay_oldest();
   void clear_stale();
   void replay(std::span<const std::uint32_t> blocks);
-  void replay_register(std::span<const std::uint32_t> blocks, std::uint64_t Stale::*what, kernels::Effects effects);
+  void replay_register(std::span<const std::uint32_t> blocks, std::uint64_t Stale::*register_member,
+                       kernels::Effects effects);
   void put_tree(std::span<const std::uint64_t> tree);
   void add_tree(unsigned bits);
   void push(const ArrayStep& step, const StreamBit* tree);
@@ -93,7 +95,7 @@ class DeferredPixels {
   std::vector<Batch> kept_;      ///< ring of batches that some blocks have skipped
   std::uint64_t last_kept_ = 0;  ///< number of the last kept batch
   Stale last_;                   ///< last kept batches that set each register
-  /// Stale registers of each block as of its batch since_; the block has skipped all later batches.
+  /// Stale registers of each block up to batch since_ of the block, which has skipped all later batches.
   std::vector<Stale> stale_;
   std::vector<std::uint64_t> since_;
   std::vector<std::uint8_t> on_;  ///< per block: whether any pixel is enabled

@@ -464,19 +464,21 @@ HWY_EXPORT(CountOnes);
 HWY_EXPORT(AnyOnes);
 
 void run(std::span<const Run> runs, std::span<const StreamTable> tables, const Blocks& blocks,
-         std::span<const std::uint32_t> numbers, Effects effects) {
-  HWY_DYNAMIC_DISPATCH(RunBlocks)(runs, tables, blocks, numbers, effects);
+         std::span<const std::uint32_t> block_numbers, Effects effects) {
+  HWY_DYNAMIC_DISPATCH(RunBlocks)(runs, tables, blocks, block_numbers, effects);
 }
 
 void find_ones(const std::uint64_t* plane, std::span<std::uint8_t> flags) {
   HWY_DYNAMIC_DISPATCH(FindOnes)(plane, flags);
 }
 
-std::uint64_t count_ones(const std::uint64_t* plane, std::size_t words) {
-  return HWY_DYNAMIC_DISPATCH(CountOnes)(plane, words);
+std::uint64_t count_ones(const std::uint64_t* plane, std::size_t word_count) {
+  return HWY_DYNAMIC_DISPATCH(CountOnes)(plane, word_count);
 }
 
-bool any_ones(const std::uint64_t* plane, std::size_t words) { return HWY_DYNAMIC_DISPATCH(AnyOnes)(plane, words); }
+bool any_ones(const std::uint64_t* plane, std::size_t word_count) {
+  return HWY_DYNAMIC_DISPATCH(AnyOnes)(plane, word_count);
+}
 
 }  // namespace csgsim::array::kernels
 

@@ -45,17 +45,17 @@ struct Effects {
   bool has_flag = true;  ///< false if no step uses the flag, which permits a faster loop
 };
 
-/// Executes runs on the given blocks. `tables`: one per stream.
+/// Executes the runs on the blocks with the given numbers. `tables`: one per stream.
 void run(std::span<const Run> runs, std::span<const StreamTable> tables, const Blocks& blocks,
-         std::span<const std::uint32_t> numbers, Effects effects);
+         std::span<const std::uint32_t> block_numbers, Effects effects);
 
 /// Sets flags[n] to 1 if block n of a plane contains a 1, else to 0.
 void find_ones(const std::uint64_t* plane, std::span<std::uint8_t> flags);
 
-/// Number of ones in `words` words (a multiple of 8).
-std::uint64_t count_ones(const std::uint64_t* plane, std::size_t words);
+/// Number of 1 bits in the first `word_count` words (a multiple of 8).
+std::uint64_t count_ones(const std::uint64_t* plane, std::size_t word_count);
 
-/// Whether any bit of `words` words (a multiple of 8) is 1.
-bool any_ones(const std::uint64_t* plane, std::size_t words);
+/// Whether any bit of the first `word_count` words (a multiple of 8) is 1.
+bool any_ones(const std::uint64_t* plane, std::size_t word_count);
 
 }  // namespace csgsim::array::kernels

@@ -85,10 +85,10 @@ bool LinearEvaluator::clock(const RootBits& root, StreamBit& leaves) {
   return true;
 }
 
-/// The bits that entered `clocks` clocks ago.
-StreamBit LinearEvaluator::at(unsigned clocks, const RootBits& root) const {
-  if (clocks == 0) return entering(root);
-  const std::size_t place = oldest_ + clocks - 1;
+/// The bits that entered `clocks_ago` clocks ago; those that enter now for 0.
+StreamBit LinearEvaluator::at(unsigned clocks_ago, const RootBits& root) const {
+  if (clocks_ago == 0) return entering(root);
+  const std::size_t place = oldest_ + clocks_ago - 1;
   return bits_[place < bits_.size() ? place : place - bits_.size()];
 }
 

@@ -25,7 +25,7 @@ struct RootBits {
   constexpr bool operator==(const RootBits&) const = default;
 };
 
-/// ceil(log2(leaves)), 0 for one leaf.
+/// Levels of a tree with that number of leaves: ceil(log2(leaves)), 0 for one leaf.
 constexpr unsigned tree_levels(std::uint32_t leaves) {
   unsigned levels = 0;
   while ((std::uint64_t{1} << levels) < leaves) ++levels;
@@ -127,7 +127,7 @@ class LinearEvaluator {
 
  private:
   [[nodiscard]] StreamBit entering(const RootBits& root) const;
-  [[nodiscard]] StreamBit at(unsigned clocks, const RootBits& root) const;
+  [[nodiscard]] StreamBit at(unsigned clocks_ago, const RootBits& root) const;
 
   PlaneShape shape_;
   TreeDepth x_levels_;

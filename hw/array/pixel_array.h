@@ -30,7 +30,8 @@ class PixelArray {
   /// `alu_bits`: maximum number of bits that a step processes.
   PixelArray(const isa::ArrayShape& shape, unsigned alu_bits);
 
-  /// Builds only the given pixels of an array, side by side in a row. They behave as in the whole array.
+  /// Simulates only the given pixels of an array, side by side in a row, with the behaviour that they have in the whole
+  /// array.
   PixelArray(std::span<const Place> pixels, std::uint32_t memory_bits, unsigned alu_bits);
 
   [[nodiscard]] const PlaneShape& shape() const { return shape_; }
@@ -49,26 +50,26 @@ class PixelArray {
   /// Executes one clock of all pixels. `tree` holds the bits at the leaves of the multiplier trees.
   void step(const ArrayStep& step, const StreamBit& tree);
 
-  /// Executes one clock of all pixels with explicit tree bits: one plane in the format of enable() for each bit that
-  /// the trees deliver per clock. The number of planes must be the same in all calls.
+  /// Executes one clock of all pixels. `tree` holds the tree bits of all pixels: one plane in the format of enable()
+  /// for each bit that the trees deliver per clock. The number of planes must be the same in all calls.
   void step_with(std::span<const std::uint64_t> tree, const ArrayStep& step);
 
   [[nodiscard]] bool any_enabled() const;
   [[nodiscard]] std::uint64_t count_enabled() const;
 
-  /// Valid until the next change.
+  /// Enable bits as a plane, valid until the next change.
   [[nodiscard]] std::span<const std::uint64_t> enable() const;
 
   /// One memory bit of every pixel.
   [[nodiscard]] Words memory(std::uint32_t address) const;
 
-  /// One memory bit of one row: shape().row_words() words.
+  /// Reads one memory bit of one row into `words`, which has shape().row_words() words.
   void read_row(std::uint32_t address, std::uint32_t row, std::span<std::uint64_t> words) const;
 
-  /// Values of the field in the top left `width` x `height` corner of the array, in row order.
+  /// Reads the field in the top left `width` x `height` corner of the array into `values`, in row order.
   void read_field(isa::Field field, std::uint32_t width, std::uint32_t height, std::span<std::uint32_t> values) const;
 
-  /// `tree`: as in step().
+  /// Registers and memory of one pixel. `tree`: as in step().
   [[nodiscard]] PixelProbe probe(std::uint32_t x, std::uint32_t y, const StreamBit& tree) const;
   [[nodiscard]] bool memory_bit(std::uint32_t address, std::uint32_t x, std::uint32_t y) const;
   [[nodiscard]] std::uint64_t value(isa::Field field, std::uint32_t x, std::uint32_t y) const;

@@ -22,8 +22,8 @@ class PixelReplay {
   void begin(const isa::Region& region);
   void execute(const isa::Instruction& instruction);
 
-  /// Like execute() for memory and enable bits, but skips an instruction that finds no enabled pixel and therefore
-  /// changes neither. The other registers are unknown afterwards.
+  /// Like execute(), but skips an instruction that would change neither memory nor enable bits because no pixel is
+  /// enabled. The other registers are unknown afterwards.
   void execute_where_enabled(const isa::Instruction& instruction);
 
   /// Whether all registers are known, because later instructions have overwritten the unknown ones.

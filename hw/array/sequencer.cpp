@@ -139,15 +139,16 @@ BitStep Sequencer::trial_bit() {
   return {.root = {}, .pixels = step, .last = !busy_};
 }
 
+/// The step of one bit of a root trial, counted from the lowest bit of the trial's number.
 /// The lowest two bits of the added or subtracted number are constant. Its top bit is 0, as is the top bit of the first
 /// remainder.
-ArrayStep Sequencer::trial_step(std::uint32_t place) const {
+ArrayStep Sequencer::trial_step(std::uint32_t trial_bit_index) const {
   const auto step = [&](AluFunction function) {
     return ArrayStep{.function = function, .y = field_address(0), .write = field_address(0)};
   };
-  if (place == 0) return step(AluFunction::sum_with_1_from_0);
-  if (place == 1) return step(AluFunction::sum_with_1);
-  if (place < trial_ + 2) return step(AluFunction::root_bit);
+  if (trial_bit_index == 0) return step(AluFunction::sum_with_1_from_0);
+  if (trial_bit_index == 1) return step(AluFunction::sum_with_1);
+  if (trial_bit_index < trial_ + 2) return step(AluFunction::root_bit);
   if (trial_ > 0) return step(AluFunction::root_sign);
   return {.function = AluFunction::root_first, .write = field_address(0)};
 }
@@ -162,7 +163,7 @@ Sequencer::BitCounts Sequencer::bit_counts() const {
   return {fraction, to_field_end - fraction, magnitude - to_field_end, sign};
 }
 
-/// The step's function is that of the first position that is not idle.
+/// The step for the bits of F in this clock; its function is that of the first position that is not idle.
 ArrayStep Sequencer::linear_step(const Places& places) const {
   const BitCounts counts = bit_counts();
   const bool ends = counts.sign > 0 && places.sign != AluFunction::idle;
@@ -213,7 +214,7 @@ std::uint16_t Sequencer::step_bits() const {
   return static_cast<std::uint16_t>(std::min(alu_bits_, instruction_.fields[0].width - bit_));
 }
 
-/// How many of the step_bits() the second field has.
+/// Number of the step_bits() that lie within the second field.
 std::uint16_t Sequencer::second_bits() const {
   const std::uint32_t width = instruction_.fields[1].width;
   return static_cast<std::uint16_t>(std::min<std::uint32_t>(step_bits(), width > bit_ ? width - bit_ : 0));
@@ -224,16 +225,18 @@ ArrayStep Sequencer::enable_from_memory(AluFunction function) const {
 }
 
 /// Compares by the carry of F - s, where s is 0 beyond the field; the sign bit of F decides.
-Sequencer::Places Sequencer::compared(AluFunction first, AluFunction on_sign) {
-  return {first, AluFunction::compare, AluFunction::compare_with_0, on_sign};
+Sequencer::Places Sequencer::compared(AluFunction first_bit_function, AluFunction sign_function) {
+  return {first_bit_function, AluFunction::compare, AluFunction::compare_with_0, sign_function};
 }
 
 /// Writes the bits of F within the field and checks that those beyond the field are 0.
-Sequencer::Places Sequencer::loaded(AluFunction write, AluFunction check) { return {write, write, check, check}; }
+Sequencer::Places Sequencer::loaded(AluFunction field_function, AluFunction beyond_function) {
+  return {field_function, field_function, beyond_function, beyond_function};
+}
 
 /// The first pass compares; the second pass writes where F was selected.
-Sequencer::Places Sequencer::kept(AluFunction first, AluFunction on_sign) const {
-  if (pass_ == 0) return compared(first, on_sign);
+Sequencer::Places Sequencer::kept(AluFunction first_bit_function, AluFunction sign_function) const {
+  if (pass_ == 0) return compared(first_bit_function, sign_function);
   return loaded(AluFunction::store_x_selected, AluFunction::enable_fits);
 }
 

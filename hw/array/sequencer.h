@@ -72,10 +72,10 @@ class Sequencer {
   [[nodiscard]] std::uint16_t second_bits() const;
 
   [[nodiscard]] ArrayStep enable_from_memory(AluFunction function) const;
-  static Places compared(AluFunction first, AluFunction on_sign);
-  static Places loaded(AluFunction write, AluFunction check);
-  [[nodiscard]] Places kept(AluFunction first, AluFunction on_sign) const;
-  [[nodiscard]] ArrayStep trial_step(std::uint32_t place) const;
+  static Places compared(AluFunction first_bit_function, AluFunction sign_function);
+  static Places loaded(AluFunction field_function, AluFunction beyond_function);
+  [[nodiscard]] Places kept(AluFunction first_bit_function, AluFunction sign_function) const;
+  [[nodiscard]] ArrayStep trial_step(std::uint32_t trial_bit_index) const;
   [[nodiscard]] ArrayStep store_step(AluFunction function) const;
   [[nodiscard]] ArrayStep change_step(AluFunction function) const;
   [[nodiscard]] ArrayStep sum_step() const;

@@ -63,7 +63,7 @@ struct Stream {
   unsigned bits = 0;  ///< number of valid bits of the coefficients
 };
 
-/// Access of steps to a register other than the enable bit.
+/// How the steps of a batch access a register other than the enable bit.
 enum class Touch : std::uint8_t {
   none,
   uses,  ///< the result depends on the old value, or part of the register is not written

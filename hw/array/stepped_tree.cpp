@@ -87,36 +87,37 @@ void SteppedTree::clock(Token token, const NodeStreams& root, const TreeWires& w
   tokens_.front() = token;
 }
 
-void SteppedTree::act(unsigned k, Token here, const NodeStreams& in, const TreeWires& wires) {
-  if (form_.degree >= 2) return add_squares(k, here, in, wires);
-  add(levels_[k], here, in, shifted(wires.multiplicand, depth_.clocks_to(k), levels_[k].below, here));
+void SteppedTree::act(unsigned level_number, Token token, const NodeStreams& in, const TreeWires& wires) {
+  if (form_.degree >= 2) return add_squares(level_number, token, in, wires);
+  add(levels_[level_number], token, in,
+      shifted(wires.multiplicand, depth_.clocks_to(level_number), levels_[level_number].below, token));
 }
 
 /// The bits of a shared wire that match the token's bits at a level `clocks` clocks after the roots, where they have
-/// weight 2^places. They are combined from two taps one clock apart; before the stream's first bit they are 0.
-std::uint32_t SteppedTree::shifted(const Tap& tap, unsigned clocks, unsigned places, Token here) const {
-  const unsigned late = clocks + places / form_.bits;
-  const unsigned crossed = places % form_.bits;
+/// weight 2^weight_log2. They are combined from two taps one clock apart; before the stream's first bit they are 0.
+std::uint32_t SteppedTree::shifted(const Tap& tap, unsigned clocks, unsigned weight_log2, Token token) const {
+  const unsigned late = clocks + weight_log2 / form_.bits;
+  const unsigned crossed = weight_log2 % form_.bits;
   std::uint64_t bits = std::uint64_t{tap.at(late)} << crossed;
   if (crossed > 0) bits |= tap.at(late + 1) >> (form_.bits - crossed);
-  const auto first = static_cast<unsigned>(here.bit);
-  const unsigned before = first < places ? places - first : 0;
+  const auto first = static_cast<unsigned>(token.bit);
+  const unsigned before = first < weight_log2 ? weight_log2 - first : 0;
   return static_cast<std::uint32_t>(bits & low_bits(form_.bits) & ~low_bits(before));
 }
 
 /// Passes the incoming bits to the left children. Nodes with a right child come first in a level; only the last node
 /// may have none.
-void SteppedTree::pass(const Level& level, Token here, const NodeBits& in, NodeBits& out) const {
-  for (unsigned bit = 0; bit < here.bits; ++bit) {
+void SteppedTree::pass(const Level& level, Token token, const NodeBits& in, NodeBits& out) const {
+  for (unsigned bit = 0; bit < token.bits; ++bit) {
     for (std::size_t node = 0; node < level.nodes; ++node)
       std::copy_n(&in[bit][node * node_words_], node_words_, &out[bit][2 * node * node_words_]);
   }
 }
 
-void SteppedTree::add(Level& level, Token here, const NodeStreams& in, std::uint32_t multiplicand) const {
-  pass(level, here, in.value, level.out.value);
-  begin(here, level.value_carry);
-  for (unsigned bit = 0; bit < here.bits; ++bit) {
+void SteppedTree::add(Level& level, Token token, const NodeStreams& in, std::uint32_t multiplicand) const {
+  pass(level, token, in.value, level.out.value);
+  begin(token, level.value_carry);
+  for (unsigned bit = 0; bit < token.bits; ++bit) {
     const std::uint64_t addend = spread(multiplicand, bit);
     for (std::size_t node = 0; node < level.pairs; ++node) {
       const std::uint64_t* const value = &in.value[bit][node * node_words_];
@@ -127,22 +128,23 @@ void SteppedTree::add(Level& level, Token here, const NodeStreams& in, std::uint
   }
 }
 
-/// Position of the slope bit `below` places before stream bit `bit`; empty before the first bit.
-std::optional<SteppedTree::Delayed> SteppedTree::delayed_bit(const Level& level, int bit) const {
-  const int wanted = bit - static_cast<int>(level.below);
+/// Position of the slope bit `below` places before stream bit `stream_bit`; empty before the first bit.
+std::optional<SteppedTree::Delayed> SteppedTree::delayed_bit(const Level& level, int stream_bit) const {
+  const int wanted = stream_bit - static_cast<int>(level.below);
   if (wanted < 0) return std::nullopt;
   const auto width = static_cast<int>(form_.bits);
-  return Delayed{static_cast<std::size_t>(bit / width - wanted / width), static_cast<std::size_t>(wanted % width)};
+  return Delayed{static_cast<std::size_t>(stream_bit / width - wanted / width),
+                 static_cast<std::size_t>(wanted % width)};
 }
 
-/// The entry of the ring that was written `clocks` clocks ago; `clocks` is at least 1.
-const NodeBits& SteppedTree::entered(const Level& level, std::size_t clocks) {
-  return level.delayed[(level.oldest + level.delayed.size() - clocks) % level.delayed.size()];
+/// The entry of the ring that was written `clocks_ago` clocks ago; `clocks_ago` is at least 1.
+const NodeBits& SteppedTree::entered(const Level& level, std::size_t clocks_ago) {
+  return level.delayed[(level.oldest + level.delayed.size() - clocks_ago) % level.delayed.size()];
 }
 
 /// The plane of the slope bit, null before the first bit; `slope` is the entry of this clock.
-const Words* SteppedTree::delayed_slope(const Level& level, int bit, const NodeBits& slope) const {
-  const std::optional<Delayed> delayed = delayed_bit(level, bit);
+const Words* SteppedTree::delayed_slope(const Level& level, int stream_bit, const NodeBits& slope) const {
+  const std::optional<Delayed> delayed = delayed_bit(level, stream_bit);
   if (!delayed) return nullptr;
   return delayed->clocks == 0 ? &slope[delayed->plane] : &entered(level, delayed->clocks)[delayed->plane];
 }
@@ -156,20 +158,20 @@ void SteppedTree::delay_slope(Level& level, const NodeBits& slope) const {
 }
 
 /// A stream delayed by n places has weight 2^n and counts as 0 before its first bit.
-void SteppedTree::add_squares(unsigned k, Token here, const NodeStreams& in, const TreeWires& wires) {
-  Level& level = levels_[k];
+void SteppedTree::add_squares(unsigned level_number, Token token, const NodeStreams& in, const TreeWires& wires) {
+  Level& level = levels_[level_number];
   const unsigned half = level.below;
-  const unsigned clocks = depth_.clocks_to(k);
-  const std::uint32_t square = shifted(wires.square, clocks, 2 * half, here);
-  const std::uint32_t twice = shifted(wires.square, clocks, half + 1, here);
-  const std::uint32_t cross = has_rows_ ? shifted(wires.cross, clocks, half, here) : 0;
-  pass(level, here, in.value, level.out.value);
-  pass(level, here, in.slope, level.out.slope);
-  if (has_rows_) pass(level, here, in.row_slope, level.out.row_slope);
+  const unsigned clocks = depth_.clocks_to(level_number);
+  const std::uint32_t square = shifted(wires.square, clocks, 2 * half, token);
+  const std::uint32_t twice = shifted(wires.square, clocks, half + 1, token);
+  const std::uint32_t cross = has_rows_ ? shifted(wires.cross, clocks, half, token) : 0;
+  pass(level, token, in.value, level.out.value);
+  pass(level, token, in.slope, level.out.slope);
+  if (has_rows_) pass(level, token, in.row_slope, level.out.row_slope);
   for (Words* const carry : {&level.value_carry, &level.step_carry, &level.slope_carry, &level.row_carry})
-    begin(here, *carry);
-  for (unsigned bit = 0; bit < here.bits; ++bit) {
-    const Words* const delayed = delayed_slope(level, here.bit + static_cast<int>(bit), in.slope);
+    begin(token, *carry);
+  for (unsigned bit = 0; bit < token.bits; ++bit) {
+    const Words* const delayed = delayed_slope(level, token.bit + static_cast<int>(bit), in.slope);
     for (std::size_t node = 0; node < level.pairs; ++node) {
       const std::size_t right = (2 * node + 1) * node_words_;
       for (std::size_t word = 0; word < node_words_; ++word) {
@@ -187,19 +189,19 @@ void SteppedTree::add_squares(unsigned k, Token here, const NodeStreams& in, con
   delay_slope(level, in.slope);
 }
 
-SteppedTree::LaneBits SteppedTree::lane_bits(const NodeStreams& in, Token here, std::size_t node,
+SteppedTree::LaneBits SteppedTree::lane_bits(const NodeStreams& in, Token token, std::size_t node,
                                              std::size_t lane) const {
   const std::size_t word = node * node_words_;
-  return {bits_at(in.value, here, word, lane), bits_at(in.slope, here, word, lane),
-          bits_at(in.row_slope, here, word, lane)};
+  return {bits_at(in.value, token, word, lane), bits_at(in.slope, token, word, lane),
+          bits_at(in.row_slope, token, word, lane)};
 }
 
 /// The bits of a node's slope `below` places before the token's bits.
-std::uint32_t SteppedTree::delayed_lane(const Level& level, std::size_t node, std::size_t lane, Token here,
+std::uint32_t SteppedTree::delayed_lane(const Level& level, std::size_t node, std::size_t lane, Token token,
                                         std::uint32_t slope) const {
   std::uint32_t bits = 0;
-  for (unsigned bit = 0; bit < here.bits; ++bit) {
-    const std::optional<Delayed> delayed = delayed_bit(level, here.bit + static_cast<int>(bit));
+  for (unsigned bit = 0; bit < token.bits; ++bit) {
+    const std::optional<Delayed> delayed = delayed_bit(level, token.bit + static_cast<int>(bit));
     if (!delayed) continue;
     const bool is_set = delayed->clocks == 0
                             ? (slope >> delayed->plane & 1U) != 0
@@ -210,21 +212,21 @@ std::uint32_t SteppedTree::delayed_lane(const Level& level, std::size_t node, st
 }
 
 /// Outputs of a node's adders for its right child, before the end of the clock.
-SteppedTree::LaneBits SteppedTree::right_child(unsigned k, std::size_t node, std::size_t lane, Token here, LaneBits in,
-                                               const TreeWires& wires) const {
-  const Level& level = levels_[k];
+SteppedTree::LaneBits SteppedTree::right_child(unsigned level_number, std::size_t node, std::size_t lane, Token token,
+                                               LaneBits in, const TreeWires& wires) const {
+  const Level& level = levels_[level_number];
   const unsigned half = level.below;
-  const unsigned clocks = depth_.clocks_to(k);
+  const unsigned clocks = depth_.clocks_to(level_number);
   const auto sum = [&](std::uint32_t one, std::uint32_t other, const Words& carries) {
-    const bool carry = here.bit > 0 && bit_at(carries, node * node_words_, lane);
-    return static_cast<std::uint32_t>((std::uint64_t{one} + other + (carry ? 1U : 0U)) & low_bits(here.bits));
+    const bool carry = token.bit > 0 && bit_at(carries, node * node_words_, lane);
+    return static_cast<std::uint32_t>((std::uint64_t{one} + other + (carry ? 1U : 0U)) & low_bits(token.bits));
   };
   const auto tapped = [&](const Tap& tap, unsigned places) {
-    return static_cast<std::uint32_t>(shifted(tap, clocks, places, here) & low_bits(here.bits));
+    return static_cast<std::uint32_t>(shifted(tap, clocks, places, token) & low_bits(token.bits));
   };
   if (form_.degree < 2) return {.value = sum(in.value, tapped(wires.multiplicand, half), level.value_carry)};
   const std::uint32_t step =
-      sum(delayed_lane(level, node, lane, here, in.slope), tapped(wires.square, 2 * half), level.step_carry);
+      sum(delayed_lane(level, node, lane, token, in.slope), tapped(wires.square, 2 * half), level.step_carry);
   LaneBits out{.value = sum(in.value, step, level.value_carry),
                .slope = sum(in.slope, tapped(wires.square, half + 1), level.slope_carry)};
   if (has_rows_) out.row_slope = sum(in.row_slope, tapped(wires.cross, half), level.row_carry);

@@ -14,12 +14,12 @@
 
 namespace csgsim::array {
 
-/// Wires from the roots. The bits of a clock can be tapped up to 64 clocks after they entered.
+/// A group of wires from the roots. Bits can be tapped up to 64 clocks after they entered.
 class Wire {
  public:
-  /// `entering`: the bits on the wires in this clock, for delay 0.
-  [[nodiscard]] std::uint32_t at(unsigned delay, std::uint32_t entering) const {
-    return delay == 0 ? entering : entered_[(newest_ + delay - 1) % entered_.size()];
+  /// The bits that entered `delay_clocks` clocks ago. `entering`: the bits that enter in this clock, for delay 0.
+  [[nodiscard]] std::uint32_t at(unsigned delay_clocks, std::uint32_t entering) const {
+    return delay_clocks == 0 ? entering : entered_[(newest_ + delay_clocks - 1) % entered_.size()];
   }
   void shift(std::uint32_t entering) {
     newest_ = (newest_ + entered_.size() - 1) % entered_.size();
@@ -31,13 +31,13 @@ class Wire {
   std::size_t newest_ = 0;
 };
 
-/// Wires as seen by a tree that is `ahead` clocks away from the roots.
+/// Wires as seen by a tree whose root is `ahead` clocks away from the roots of the wires.
 struct Tap {
   const Wire& wire;
   std::uint32_t entering = 0;
   unsigned ahead = 0;
 
-  [[nodiscard]] std::uint32_t at(unsigned delay) const { return wire.at(ahead + delay, entering); }
+  [[nodiscard]] std::uint32_t at(unsigned delay_clocks) const { return wire.at(ahead + delay_clocks, entering); }
 };
 
 /// Operands shared by all nodes of a tree: the multiplicand in degree 1; the factors of the square and of the product
@@ -48,8 +48,8 @@ struct TreeWires {
   Tap cross;
 };
 
-/// The bits of a clock, one plane per bit, the first bit first. A plane has `node_words` words per node, one bit per
-/// lane.
+/// The stream bits of one clock, one plane per bit, the first bit first. A plane has `node_words` words per node, one
+/// bit per lane.
 using NodeBits = std::vector<Words>;
 
 /// The streams that enter the nodes of a level. Degree 1 uses only the value.
@@ -111,24 +111,24 @@ class SteppedTree {
     std::uint32_t row_slope = 0;
   };
 
-  [[nodiscard]] LaneBits lane_bits(const NodeStreams& in, Token here, std::size_t node, std::size_t lane) const;
-  [[nodiscard]] LaneBits right_child(unsigned k, std::size_t node, std::size_t lane, Token here, LaneBits in,
-                                     const TreeWires& wires) const;
-  [[nodiscard]] std::uint32_t delayed_lane(const Level& level, std::size_t node, std::size_t lane, Token here,
+  [[nodiscard]] LaneBits lane_bits(const NodeStreams& in, Token token, std::size_t node, std::size_t lane) const;
+  [[nodiscard]] LaneBits right_child(unsigned level_number, std::size_t node, std::size_t lane, Token token,
+                                     LaneBits in, const TreeWires& wires) const;
+  [[nodiscard]] std::uint32_t delayed_lane(const Level& level, std::size_t node, std::size_t lane, Token token,
                                            std::uint32_t slope) const;
-  [[nodiscard]] std::uint32_t shifted(const Tap& tap, unsigned clocks, unsigned places, Token here) const;
-  void add(Level& level, Token here, const NodeStreams& in, std::uint32_t multiplicand) const;
-  void act(unsigned k, Token here, const NodeStreams& in, const TreeWires& wires);
-  void add_squares(unsigned k, Token here, const NodeStreams& in, const TreeWires& wires);
-  void pass(const Level& level, Token here, const NodeBits& in, NodeBits& out) const;
-  /// A slope bit on its way to the adders: clocks since it entered the ring, and its index among that clock's bits.
+  [[nodiscard]] std::uint32_t shifted(const Tap& tap, unsigned clocks, unsigned weight_log2, Token token) const;
+  void add(Level& level, Token token, const NodeStreams& in, std::uint32_t multiplicand) const;
+  void act(unsigned level_number, Token token, const NodeStreams& in, const TreeWires& wires);
+  void add_squares(unsigned level_number, Token token, const NodeStreams& in, const TreeWires& wires);
+  void pass(const Level& level, Token token, const NodeBits& in, NodeBits& out) const;
+  /// Position of a delayed slope bit: clocks since the bit entered the ring, and index among the bits of that clock.
   struct Delayed {
     std::size_t clocks = 0;
     std::size_t plane = 0;
   };
-  [[nodiscard]] std::optional<Delayed> delayed_bit(const Level& level, int bit) const;
-  static const NodeBits& entered(const Level& level, std::size_t clocks);
-  [[nodiscard]] const Words* delayed_slope(const Level& level, int bit, const NodeBits& slope) const;
+  [[nodiscard]] std::optional<Delayed> delayed_bit(const Level& level, int stream_bit) const;
+  static const NodeBits& entered(const Level& level, std::size_t clocks_ago);
+  [[nodiscard]] const Words* delayed_slope(const Level& level, int stream_bit, const NodeBits& slope) const;
   void delay_slope(Level& level, const NodeBits& slope) const;
 
   std::size_t node_words_;

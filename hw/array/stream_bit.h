@@ -8,7 +8,7 @@
 
 namespace csgsim::array {
 
-/// The bits of an instruction's stream that are on a set of wires.
+/// Selects the bits of an instruction's stream that are on a set of wires in one clock.
 struct Token {
   static constexpr std::int16_t idle = -1;
   std::int16_t bit = idle;  ///< index of the first bit
