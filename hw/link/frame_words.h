@@ -30,8 +30,8 @@ struct FrameWords {
 /// The words of a valid Program for a link of `link_width` bits.
 FrameWords frame_words(const isa::Program& program, unsigned link_width);
 
-/// The words of a valid Program, but with 0 for those of instructions outside [first, end). Other commands have their
-/// words.
-FrameWords frame_words(const isa::Program& program, unsigned link_width, std::uint64_t first, std::uint64_t end);
+/// Like the function above, but the words of instructions outside [first_instruction, end_instruction) are 0.
+FrameWords frame_words(const isa::Program& program, unsigned link_width, std::uint64_t first_instruction,
+                       std::uint64_t end_instruction);
 
 }  // namespace csgsim::link

@@ -5,13 +5,13 @@
 namespace csgsim::pixel_planes {
 
 machines::Account account(const ControllerAccount& controller, const machines::LinkAccount& link,
-                          const machines::Machine& machine, std::uint64_t instructions) {
+                          const machines::Machine& machine, std::uint64_t instruction_count) {
   const std::uint64_t working = controller.issuing + controller.clearing + controller.copying;
   const std::uint64_t clocks = working + controller.starved + controller.answering + controller.jumping +
                                controller.draining + controller.refreshing + controller.holding;
   const std::uint64_t bits = link.words * machine.link.width;
   machines::Account result{.counts = {{"link_words", link.words}, {"link_bits", bits}},
-                           .shares = {{"link_bits_per_instruction", bits, instructions},
+                           .shares = {{"link_bits_per_instruction", bits, instruction_count},
                                       {"controller_utilisation", working, clocks},
                                       {"link_utilisation", link.sending, clocks}},
                            .parts = {{"controller",

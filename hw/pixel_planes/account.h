@@ -10,8 +10,8 @@
 
 namespace csgsim::pixel_planes {
 
-/// Clocks of the controller by activity. Each clock counts for exactly one activity; refresh_waits counts some of the
-/// clocks again.
+/// Clocks of the controller by activity. Each clock counts for exactly one activity. `refresh_waits` is not an
+/// activity: it counts some of these clocks a second time.
 struct ControllerAccount {
   std::uint64_t issuing = 0;     ///< a step of an instruction was on the wires
   std::uint64_t clearing = 0;    ///< the pixels were being cleared for a segment
@@ -28,9 +28,9 @@ struct ControllerAccount {
   constexpr bool operator==(const ControllerAccount&) const = default;
 };
 
-/// The account of a frame that executed `instructions` instructions. Activities of the second buffer are listed only
-/// for machines with two buffers.
+/// The account of a frame that executed `instruction_count` instructions. Activities of the second buffer are listed
+/// only for machines with two buffers.
 machines::Account account(const ControllerAccount& controller, const machines::LinkAccount& link,
-                          const machines::Machine& machine, std::uint64_t instructions);
+                          const machines::Machine& machine, std::uint64_t instruction_count);
 
 }  // namespace csgsim::pixel_planes

@@ -24,8 +24,8 @@ void Completion::resume(std::uint32_t segment, std::uint32_t index) {
   index_ = index;
 }
 
-/// The account of a question arrives after its step has reached the pixels; that of any other command arrives before
-/// its last word.
+/// The account of a global-OR test arrives after the step of the test has reached the pixels. The account of any other
+/// command arrives before the last word of the command.
 void Completion::complete() {
   Account account;
   if (reported_ == retired.read() || !accounts.nb_read(account)) return;

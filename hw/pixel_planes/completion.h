@@ -30,10 +30,10 @@ class Completion final : public sc_core::sc_module {
   /// Begins a frame. The segments must outlive it.
   void begin(std::span<const isa::Segment> segments);
 
-  /// Sets the instruction that is executed next; called after begin().
+  /// Sets the instruction that is reported next, for a run that starts in the middle of a frame; called after begin().
   void resume(std::uint32_t segment, std::uint32_t index);
 
-  /// Answers of the global OR to the host, in order, since begin().
+  /// Results of the global-OR tests that were sent to the host since begin(), in order.
   [[nodiscard]] const std::vector<bool>& answers() const { return answers_; }
 
   /// Number of skipped instructions since begin(). skips() lists the global-OR tests that caused them.

@@ -13,7 +13,7 @@
 #include "hw/isa/program.h"
 #include "hw/systemc/wire.h"
 
-// Values that travel between the modules, one per clock.
+// Values on the wires and in the FIFOs between the modules.
 namespace csgsim::pixel_planes {
 
 /// Clears `bits` memory bits of every pixel from `address` on, and all registers. Pixels right of `width` or below
@@ -54,7 +54,7 @@ struct FinishedPicture {
   isa::Field colour;
 };
 
-/// The wired OR of the enable bits, back to the controller.
+/// Result of a global-OR test: the wired OR of the enable bits, on its way to the controller.
 struct Answer {
   bool valid = false;
   bool any_enabled = false;
@@ -62,13 +62,12 @@ struct Answer {
   constexpr bool operator==(const Answer&) const = default;
 };
 
-/// Counts of the controller for one instruction. If `cleared`, it reports instead that the pixels of a segment were
-/// cleared.
+/// Counts of the controller for one instruction; if `cleared`, for the clearing of a segment's pixels.
 struct Account {
   bool cleared = false;
   std::uint64_t clocks = 0;
-  bool answered = false;  ///< whether the answer is sent to the host
-  bool answer = false;
+  bool answered = false;      ///< whether the result of the global-OR test is sent to the host
+  bool answer = false;        ///< this result
   std::uint64_t skipped = 0;  ///< number of instructions skipped after it
 };
 

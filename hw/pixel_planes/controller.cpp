@@ -135,10 +135,11 @@ void Controller::put_control_word() {
   ++status_.clocks;
 }
 
-/// Spends a clock without a step of the controller, counted as `waiting_for`, or sends a refresh word in it.
-void Controller::await(std::uint64_t& waiting_for) {
+/// Spends a clock without a step of the controller. Counts the clock in `activity_clocks`, or as refreshing if a
+/// refresh word is sent in it.
+void Controller::await(std::uint64_t& activity_clocks) {
   if (!refreshed_) put({});
-  ++(refreshed_ ? account_.refreshing : waiting_for);
+  ++(refreshed_ ? account_.refreshing : activity_clocks);
 }
 
 void Controller::ask() {
@@ -288,8 +289,8 @@ void Controller::take_answer() {
   if (skipped > 0) jump(skipped);
 }
 
-void Controller::jump(std::uint64_t skipped) {
-  next_ordinal_ += skipped;
+void Controller::jump(std::uint64_t instruction_count) {
+  next_ordinal_ += instruction_count;
   requests.nb_write(next_ordinal_);
   receiver_.drop(link);
   edges_to_drop_ = 2;

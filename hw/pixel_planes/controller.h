@@ -28,7 +28,7 @@ struct ControllerStatus {
   std::uint64_t clocks = 0;  ///< clocks since the beginning of the frame
 };
 
-/// Sizes of the controller.
+/// Parameters of the controller.
 struct ControllerFigures {
   std::uint32_t link_width = 1;    ///< bits
   std::uint32_t latency = 0;       ///< clocks from the roots of the multiplier trees to the pixels
@@ -54,9 +54,9 @@ class Controller final : public systemc::ClockedModule {
  public:
   sc_core::sc_fifo_in<isa::LinkWord> link{"link"};
   sc_core::sc_fifo_out<std::uint64_t> requests{"requests"};  ///< instruction at which the host has to continue
-  /// One token for each frame in the host's memory that has not begun.
+  /// One token for each frame in the host's memory that the controller has not begun.
   sc_core::sc_fifo_in<bool> frames{"frames"};
-  sc_core::sc_fifo_in<RefreshStep> refreshes{"refreshes"};     ///< requests of the scan-out
+  sc_core::sc_fifo_in<RefreshStep> refreshes{"refreshes"};     ///< bits that the scan-out requests
   sc_core::sc_fifo_in<bool> latched{"latched"};                ///< one token when a picture's last row is latched
   sc_core::sc_fifo_out<FinishedPicture> pictures{"pictures"};  ///< one finished picture at a time, for the scan-out
   sc_core::sc_in<Answer> answer{"answer"};
@@ -82,7 +82,7 @@ class Controller final : public systemc::ClockedModule {
  private:
   enum class State : std::uint8_t { idle, asking, ready, issuing, clearing, waiting, holding, copying, draining };
 
-  /// Bit and pass as in ControllerStatus.
+  /// Position within an instruction: bit and pass as in ControllerStatus.
   struct Place {
     std::uint32_t bit = 0;
     std::uint32_t pass = 0;
@@ -106,7 +106,7 @@ class Controller final : public systemc::ClockedModule {
   [[nodiscard]] bool has_control_wires() const;
   bool refresh();
   void put_control_word();
-  void await(std::uint64_t& waiting_for);
+  void await(std::uint64_t& activity_clocks);
   void issue();
   void issue_ahead();
   Issued issued();
@@ -118,7 +118,7 @@ class Controller final : public systemc::ClockedModule {
   void finish();
   void put(const ControlWord& word, const array::RootBits& bits = {});
   void take_answer();
-  void jump(std::uint64_t skipped);
+  void jump(std::uint64_t instruction_count);
   void receive();
   [[nodiscard]] std::uint64_t edges() const;
 
@@ -137,7 +137,7 @@ class Controller final : public systemc::ClockedModule {
   std::uint64_t next_ordinal_ = 0;  ///< ordinal of the next instruction
   std::uint64_t instructions_ = 0;
   std::uint64_t instruction_clocks_ = 0;
-  bool jumped_ = false;         ///< whether no command has arrived since the last jump
+  bool jumped_ = false;         ///< whether no command has arrived since instructions were last skipped
   unsigned edges_to_drop_ = 0;  ///< number of further edges at which the words on the link must be dropped
   isa::Region region_;          ///< region being cleared
   std::uint32_t cleared_ = 0;   ///< number of clocks spent on clearing the region

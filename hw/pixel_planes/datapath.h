@@ -32,7 +32,7 @@ class Datapath {
   /// Advances by one clock edge.
   void clock();
 
-  /// Whether a word or a bit is on the wires or in a register. If not, an edge changes only last_executed().
+  /// Whether a word or a bit is on the wires or in a register. Otherwise, an edge changes only last_executed().
   [[nodiscard]] bool is_active() const {
     return carries_ || idle_ < length_ || roots_.token.active() || trees_active();
   }
@@ -50,7 +50,7 @@ class Datapath {
   [[nodiscard]] const array::PixelArray& pixels() const { return pixels_; }
   [[nodiscard]] array::PixelProbe probe(std::uint32_t x, std::uint32_t y) const;
 
-  /// Sets the pixels, and the tree bits in the registers at the pixels.
+  /// Replaces the state of the pixels, and the tree bits in the registers at the pixels.
   void resume(const array::PixelArray& pixels, const array::StreamBit& tree);
 
   // Signals as in array::LinearEvaluator.

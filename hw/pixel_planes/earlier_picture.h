@@ -9,7 +9,7 @@
 
 namespace csgsim::pixel_planes {
 
-/// The picture that an earlier run left in a field of the pixels, in the format of the refresh port.
+/// Delivers the picture that an earlier run left in a field of the pixels, in the format of the refresh port.
 class EarlierPicture {
  public:
   /// `colours` is in row order and must outlive this object.

@@ -26,7 +26,7 @@ GlobalOr::GlobalOr(sc_core::sc_module_name name, array::PlaneShape shape, std::u
   }
 }
 
-void GlobalOr::set_answers(std::vector<bool> answers) { known_answers_.emplace(answers.begin(), answers.end()); }
+void GlobalOr::set_answers(std::vector<bool> results) { known_answers_.emplace(results.begin(), results.end()); }
 
 bool GlobalOr::any_enabled() {
   if (!known_answers_) return enable->any_enabled();
@@ -35,14 +35,14 @@ bool GlobalOr::any_enabled() {
   return found;
 }
 
-/// Called only for a question: no enable bit changes while a question is at the pixels.
+/// Called only for a global-OR test: no enable bit changes while the word of a test is at the pixels.
 void GlobalOr::reduce() {
   const bool pending = question.read();
   answer.write({.valid = pending, .any_enabled = pending && any_enabled()});
 }
 
-/// Goes from the last level to the first, so that each level reads the old value of the level before it. Registers
-/// without a question keep their bits. Sleeps while no question is pending.
+/// Updates the last level first, so that each level reads the old value of the level before it. Registers without data
+/// of a test keep their bits. Sleeps while no test is pending.
 void GlobalOr::shift() {
   if (!clock.posedge()) return;
   for (std::size_t i = levels_.size() - 1; i > 0; --i) {

@@ -12,9 +12,9 @@
 
 namespace csgsim::pixel_planes {
 
-/// The OR of all enable bits: a tree of gates, each followed by a register. The answer arrives at the controller one
-/// clock per level after the question (the word of a global-OR test) is at the pixels. Without levels the OR is a wire,
-/// and the answer arrives in the same clock.
+/// The OR of all enable bits: a tree of gates, each followed by a register. The result of a test arrives at the
+/// controller one clock per level after the control word of the global-OR test has reached the pixels. Without levels
+/// the OR is a wire, and the result arrives in the same clock.
 class GlobalOr final : public sc_core::sc_module {
  public:
   sc_core::sc_in<bool> clock{"clock"};
@@ -25,13 +25,13 @@ class GlobalOr final : public sc_core::sc_module {
   /// `fan_in`: inputs per gate; 0 for a single gate that settles within the clock.
   GlobalOr(sc_core::sc_module_name name, array::PlaneShape shape, std::uint32_t fan_in);
 
-  /// Supplies the answers to the next questions, in order, for a machine in which only some pixels are built.
-  void set_answers(std::vector<bool> answers);
+  /// Queues the results of the next global-OR tests, in order, for a machine of which only some pixels are simulated.
+  void set_answers(std::vector<bool> results);
 
  private:
-  /// The registers after the gates of a level.
+  /// Registers after the gates of one level of the tree.
   struct Level {
-    bool pending = false;  ///< whether the registers hold data of a question
+    bool pending = false;  ///< whether the registers hold data of a test
     std::vector<bool> bits;
   };
 

@@ -24,15 +24,15 @@ namespace csgsim::pixel_planes {
 
 /// The clocked datapath from a controller to the pixel memories. Its only input is the controller's wires, so its
 /// clocks are deferred: reads force pending edges to complete. The module wakes only at edges with an output: when the
-/// last word of a command has been executed, or when a question is at the pixels.
+/// last word of a command has been executed, or when the word of a global-OR test is at the pixels.
 class PixelPipeline final : public sc_core::sc_module, public PixelWires, public RefreshPort, public EnableLines {
  public:
   sc_core::sc_out<std::uint64_t> retired{"retired"};  ///< number of commands whose last word has been executed
-  /// Whether the word at the pixels is a question: it requests the global OR.
+  /// Whether the word at the pixels belongs to a global-OR test.
   sc_core::sc_out<bool> question{"question"};
 
-  /// If `earlier` is not null, only the pixels of that run are built, side by side: pixel i is at (i, 0). The refresh
-  /// port then delivers the picture of that run.
+  /// If `earlier` is not null, only the pixels of that run are simulated, side by side: pixel i is at (i, 0). The
+  /// refresh port then delivers the picture of that run.
   PixelPipeline(sc_core::sc_module_name name, const machines::Machine& machine, systemc::EvaluatorForm form,
                 const systemc::EarlierRun* earlier = nullptr);
 
@@ -51,7 +51,7 @@ class PixelPipeline final : public sc_core::sc_module, public PixelWires, public
 
   /// Sets the pixels and the registers before them to their state at the beginning of an instruction.
   void resume(const array::PixelArray& pixels, const array::StreamBit& tree);
-  /// Sets the field from which the picture of the earlier run, if there is one, is displayed.
+  /// Sets the field from which the picture of the earlier run is displayed; no effect without an earlier run.
   void show(isa::Field field);
 
  private:

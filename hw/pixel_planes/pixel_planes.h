@@ -30,8 +30,8 @@ namespace csgsim::pixel_planes {
 /// The whole Pixel-planes machine.
 class PixelPlanes final : public sc_core::sc_module, public systemc::ClockedMachine {
  public:
-  /// If `earlier` is not null, only the pixels of that run are built. This supports Programs of one segment; the
-  /// picture that a run reports is then meaningless.
+  /// If `earlier` is not null, only the pixels of that run are simulated. This supports only Programs of one segment,
+  /// and the reported picture is meaningless.
   PixelPlanes(sc_core::sc_module_name name, const machines::Machine& machine,
               systemc::EvaluatorForm form = systemc::EvaluatorForm::computed,
               const systemc::EarlierRun* earlier = nullptr);
@@ -49,7 +49,7 @@ class PixelPlanes final : public sc_core::sc_module, public systemc::ClockedMach
 
   [[nodiscard]] std::vector<wave::Tap> taps(const isa::Program& program, const wave::Request& request) const override;
 
-  /// Supported only if some of the pixels are built: the run begins at an instruction shortly before the window.
+  /// Supported only if only some pixels are simulated: the run begins at an instruction shortly before the window.
   std::uint64_t skip_to(const isa::Program& program, wave::Window window) override;
 
   [[nodiscard]] const PixelPipeline& processors() const { return pipeline_; }

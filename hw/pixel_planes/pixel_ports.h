@@ -20,9 +20,10 @@ class PixelWires : virtual public sc_core::sc_interface {
   virtual void put(std::uint64_t edge, const ControlWord& word, const array::RootBits& bits) = 0;
 };
 
-/// The refresh port: reads one memory bit of one row of pixels, valid until the next read.
+/// The refresh port, which reads one memory bit of one row of pixels.
 class RefreshPort : virtual public sc_core::sc_interface {
  public:
+  /// One memory bit of one row, valid until the next read.
   [[nodiscard]] virtual std::span<const std::uint64_t> memory_row(std::uint32_t address, std::uint32_t row) const = 0;
 
   /// The refresh word executed by the pixels at the last edge; empty if there was none, or if the machine sends no
@@ -30,7 +31,7 @@ class RefreshPort : virtual public sc_core::sc_interface {
   [[nodiscard]] virtual std::optional<RefreshStep> refreshed() const { return std::nullopt; }
 };
 
-/// The enable bits, and the pixels for observers of the run.
+/// Access to the enable bits, and to all pixels for observers of the run.
 class EnableLines : virtual public sc_core::sc_interface {
  public:
   [[nodiscard]] virtual bool any_enabled() const = 0;

@@ -15,7 +15,8 @@ namespace csgsim::pixel_planes {
 
 namespace {
 
-/// Calls visit(segment, index, number of questions before) for each executed instruction, until it returns false.
+/// Calls visit(segment, index, number of previous global-OR tests) for each executed instruction, until `visit` returns
+/// false.
 template <class Visit>
 void for_each_executed(const isa::Program& program, const std::vector<bool>& answers, Visit visit) {
   std::size_t questions = 0;
@@ -53,11 +54,11 @@ std::optional<Start> start_before(const isa::Program& program, const machines::M
 }
 
 array::PixelReplay replay_until(const isa::Program& program, const std::vector<bool>& answers, const Start& start,
-                                const array::PixelReplay& fresh) {
+                                const array::PixelReplay& initial) {
   // The last instructions are executed at all pixels, because they usually write every register.
   constexpr std::uint64_t last_ones = 400;
   const auto replayed = [&](bool leaves_out) {
-    array::PixelReplay replay = fresh;
+    array::PixelReplay replay = initial;
     std::uint64_t first = 0;  // ordinal of the segment's first instruction
     std::optional<std::uint32_t> begun;
     for_each_executed(program, answers, [&](std::uint32_t s, std::uint32_t i, std::size_t /*questions*/) {
@@ -86,8 +87,8 @@ array::Place place_of(wave::Pixel pixel, const isa::Program& program) {
   return {pixel.x - region.x, pixel.y - region.y};
 }
 
-std::uint32_t built_index(const systemc::EarlierRun& earlier, array::Place place) {
-  const auto found = std::find(earlier.pixels.begin(), earlier.pixels.end(), place);
+std::uint32_t built_index(const systemc::EarlierRun& earlier, array::Place position) {
+  const auto found = std::find(earlier.pixels.begin(), earlier.pixels.end(), position);
   if (found == earlier.pixels.end()) throw std::out_of_range("the probed pixel is not built");
   return static_cast<std::uint32_t>(std::distance(earlier.pixels.begin(), found));
 }

@@ -13,10 +13,10 @@
 #include "hw/systemc/earlier_run.h"
 #include "hw/wave/request.h"
 
-// Starts a machine of which only some pixels are built in the middle of a frame.
+// Starts a machine, of which only some pixels are simulated, in the middle of a frame.
 namespace csgsim::pixel_planes {
 
-/// The point at which an instruction begins.
+/// The state of a frame at the beginning of an instruction.
 struct Start {
   std::uint32_t segment = 0;
   std::uint32_t index = 0;
@@ -26,21 +26,21 @@ struct Start {
   std::uint64_t end = 0;      ///< ordinal of the first instruction whose words are all sent after the end of the window
 };
 
-/// The last instruction that begins at least a pipeline length before the window and has no squares directly before it;
-/// empty if there is none.
+/// Finds the last instruction that begins at least a pipeline length before the window and does not directly follow an
+/// instruction `squares`; empty if there is none.
 std::optional<Start> start_before(const isa::Program& program, const machines::Machine& machine,
                                   const systemc::EarlierRun& earlier, wave::Window window);
 
-/// The pixels after all instructions before `start` have been executed, starting from `fresh`. `answers`: as in
-/// EarlierRun.
+/// Replays all instructions before `start` on the pixels `initial`. `answers`: as in EarlierRun.
 array::PixelReplay replay_until(const isa::Program& program, const std::vector<bool>& answers, const Start& start,
-                                const array::PixelReplay& fresh);
+                                const array::PixelReplay& initial);
 
 /// Position in the array of a pixel of the picture. Throws InputError if no segment contains it.
 array::Place place_of(wave::Pixel pixel, const isa::Program& program);
 
-/// Index of a place among the pixels of the earlier run. Throws std::out_of_range if it is not among them.
-std::uint32_t built_index(const systemc::EarlierRun& earlier, array::Place place);
+/// Index of the pixel at that position among the pixels of the earlier run. Throws std::out_of_range if the earlier run
+/// did not record this pixel.
+std::uint32_t built_index(const systemc::EarlierRun& earlier, array::Place position);
 
 /// The field of pixel memory that the scan-out displays.
 isa::Field shown_field(const isa::Program& program, const machines::Machine& machine);

@@ -10,11 +10,11 @@
 namespace csgsim::pixel_planes {
 
 ScanOut::ScanOut(sc_core::sc_module_name name, const sc_core::sc_time& period, array::PlaneShape shape,
-                 std::uint32_t pixels, ScanOutPort port)
+                 std::uint32_t pixels_per_clock, ScanOutPort port)
     : sc_core::sc_module(name),
       period_(period),
       shape_(shape),
-      pixels_(pixels),
+      pixels_(pixels_per_clock),
       port_(port),
       latch_row_(shape.width),
       shift_row_(shape.width),
@@ -116,8 +116,9 @@ void ScanOut::ask() {
   if (refreshes.nb_write(step)) ++requested_;
 }
 
-void ScanOut::latch_bit(RefreshStep step) {
-  array::add_plane(refresh->memory_row(step.address, step.row), step.address - colour_.base, latch_row_);
+void ScanOut::latch_bit(RefreshStep refresh_step) {
+  array::add_plane(refresh->memory_row(refresh_step.address, refresh_step.row), refresh_step.address - colour_.base,
+                   latch_row_);
   ++latched_;
   if (latched_ == colour_.width && row_ + 1 == shape_.height) latched.nb_write(true);
 }

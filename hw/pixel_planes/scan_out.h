@@ -15,7 +15,7 @@
 namespace csgsim::pixel_planes {
 
 /// Shows each finished picture once. It latches the colour bits of a row, one bit of all its pixels at a time, and then
-/// shifts the row out, `pixels` pixels per clock, while it latches the next row. With its own port it latches a bit in
+/// shifts the row out, several pixels per clock, while it latches the next row. With its own port it latches a bit in
 /// each clock. With a shared port it requests each bit from the controller, one per clock, and latches the bit in the
 /// clock in which the refresh word is at the pixels.
 class ScanOut final : public sc_core::sc_module {
@@ -27,9 +27,9 @@ class ScanOut final : public sc_core::sc_module {
   sc_core::sc_fifo_out<bool> latched{"latched"};             ///< to the controller: one token per latched picture
   sc_core::sc_out<std::uint64_t> frames{"frames"};           ///< number of pictures scanned out
 
-  /// `period`: clock period. `pixels`: pixels shown per clock.
-  ScanOut(sc_core::sc_module_name name, const sc_core::sc_time& period, array::PlaneShape shape, std::uint32_t pixels,
-          ScanOutPort port);
+  /// `period`: clock period.
+  ScanOut(sc_core::sc_module_name name, const sc_core::sc_time& period, array::PlaneShape shape,
+          std::uint32_t pixels_per_clock, ScanOutPort port);
 
   // State for waves.
   [[nodiscard]] bool is_showing() const { return state_ == State::showing; }
@@ -52,7 +52,7 @@ class ScanOut final : public sc_core::sc_module {
   [[nodiscard]] bool latches() const { return row_ != shape_.height && latched_ != colour_.width; }
   void latch();
   void ask();
-  void latch_bit(RefreshStep step);
+  void latch_bit(RefreshStep refresh_step);
 
   const sc_core::sc_time period_;
   array::PlaneShape shape_;

@@ -23,12 +23,13 @@ class ScanOutTiming {
   /// Records that the controller sends the requested refresh word at `edge`.
   void send(std::uint64_t edge);
 
-  /// Records that the controller sends all remaining words at the earliest edges, not before `edge`.
+  /// Records that the controller sends each remaining word at the earliest possible edge from `edge` on.
   void send_all(std::uint64_t edge);
 
-  /// Results after all words have been sent: the edge at which the controller is notified that the last row has been
-  /// latched, and the first edge at which another picture can be taken, one edge after the last pixel has been shown.
+  // Results after all words have been sent.
+  /// Edge at which the controller is notified that the last row has been latched.
   [[nodiscard]] std::uint64_t latched() const { return latched_; }
+  /// First edge at which another picture can be taken, one edge after the last pixel has been shown.
   [[nodiscard]] std::uint64_t over() const { return row_begun_ + shift_clocks_; }
 
  private:

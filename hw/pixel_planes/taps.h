@@ -34,7 +34,7 @@ std::vector<wave::Tap> control_taps(const std::string& part, const PixelPipeline
 struct PixelPoint {
   const PixelPipeline& pipeline;
   array::Place place;  ///< position in the array
-  array::Place built;  ///< position in the array of pixels that are built
+  array::Place built;  ///< position among the simulated pixels
   std::function<bool()> shows;
   array::TreeForm trees;
 };
