@@ -12,8 +12,8 @@
 
 namespace csgsim::host {
 
-/// Work of the machine's host for a frame: it prepares the display model for a machine that divides the model itself,
-/// and otherwise compiles every segment.
+/// Work of the machine's host for a frame. The host prepares the display model for a machine that divides the model
+/// itself, and otherwise compiles every segment.
 processors::Operations count_operations(const isa::Program& program, const machines::Machine& machine);
 
 /// Nanoseconds that the machine's host takes for the operations, which its processors share; 0 for an ideal host.
@@ -27,7 +27,7 @@ std::uint64_t compile_clocks(const isa::Program& program, const machines::Machin
 /// for an ideal host. Throws InputError above 9e15.
 std::uint64_t model_clocks(const isa::Program& program, const machines::Machine& machine);
 
-/// The timing with the host's clocks, completed by machines::with_pace().
+/// Returns `timing` with the host's clocks set, completed by machines::with_pace().
 machines::FrameTiming with_host(machines::FrameTiming timing, const isa::Program& program,
                                 const machines::Machine& machine);
 

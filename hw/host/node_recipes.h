@@ -24,13 +24,13 @@ processors::Operations cell_test_operations();
 /// Visit of a node of the tree, with a test of its box: the host's `nodes` and `boxes`.
 processors::Operations node_visit_operations();
 
-/// Entry of an instruction with its expression in a list.
+/// Appending an instruction with its expression to a list.
 processors::Operations instruction_listing_operations();
 
-/// Entry of an instruction with the number of a half-space in a list.
+/// Appending an instruction with the number of a half-space to a list.
 processors::Operations number_listing_operations();
 
-/// Search for the place of the next number in packed bits.
+/// Computing the position of the next number in packed bits.
 processors::Operations field_search_operations();
 
 /// A call appended to a native program.

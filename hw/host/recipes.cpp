@@ -209,7 +209,7 @@ std::uint64_t words_of(const isa::Instruction& instruction, bool has_expression)
 
 std::span<const Recipe> recipes() { return rows; }
 
-Operations recipe(std::string_view name) { return std::ranges::find(rows, name, &Recipe::name)->each; }
+Operations recipe(std::string_view task_name) { return std::ranges::find(rows, task_name, &Recipe::name)->each; }
 
 Operations count_operations(const isa::Preparation& preparation) {
   Operations all;

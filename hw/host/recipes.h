@@ -15,7 +15,7 @@
 // per task are assumed, as a careful programmer would write them for longs of 32 bits.
 namespace csgsim::host {
 
-/// A counted task with its operations.
+/// A task of the host, with the operations of one execution.
 struct Recipe {
   std::string_view name;  ///< name in Programs
   std::uint64_t isa::Preparation::*count;
@@ -25,7 +25,7 @@ struct Recipe {
 std::span<const Recipe> recipes();
 
 /// Operations of the task with that name, which must exist.
-processors::Operations recipe(std::string_view name);
+processors::Operations recipe(std::string_view task_name);
 
 /// Operations of all counted tasks.
 processors::Operations count_operations(const isa::Preparation& preparation);
@@ -33,21 +33,22 @@ processors::Operations count_operations(const isa::Preparation& preparation);
 /// Counts of the written instructions that determine the work of writing them.
 struct Written {
   std::uint64_t instructions = 0;
-  std::uint64_t kept = 0;        ///< part of `instructions`: those whose words the host has kept and only copies
+  std::uint64_t kept = 0;        ///< part of `instructions` whose words the host has kept and only copies
   std::uint64_t kept_longs = 0;  ///< longs of kept words that are copied
   std::uint64_t numbers = 0;     ///< numbers after the opcodes of the other instructions
   std::uint64_t longs = 0;       ///< longs stored for their words
   std::uint64_t linear = 0;      ///< linear expressions, each once per segment
-  /// Linear expressions of segments that do not begin at the picture's corner. Expressions that the segment above has
-  /// are not counted, because one addition moves them.
+  /// Linear expressions of segments that do not begin at the picture's corner. Expressions that also occur in the
+  /// segment above are not counted, because one addition moves them.
   std::uint64_t moved = 0;
   std::uint64_t squares = 0;  ///< squares, each once per segment
 
   bool operator==(const Written&) const = default;
 };
 
-/// Counts the work of writing instructions, as a host does that keeps words: those of the expressions of a segment
-/// until its end, because each plane is broadcast several times, and those without an expression for the whole frame.
+/// Counts the work of a host that writes instructions and keeps some of their words for reuse. It keeps the words of
+/// instructions with an expression until the end of the segment, because each plane is broadcast several times, and the
+/// words of instructions without an expression until the end of the frame.
 class Writer {
  public:
   explicit Writer(unsigned link_width) : link_width_(link_width) {}
@@ -78,7 +79,7 @@ processors::Operations expression_fitting_operations();
 /// Operations to store a long of an assembled command.
 processors::Operations long_store_operations();
 
-/// Longs of the display model.
+/// Number of longs (32 bits) of the display model.
 std::uint64_t model_longs(const isa::Program& program);
 
 /// Operations for one long of the display model, assembled from its numbers.

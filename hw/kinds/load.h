@@ -14,7 +14,7 @@ namespace csgsim::kinds {
 /// Names of the built-in machines.
 std::vector<std::string_view> built_in_names();
 
-/// Names of the built-in machines that studies of several machines include by default.
+/// Names of the built-in machines that studies include by default.
 std::vector<std::string_view> studied_names();
 
 /// The file of a machine description; empty if the machine is built in.
@@ -27,9 +27,9 @@ using machines::file_of;
 /// machines::ChangeError for a wrong change.
 machines::Machine load(const std::string& machine, const std::vector<std::string>& changes = {});
 
-/// The machine recorded in a Program; the original file is not needed. This is a built-in machine with the recorded
-/// parameters, or a machine of the recorded kind, for which all parameters must be recorded. `changes` are applied
-/// last. Throws like load().
+/// Loads the machine recorded in a Program, without its original file: a built-in machine with the recorded parameters,
+/// or a machine of the recorded kind, for which all parameters must be recorded. `changes` are applied last. Throws
+/// like the other load().
 machines::Machine load(const isa::MachineRecord& record, const std::vector<std::string>& changes = {});
 
 }  // namespace csgsim::kinds

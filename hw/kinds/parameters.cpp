@@ -29,12 +29,12 @@ std::string kinds_with(std::string_view key) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-std::string missing_parameter_text(std::string_view key, const machines::Kind& kind, std::string_view name) {
+std::string missing_parameter_text(std::string_view key, const machines::Kind& kind, std::string_view machine_name) {
   if (has_parameter(kind, key)) return "";
   std::vector<std::string_view> known;
   for (const machines::FigureSchema& figure : kind.schema) known.push_back(figure.key);
   const std::string_view near = nearest_similar(key, known);
-  return fmt::format("{} has no such parameter, but machines of the kind {} do; {}", name, kinds_with(key),
+  return fmt::format("{} has no such parameter, but machines of the kind {} do; {}", machine_name, kinds_with(key),
                      near.empty() ? "choose one of them with --machine" : fmt::format("did you mean {}?", near));
 }
 

@@ -21,7 +21,7 @@ bool is_parameter(std::string_view key);
 std::string kinds_with(std::string_view key);
 
 /// Error text for a change of a parameter that only other kinds of machines have: names these kinds, and the nearest
-/// parameter of `kind` if one is similar. Empty if `kind` has the parameter. `name`: name of the machine.
-std::string missing_parameter_text(std::string_view key, const machines::Kind& kind, std::string_view name);
+/// parameter of `kind` if one is similar. Empty if `kind` has the parameter. `machine_name`: for the message.
+std::string missing_parameter_text(std::string_view key, const machines::Kind& kind, std::string_view machine_name);
 
 }  // namespace csgsim::kinds

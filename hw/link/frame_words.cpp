@@ -10,7 +10,8 @@ FrameWords frame_words(const isa::Program& program, unsigned link_width) {
   return frame_words(program, link_width, 0, std::numeric_limits<std::uint64_t>::max());
 }
 
-FrameWords frame_words(const isa::Program& program, unsigned link_width, std::uint64_t first, std::uint64_t end) {
+FrameWords frame_words(const isa::Program& program, unsigned link_width, std::uint64_t first_instruction,
+                       std::uint64_t end_instruction) {
   FrameWords frame;
   const auto send = [&](const isa::Command& command) {
     isa::encode(command, link_width, [&](const isa::LinkWord& word) { frame.words.push_back(word); });
@@ -20,7 +21,7 @@ FrameWords frame_words(const isa::Program& program, unsigned link_width, std::ui
   for (const isa::Segment& segment : program.segments) {
     send(isa::SegmentStart{segment.region});
     for (const isa::Instruction& instruction : segment.instructions) {
-      if (number >= first && number < end) {
+      if (number >= first_instruction && number < end_instruction) {
         send(instruction);
       } else {
         frame.words.resize(frame.words.size() + isa::wire_words(instruction, link_width));

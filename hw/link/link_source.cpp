@@ -23,9 +23,9 @@ void LinkSource::load(FrameWords frame) {
   state_ = State::waiting;
 }
 
-void LinkSource::resume(FrameWords frame, std::size_t word, std::uint32_t clocks_left) {
+void LinkSource::resume(FrameWords frame, std::size_t word_index, std::uint32_t clocks_left) {
   frame_ = std::move(frame);
-  next_ = word;
+  next_ = word_index;
   left_ = clocks_left;
   state_ = next_ == frame_.words.size() ? State::done : left_ == 0 ? State::blocked : State::sending;
 }
@@ -83,9 +83,9 @@ void LinkSource::sleep() {
   }
 }
 
-void LinkSource::continue_from(std::uint64_t instruction) {
-  if (instruction == 0) account_ = {.waiting = 1};
-  next_ = frame_.begins.at(instruction);
+void LinkSource::continue_from(std::uint64_t instruction_index) {
+  if (instruction_index == 0) account_ = {.waiting = 1};
+  next_ = frame_.begins.at(instruction_index);
   state_ = State::latent;
   left_ = link_.latency;
   if (left_ == 0) begin_word();

@@ -33,9 +33,9 @@ class LinkSource final : public systemc::ClockedModule {
   /// the request for the beginning of the frame is transmitted.
   void load(FrameWords frame);
 
-  /// Loads a frame in the middle of its transmission: word number `word` is on the link for another `clocks_left`
-  /// clocks; 0 if it waits for room.
-  void resume(FrameWords frame, std::size_t word, std::uint32_t clocks_left);
+  /// Loads a frame in the middle of its transmission: word `word_index` of the frame is on the link for another
+  /// `clocks_left` clocks; 0 if this word waits for room.
+  void resume(FrameWords frame, std::size_t word_index, std::uint32_t clocks_left);
 
   // State for waves.
   [[nodiscard]] std::string_view state() const;
@@ -47,12 +47,12 @@ class LinkSource final : public systemc::ClockedModule {
  private:
   enum class State : std::uint8_t { waiting, latent, sending, blocked, done };
 
-  /// The member of the account that counts clocks in the given state.
+  /// The counter in `account` for clocks in the given state.
   static std::uint64_t& clocks_of(State state, machines::LinkAccount& account);
   void end_of_elaboration() override;
   void on_clock() override;
   [[nodiscard]] std::uint64_t edges() const;
-  void continue_from(std::uint64_t instruction);
+  void continue_from(std::uint64_t instruction_index);
   void advance(std::uint64_t clocks);
   void begin_word();
   void store_word();

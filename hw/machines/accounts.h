@@ -33,7 +33,7 @@ struct Count {
   bool operator==(const Count&) const = default;
 };
 
-/// A ratio of two counts; 0 if `whole` is 0.
+/// A ratio of two counts.
 struct Share {
   std::string_view name;
   std::uint64_t part = 0;
@@ -41,6 +41,7 @@ struct Share {
 
   constexpr bool operator==(const Share&) const = default;
 
+  /// The ratio; 0 if `whole` is 0.
   [[nodiscard]] constexpr double value() const {
     return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
   }

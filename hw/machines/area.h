@@ -1,4 +1,4 @@
-// Transistors of a pixel.
+// Transistor counts of pixels.
 // Used by hw/process and sim/studies.
 #pragma once
 

@@ -33,7 +33,7 @@ struct ClockTally {
   constexpr bool operator==(const ClockTally&) const = default;
 };
 
-/// The account of a part: the activities in `listed`, or all if `listed` is empty.
+/// The account of the part named `part`, with the activities in `listed`, or all if `listed` is empty.
 template <class Activity, std::size_t activities>
 PartAccount part_of(std::string part, const ClockTally<Activity, activities>& tally,
                     const std::array<std::string_view, activities>& names,

@@ -19,7 +19,7 @@ std::uint32_t tree_levels(std::uint32_t leaves);
 /// once per answer to the host.
 std::uint32_t evaluator_latency(const Machine& machine);
 
-/// Width of the widest memory operand.
+/// Width in bits of the instruction's widest memory operand.
 std::uint64_t field_width(const isa::Instruction& instruction);
 
 /// Clocks of an instruction on bit-serial pixel processors below multiplier trees.

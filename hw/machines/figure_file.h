@@ -37,11 +37,11 @@ struct ReadFigure {
 };
 
 /// A description in TOML: texts and parameters, each with its provenance. Errors are InputErrors with file:line:column.
-/// Include it in source files only, like toml_text.h.
+/// Include this header in source files only, like toml_text.h.
 class FigureFile {
  public:
-  /// `changed`: if not empty, the file itself is valid and errors come from the changes; they are then ChangeErrors
-  /// whose text begins with `changed`.
+  /// `changed`: if not empty, the file itself is valid, so that all errors are due to changed parameters: they are
+  /// thrown as ChangeErrors whose text begins with `changed`.
   FigureFile(const toml::table& root, std::string_view file, std::string changed = {});
 
   /// The non-empty string at that key, made printable().

@@ -69,25 +69,25 @@ isa::MachineRecord record_of(const Machine& machine) {
   return record;
 }
 
-std::vector<std::string> figure_differences(const Machine& one, const Machine& other) {
+std::vector<std::string> figure_differences(const Machine& first, const Machine& second) {
   const auto text = [](const FigureSchema& figure, const Machine& machine) {
     const std::int64_t value = figure.load(machine);
     return figure.names.empty() ? std::to_string(value) : std::string(figure.names[static_cast<std::size_t>(value)]);
   };
   std::vector<std::string> others;
-  for (const FigureSchema& figure : one.kind->schema) {
-    if (figure.key.starts_with("picture.") || figure.load(one) == figure.load(other)) continue;
-    others.push_back(std::string(figure.key) + " " + text(figure, one) + " instead of " + text(figure, other));
+  for (const FigureSchema& figure : first.kind->schema) {
+    if (figure.key.starts_with("picture.") || figure.load(first) == figure.load(second)) continue;
+    others.push_back(std::string(figure.key) + " " + text(figure, first) + " instead of " + text(figure, second));
   }
   return others;
 }
 
-bool same_hardware(const Machine& one, const Machine& other) {
+bool same_hardware(const Machine& first, const Machine& second) {
   const auto same = [&](const FigureSchema& figure) {
-    return figure.key.starts_with("picture.") || figure.load(one) == figure.load(other);
+    return figure.key.starts_with("picture.") || figure.load(first) == figure.load(second);
   };
-  return one.kind == other.kind && one.array == other.array &&
-         std::all_of(one.kind->schema.begin(), one.kind->schema.end(), same);
+  return first.kind == second.kind && first.array == second.array &&
+         std::all_of(first.kind->schema.begin(), first.kind->schema.end(), same);
 }
 
 isa::Field second_buffer(std::uint32_t colour_bits, const Machine& machine) {

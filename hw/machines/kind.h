@@ -66,7 +66,7 @@ class Kind {
   [[nodiscard]] virtual std::vector<isa::Region> regions(const Machine& machine) const = 0;
   /// Number of processors that share the host's work.
   [[nodiscard]] virtual std::uint32_t hosts(const Machine& machine) const { return machine.host.count; }
-  /// How the machine divides the model itself; empty if it does not.
+  /// How the machine divides the model; empty if the host divides it.
   [[nodiscard]] virtual std::optional<Division> division(const Machine& /*machine*/) const { return std::nullopt; }
   /// A copy of the machine that draws a picture part by part. The picture is halved `levels` times into segments; the
   /// parts are these segments or their subsegments. Empty for a kind that does not draw in squares.
@@ -80,10 +80,10 @@ class Kind {
 
   /// Whether the clocks depend on which pixels are enabled (RunOutcome::met), which only a run determines.
   [[nodiscard]] virtual bool depends_on_pixels(const Machine& /*machine*/) const { return false; }
-  /// Clocks that a pixel's processor, or the entry of a chain, spends on an instruction if it executes all of it.
+  /// Clocks that a pixel's processor, or the entry of a chain, spends on an instruction if no part of it is skipped.
   [[nodiscard]] virtual std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine) const = 0;
-  /// Clocks at the pixels for instruction `index` of a segment. `met` is the activity in that segment; null without a
-  /// run, in which case all pixels count as enabled.
+  /// Clocks that instruction `index` of a segment takes, summed over the segment's pixels. `met` is the measured
+  /// activity in that segment; null without a run, in which case all pixels count as enabled.
   [[nodiscard]] virtual PixelClocks clocks_at_pixels(const isa::Segment& segment, std::size_t index,
                                                      const Machine& machine, const PixelActivity* /*met*/) const {
     const std::uint64_t pixels = std::uint64_t{segment.region.width} * segment.region.height;

@@ -5,8 +5,8 @@
 
 namespace csgsim::machines {
 
-PartAccount part_of(const LinkAccount& account, std::string name) {
-  return {std::move(name),
+PartAccount part_of(const LinkAccount& account, std::string part_name) {
+  return {std::move(part_name),
           {{"sending", account.sending},
            {"blocked", account.blocked},
            {"waiting", account.waiting},
@@ -42,11 +42,11 @@ std::uint64_t LinkTiming::send() {
   return edge;
 }
 
-bool LinkTiming::send_before(std::uint64_t edge, std::uint64_t& stored) {
+bool LinkTiming::send_before(std::uint64_t edge, std::uint64_t& stored_edge) {
   if (sent_ >= read_ + link_.fifo_depth) return false;
-  stored = std::max(since_ + link_.word_clocks, room_edge());
-  if (stored >= edge) return false;
-  store(stored);
+  stored_edge = std::max(since_ + link_.word_clocks, room_edge());
+  if (stored_edge >= edge) return false;
+  store(stored_edge);
   return true;
 }
 

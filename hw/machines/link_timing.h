@@ -22,8 +22,8 @@ struct LinkAccount {
   constexpr bool operator==(const LinkAccount&) const = default;
 };
 
-/// The account as activities of a part with that name.
-PartAccount part_of(const LinkAccount& account, std::string name);
+/// Converts the account to that of a part named `part_name`.
+PartAccount part_of(const LinkAccount& account, std::string part_name);
 
 /// Computes when words pass a link, without stepping. Words are counted from the last request. Edges are numbered from
 /// the frame's first, number 0; clock c lasts from edge c to edge c + 1.
@@ -38,9 +38,9 @@ class LinkTiming {
   /// word `fifo_depth` words before it must have been read.
   std::uint64_t send();
 
-  /// Sends the next word if it enters the FIFO before `edge`, and sets `stored` to the edge at which it enters. Unread
-  /// words occupy room in the FIFO.
-  bool send_before(std::uint64_t edge, std::uint64_t& stored);
+  /// Sends the next word only if it enters the FIFO before `edge`; returns whether it does, and sets `stored_edge` to
+  /// the edge at which it enters. Unread words occupy room in the FIFO.
+  bool send_before(std::uint64_t edge, std::uint64_t& stored_edge);
 
   /// Reads the oldest word in the FIFO at `edge`.
   void read(std::uint64_t edge);
@@ -63,15 +63,15 @@ class LinkTiming {
  private:
   [[nodiscard]] std::uint64_t room_edge() const;
   void store(std::uint64_t edge);
-  [[nodiscard]] std::size_t after(std::size_t place) const { return place + 1 == read_edges_.size() ? 0 : place + 1; }
+  [[nodiscard]] std::size_t after(std::size_t slot) const { return slot + 1 == read_edges_.size() ? 0 : slot + 1; }
 
   Link link_;
   std::uint64_t since_ = 0;  ///< edge from which the next word is on the link
   std::uint64_t sent_ = 0;
   std::uint64_t read_ = 0;
   std::vector<std::uint64_t> read_edges_;  ///< ring of the edges of the last reads
-  std::size_t sent_place_ = 0;             ///< place in the ring of the next word to send
-  std::size_t read_place_ = 0;             ///< place in the ring of the next word to read
+  std::size_t sent_place_ = 0;             ///< index in the ring of the next word to send
+  std::size_t read_place_ = 0;             ///< index in the ring of the next word to read
   LinkAccount account_;
 };
 

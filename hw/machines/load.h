@@ -1,4 +1,4 @@
-// Work of a machine's parts, which shows what limits the frame rate. Used by Kind and its implementations.
+// Work of the parts of a machine; the busiest part limits the frame rate. Used by Kind and its implementations.
 #pragma once
 
 #include <cstdint>

@@ -31,7 +31,7 @@ struct Figure {
   std::string unit;                    ///< may be empty
   std::string provenance;              ///< `published` or `assumed`
   std::string source;                  ///< the publication, or the reason for the assumption
-  std::optional<FigureRange> range{};  ///< unset if the file states none, and for values that were set
+  std::optional<FigureRange> range{};  ///< unset if the file states no range, and for changed values
 };
 
 /// Width and height of a picture, pixels.
@@ -56,7 +56,7 @@ struct Link {
 struct Machine {
   std::string name;
   std::string description;
-  const Kind* kind = nullptr;          ///< its architecture, which determines its functions (hw/machines/kind.h)
+  const Kind* kind = nullptr;          ///< the architecture (hw/machines/kind.h)
   isa::ArrayShape array;               ///< pixel processors (of one chain or renderer) and memory bits of each
   Size picture;                        ///< size of the picture that the machine draws
   std::uint64_t clock_hz = 0;          ///< clock frequency: bit steps or packets per second
@@ -68,7 +68,7 @@ struct Machine {
   std::uint32_t clear_clocks = 0;      ///< clocks to clear all memory of the pixel processors
   Link link;
   Host host;
-  std::any own;                 ///< parameters of its kind; see own<Figures>()
+  std::any own;                 ///< parameters that only machines of this kind have; see own<Figures>()
   std::vector<Figure> figures;  ///< every parameter of the file, in the order of the file
 };
 
@@ -97,8 +97,8 @@ void complete(Machine& machine);
 /// Sets the machine's picture size and memory to the Program's. Throws like set_picture_size().
 void adopt_shape(Machine& machine, const isa::Program& program);
 
-/// The value of a parameter as used, as text: an integer also where the description leaves it to a processor, or where
-/// options have changed the picture's size or the memory.
+/// The value of a parameter that the machine uses, as text. It differs from Figure::value if the description leaves the
+/// value to a processor, or if options have changed the picture's size or the memory.
 std::string used_value(const Figure& figure, const Machine& machine);
 
 /// Keys of the parameters that could be ideal but are not, in the order of the schema.
@@ -113,12 +113,12 @@ std::vector<std::string> idealisations(const Machine& machine);
 /// The record of the machine for Programs that are compiled for it.
 isa::MachineRecord record_of(const Machine& machine);
 
-/// The parameters that differ between two machines of one kind, except the picture's, as texts such as `alu.bits 4
-/// instead of 1`; the first machine's value comes first.
-std::vector<std::string> figure_differences(const Machine& one, const Machine& other);
+/// The parameters that differ between two machines of one kind, except the picture size, as texts such as `alu.bits 4
+/// instead of 1`, where 4 is the value of `first`.
+std::vector<std::string> figure_differences(const Machine& first, const Machine& second);
 
 /// Whether two machines are the same hardware: of one kind, with equal parameters except the picture size. Names and
 /// sources are ignored.
-bool same_hardware(const Machine& one, const Machine& other);
+bool same_hardware(const Machine& first, const Machine& second);
 
 }  // namespace csgsim::machines

@@ -35,9 +35,9 @@ std::vector<std::string> changes_of(std::string_view spec) {
   return changes;
 }
 
-std::string name_of_edits(std::span<const Figure> figures, std::span<const Figure> original) {
+std::string name_of_edits(std::span<const Figure> figures, std::span<const Figure> original_figures) {
   std::string name;
-  for (const Figure& figure : original) {
+  for (const Figure& figure : original_figures) {
     const auto found = std::ranges::find(figures, figure.key, &Figure::key);
     if (found->value != figure.value) name += fmt::format("+{}={}", found->key, found->value);
   }

@@ -20,10 +20,11 @@ std::string_view file_of(std::string_view spec);
 /// The name without changes: a built-in name or a file.
 std::string_view base_of(std::string_view spec);
 
-/// The changes in the name, KEY=VALUE each.
+/// The changes in the name, each as KEY=VALUE.
 std::vector<std::string> changes_of(std::string_view spec);
 
-/// `+KEY=VALUE` for each parameter of `figures` whose value in `original` differs.
-std::string name_of_edits(std::span<const Figure> figures, std::span<const Figure> original);
+/// Suffix of an edited machine's name: `+KEY=VALUE` for each parameter of `figures` whose value in `original_figures`
+/// differs.
+std::string name_of_edits(std::span<const Figure> figures, std::span<const Figure> original_figures);
 
 }  // namespace csgsim::machines

@@ -1,4 +1,4 @@
-// Regions of the picture and properties of a machine that the compiler needs. Used by hw/host, hw/pixel_planes,
+// Regions of the picture, and other properties of a machine that the compiler needs. Used by hw/host, hw/pixel_planes,
 // hw/pixel_square, hw/process, host/effects, host/emit and sim/studies.
 #pragma once
 

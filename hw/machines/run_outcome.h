@@ -37,7 +37,7 @@ struct PixelActivity {
   bool operator==(const PixelActivity&) const = default;
 };
 
-/// Clocks that the processors spend on an instruction at the pixels of a segment.
+/// Clocks that the processors spend on an instruction, summed over the pixels of a segment.
 struct PixelClocks {
   std::uint64_t all = 0;
   std::uint64_t enabled = 0;  ///< part of `all` at pixels that were enabled when the instruction began
@@ -48,7 +48,7 @@ struct PixelClocks {
 /// Run-time outcomes that exact timing needs.
 struct RunOutcome {
   std::span<const Skip> skips;  ///< in program order
-  /// Enabled pixels of each segment; empty without a run, or if the clocks do not depend on them.
+  /// Enabled pixels of each segment; empty without a run, or if the clocks do not depend on the enabled pixels.
   std::span<const PixelActivity> met;
 
   constexpr RunOutcome() = default;

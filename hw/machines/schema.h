@@ -29,23 +29,25 @@ struct FigureSchema {
 /// Value of a parameter for hardware without limit or delay.
 inline constexpr std::string_view ideal_value = "ideal";
 
-/// Value of a parameter that Kind::complete() computes from the prices of a processor, and its stored form before.
+/// Value in a description of a parameter that Kind::complete() derives from the operation costs of a processor.
 inline constexpr std::string_view priced_value = "processor";
+/// Number stored for such a parameter until Kind::complete() replaces it.
 inline constexpr std::int64_t not_priced = 0xffff'ffff;
 
-/// The same parameter, whose value may be left to the prices of a processor.
+/// Returns the schema with the additional value "processor": Kind::complete() then derives the value from the operation
+/// costs of a processor.
 constexpr FigureSchema or_priced(FigureSchema figure) {
   figure.priced = not_priced;
   return figure;
 }
 
-/// The same parameter, with "ideal" as an additional value.
+/// Returns the schema with the additional value "ideal", which is stored as `ideal`.
 constexpr FigureSchema or_ideal(FigureSchema figure, std::int64_t ideal) {
   figure.ideal = ideal;
   return figure;
 }
 
-/// The same parameter with named values, counted from 0.
+/// Returns the schema with values written as one of `names`, which are counted from 0.
 constexpr FigureSchema named(FigureSchema figure, std::span<const std::string_view> names) {
   figure.names = names;
   return figure;
@@ -53,7 +55,7 @@ constexpr FigureSchema named(FigureSchema figure, std::span<const std::string_vi
 
 inline constexpr std::int64_t max_parameter_clocks = 1'000'000;  ///< maximum of parameters in clocks
 
-/// A parameter stored in a member of the machine, or of one of its parts.
+/// Schema of a parameter that is stored in a member of Machine, or in a member of a member.
 template <auto... members>
 constexpr FigureSchema figure(std::string_view key, std::string_view unit, std::int64_t least, std::int64_t most,
                               std::string_view meaning) {
@@ -69,7 +71,7 @@ constexpr FigureSchema figure(std::string_view key, std::string_view unit, std::
           [](const Machine& machine) { return static_cast<std::int64_t>((machine.*....*members)); }};
 }
 
-/// A parameter that only one kind has, stored in a member of its Figures, or of one of their parts.
+/// Schema of a parameter that only one kind has, stored in a member of its Figures, or in a member of a member.
 template <class Figures, auto... members>
 constexpr FigureSchema own_figure(std::string_view key, std::string_view unit, std::int64_t least, std::int64_t most,
                                   std::string_view meaning, std::span<const std::string_view> names = {}) {
@@ -86,7 +88,7 @@ constexpr FigureSchema own_figure(std::string_view key, std::string_view unit, s
           names};
 }
 
-/// A parameter with a single possible value, built into the simulator.
+/// Schema of a parameter whose single possible value is built into the simulator.
 constexpr FigureSchema built_in_figure(std::string_view key, std::string_view unit, std::int64_t value,
                                        std::string_view meaning) {
   return {key,

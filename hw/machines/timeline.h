@@ -24,8 +24,8 @@ struct ClockSpan {
 /// Clocks in which the instructions of a frame are executed.
 struct Timeline {
   /// For each instruction of each segment: the clocks in which its steps leave the unit that issues them, a controller
-  /// or the entry of a chain. For a test of the global OR this includes the clocks until the answer. The span of a
-  /// skipped instruction is empty, at 0.
+  /// or the entry of a chain. For a global-OR test this includes the clocks until its result arrives. The span of a
+  /// skipped instruction is empty and begins at 0.
   std::vector<std::vector<ClockSpan>> issued;
 
   /// For each segment: the clocks in which memory and enable of its pixels are cleared.
@@ -41,7 +41,7 @@ Timeline timeline(const isa::Program& program, const Machine& machine, const Run
 
 /// For each instruction of a segment: the clocks in which pixel (x, y) of the picture, which must lie in the segment's
 /// region, executes it. Its effects are visible from the span's `end` on. `timeline` must belong to the Program and the
-/// machine. The span of a skipped instruction is empty, at 0.
+/// machine. The span of a skipped instruction is empty and begins at 0.
 std::vector<ClockSpan> at_pixel(const Timeline& timeline, const isa::Program& program, const Machine& machine,
                                 std::uint32_t segment, std::uint32_t x, std::uint32_t y);
 

@@ -11,7 +11,7 @@
 namespace csgsim::processors {
 
 /// Kinds of operations of a processor. A word has 16 bits, a long 32: numbers of primitives, kinds and codes are words;
-/// pointers, depths and bit strings are longs. A processor's description prices each kind.
+/// pointers, depths and bit strings are longs. A processor's description gives the clocks of each kind.
 enum class Operation : std::uint8_t {
   load,
   load_long,

@@ -122,15 +122,15 @@ std::uint64_t hand_written_clocks(const Operations& operations, const Processor&
   return sum;
 }
 
-double clocks(const Operations& operations, const Processor& processor, Compiled program) {
+double clocks(const Operations& operations, const Processor& processor, Compiled program_class) {
   double sum = 0;
   for (std::size_t kind = 0; kind < operation_kinds; ++kind)
     sum += static_cast<double>(operations.counts[kind]) * processor.prices[kind];
-  return sum * processor.compiler_factors[static_cast<std::size_t>(program)] / thousandths;
+  return sum * processor.compiler_factors[static_cast<std::size_t>(program_class)] / thousandths;
 }
 
-double seconds(const Operations& operations, const Processor& processor, Compiled program) {
-  return clocks(operations, processor, program) / static_cast<double>(processor.clock_hz);
+double seconds(const Operations& operations, const Processor& processor, Compiled program_class) {
+  return clocks(operations, processor, program_class) / static_cast<double>(processor.clock_hz);
 }
 
 }  // namespace csgsim::processors

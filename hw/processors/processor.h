@@ -34,7 +34,7 @@ struct Processor {
   std::array<std::uint32_t, operation_kinds> prices{};  ///< clocks per operation of each kind
   /// Clocks of a compiled program per thousand clocks of a hand-written one, by Compiled.
   std::array<std::uint32_t, compiled_kinds> compiler_factors{};
-  std::uint32_t memory_price = 0;         ///< dollars per Mbyte in the year of the processor
+  std::uint32_t memory_price = 0;         ///< dollars per Mbyte in the year in which the processor appeared
   std::vector<machines::Figure> figures;  ///< every parameter of the file, in the order of the file
 };
 
@@ -64,9 +64,9 @@ const Processor& built_in_processor(std::string_view name);
 std::uint64_t hand_written_clocks(const Operations& operations, const Processor& processor);
 
 /// Clocks of a program's operations, including the compiler factor.
-double clocks(const Operations& operations, const Processor& processor, Compiled program = Compiled::general);
+double clocks(const Operations& operations, const Processor& processor, Compiled program_class = Compiled::general);
 
 /// Seconds of a program's operations, including the compiler factor.
-double seconds(const Operations& operations, const Processor& processor, Compiled program = Compiled::general);
+double seconds(const Operations& operations, const Processor& processor, Compiled program_class = Compiled::general);
 
 }  // namespace csgsim::processors

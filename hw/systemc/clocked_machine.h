@@ -19,7 +19,7 @@ struct RunReport {
   std::uint64_t clocks = 0;          ///< total, including latency
   std::uint64_t latency_clocks = 0;  ///< part of `clocks` after the last instruction
   std::uint64_t skipped = 0;         ///< number of skipped instructions
-  std::vector<bool> answers;         ///< answers to the host, in order
+  std::vector<bool> answers;         ///< results of the global-OR tests that were sent to the host, in order
   machines::Account account{};       ///< clocks by activity
   std::uint64_t shown_clocks = 0;    ///< clocks until the last pixel is shown; 0 if equal to `clocks`
   /// Clocks from the beginning of the frame to that of the next; 0 if equal to `shown_clocks`.
@@ -39,8 +39,8 @@ class ClockedMachine {
   /// exception of the listener is rethrown after the run.
   virtual RunReport run(const isa::Program& program, RunListener& listener) = 0;
 
-  /// Draws the Programs in sequence, each with its own listener. Each begins as soon as the machine can begin it; by
-  /// default this is when the previous picture has been shown.
+  /// Draws the Programs in sequence, each with its own listener. A frame begins as soon as the machine permits; by
+  /// default, when the previous picture has been shown.
   virtual std::vector<RunReport> run_sequence(std::span<const isa::Program> programs,
                                               std::span<RunListener* const> listeners);
 
@@ -48,9 +48,9 @@ class ClockedMachine {
   /// must outlive the taps. Throws InputError for a pixel or tree level that the machine does not have.
   [[nodiscard]] virtual std::vector<wave::Tap> taps(const isa::Program& program, const wave::Request& request) const;
 
-  /// If the machine supports it, makes the next run begin in the middle of the frame so that the clocks of the window
-  /// are as in a whole run; later clocks may differ. Returns the clock at which the run begins. The report of that run
-  /// is meaningless.
+  /// If the machine supports it, makes the next run begin in the middle of the frame. The signals in the clocks of the
+  /// window are as in a whole run; later clocks may differ, and the report of that run is meaningless. Returns the
+  /// clock of the frame at which the run begins.
   virtual std::uint64_t skip_to(const isa::Program& program, wave::Window window);
 };
 

@@ -12,10 +12,10 @@
 
 namespace csgsim::systemc {
 
-/// Results of an earlier run of the same Program. A machine with only some pixels needs them to behave at these pixels
-/// like the whole machine. The referenced data must outlive that machine.
+/// Results of an earlier run of the same Program. With these results, a machine of which only some pixels are simulated
+/// behaves at these pixels like the whole machine. The referenced data must outlive that machine.
 struct EarlierRun {
-  std::vector<array::Place> pixels;       ///< pixels of the array that are built
+  std::vector<array::Place> pixels;       ///< pixels of the array that are simulated
   std::vector<bool> answers;              ///< for each global-OR test in order, whether any pixel was enabled
   std::span<const machines::Skip> skips;  ///< the global-OR tests that caused skips
   const machines::Timeline* timeline = nullptr;

@@ -19,7 +19,7 @@ inline sc_core::sc_time now() { return sc_core::sc_time_stamp(); }
 /// Number of rising edges of a clock with period `period` since the start of the simulation.
 std::uint64_t edges(const sc_core::sc_time& period);
 
-/// Elaborates the design, if it is not elaborated yet. The time stays at 0.
+/// Elaborates the design, unless this has been done. The time stays at 0.
 void elaborate();
 
 /// Continues the simulation until it is paused or stopped. Use this function instead of sc_start: SystemC threads have

@@ -1,4 +1,4 @@
-// Stores an exception for later.
+// Stores an exception until the run is complete.
 // Used by GuardedListener and WaveRecorder.
 #pragma once
 

@@ -22,7 +22,7 @@ struct Retired {
   std::optional<machines::PixelClocks> at_pixels{};  ///< set if the clocks differ between pixels
 };
 
-/// The part of the pixels' state that a view must provide.
+/// The part of the pixels' state that a PixelView must provide.
 enum class Keep : std::uint8_t { nothing, enable, all };
 
 /// The pixels of a region after an instruction; (0, 0) is the region's top left pixel. Valid only during the call to

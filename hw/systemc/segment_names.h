@@ -11,7 +11,7 @@
 
 namespace csgsim::systemc {
 
-/// Finds the segment of the Program that has a given region. Used for reports only: no hardware reads it.
+/// Finds the segment of the Program that has a given region. Only reports need this; it models no hardware.
 class SegmentNames {
  public:
   /// Sets the segments of the Program that is drawn next.

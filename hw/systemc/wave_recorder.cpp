@@ -15,11 +15,11 @@ WaveRecorder::WaveRecorder(sc_core::sc_module_name name, const sc_core::sc_time&
 }
 
 void WaveRecorder::arm(std::unique_ptr<wave::Writer> writer, std::vector<wave::Window> windows,
-                       std::uint64_t first_clock, bool stops) {
+                       std::uint64_t first_clock, bool stops_after_last_window) {
   writer_ = std::move(writer);
   windows_ = std::move(windows);
   window_ = 0;
-  stops_ = stops;
+  stops_ = stops_after_last_window;
   reached_ = false;
   writing_ = {};
   guard_.begin();

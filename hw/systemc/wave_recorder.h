@@ -22,9 +22,9 @@ class WaveRecorder final : public sc_core::sc_module {
   WaveRecorder(sc_core::sc_module_name name, const sc_core::sc_time& period);
 
   /// Records the run that begins now. `first_clock`: number within the frame of the clock that the next rising edge
-  /// begins. `stops`: whether the simulation stops after the last window (systemc::stop).
+  /// begins. `stops_after_last_window`: whether the simulation stops after the last window (systemc::stop).
   void arm(std::unique_ptr<wave::Writer> writer, std::vector<wave::Window> windows, std::uint64_t first_clock,
-           bool stops);
+           bool stops_after_last_window);
 
   /// Wall time spent on sampling and writing since arm().
   [[nodiscard]] std::chrono::duration<double> writing() const { return writing_; }

@@ -9,7 +9,7 @@
 
 namespace csgsim::wave {
 
-/// A long text that is written in pieces of about 64 KiB.
+/// Buffers a long text and writes it in pieces of about 64 KiB.
 class Pieces {
  public:
   explicit Pieces(std::function<void(std::string_view)> write) : write_(std::move(write)) {}

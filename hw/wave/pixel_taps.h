@@ -12,7 +12,7 @@
 
 namespace csgsim::wave {
 
-/// Name of the part under which a probed pixel's taps are listed.
+/// Part name `pixel_X_Y` under which the taps of a probed pixel are listed.
 std::string part_of(Pixel pixel);
 
 /// One tap `PART.FIELD` per named field of a pixel's memory: fields of one bit as bits, depths as numbers, others in

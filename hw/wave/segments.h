@@ -1,4 +1,4 @@
-// Segments of pixels, for waves.
+// Segments that contain probed pixels, for waves.
 // Used by hw/multi_processor, hw/pixel_planes, hw/pixel_square and hw/scan_line.
 #pragma once
 
@@ -18,7 +18,7 @@ std::uint32_t segment_of(Pixel pixel, const isa::Program& program);
 /// Top left corner of a segment's region, as `x,y`.
 std::string place_of(const isa::Segment& segment);
 
-/// Throws InputError if tree levels are requested. Called for machines without multiplier trees.
+/// For machines without multiplier trees: throws InputError if tree levels are requested.
 void check_no_trees(const Request& request);
 
 }  // namespace csgsim::wave

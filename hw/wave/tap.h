@@ -11,7 +11,7 @@
 
 namespace csgsim::wave {
 
-/// How a viewer shows a tap.
+/// Format in which a viewer shows a tap.
 enum class Show : std::uint8_t { bits, number, hexadecimal, text };
 
 /// Value of a wire or register in a clock; empty if there is no valid value.
@@ -47,7 +47,7 @@ inline Tap text(std::string name, std::function<std::string()> text) {
 /// Appends `more` to `taps`.
 void add(std::vector<Tap> more, std::vector<Tap>& taps);
 
-/// The name as a valid word of a tap's name: other characters become `_`.
+/// Converts `name` to a valid word of a tap's name: other characters than letters, digits and `_` become `_`.
 std::string identifier(std::string_view name);
 
 }  // namespace csgsim::wave
