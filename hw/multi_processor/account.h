@@ -23,9 +23,9 @@ inline constexpr auto bus_activity_names = std::to_array<std::string_view>({"bus
 inline constexpr auto node_activity_names =
     std::to_array<std::string_view>({"receiving", "pruning", "sharing", "rendering", "waiting"});
 
-constexpr std::string_view name_of(DisplayActivity one) { return display_activity_names[std::size_t(one)]; }
-constexpr std::string_view name_of(BusActivity one) { return bus_activity_names[std::size_t(one)]; }
-constexpr std::string_view name_of(NodeActivity one) { return node_activity_names[std::size_t(one)]; }
+constexpr std::string_view name_of(DisplayActivity activity) { return display_activity_names[std::size_t(activity)]; }
+constexpr std::string_view name_of(BusActivity activity) { return bus_activity_names[std::size_t(activity)]; }
+constexpr std::string_view name_of(NodeActivity activity) { return node_activity_names[std::size_t(activity)]; }
 
 /// Clocks by activity.
 using DisplayClocks = machines::ClockTally<DisplayActivity, display_activity_names.size()>;

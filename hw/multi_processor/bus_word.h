@@ -16,16 +16,16 @@ enum class WordKind : std::uint8_t {
   command,  ///< part of a command of hw/isa/wire.h
   frame,    ///< part of a record of the frame (records.h)
   segment,  ///< part of a record of a segment
-  heads,    ///< as `segment`, for a segment whose half-spaces stay with the display processor
+  heads,    ///< like `segment`, for a segment whose half-spaces stay with the display processor
   request,  ///< part of a node's request for one of these half-spaces
-  answer,   ///< part of the record that answers it
-  pause,    ///< end of transmission for now: all nodes render what they have received
+  answer,   ///< part of the record that is sent in reply
+  pause,    ///< the sender pauses: all nodes render what they have received
 };
 
 /// Whether the word belongs to the records of a segment.
 constexpr bool is_segment_record(WordKind kind) { return kind == WordKind::segment || kind == WordKind::heads; }
 
-/// Whether the word belongs to a read of a half-space, before which a node was dividing.
+/// Whether the word belongs to the read of a half-space by a node that divides.
 constexpr bool is_halfspace_read(WordKind kind) { return kind == WordKind::request || kind == WordKind::answer; }
 
 /// A master's word for the bus.

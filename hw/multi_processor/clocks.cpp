@@ -12,29 +12,30 @@ namespace {
 
 using machines::Machine;
 
-/// Clocks of the loops over the node's pixels around an operation of `at_each` clocks.
-std::uint64_t pass_clocks(const NodePixels& own, std::uint64_t at_each, const Figures& figures) {
-  return own.count() * (at_each + figures.loop.pixel) + own.rows * std::uint64_t{figures.loop.row};
+/// Clocks of an operation at all of the node's pixels, including the enclosing loops.
+std::uint64_t pass_clocks(const NodePixels& node_pixels, std::uint64_t clocks_per_pixel, const Figures& figures) {
+  return node_pixels.count() * (clocks_per_pixel + figures.loop.pixel) +
+         node_pixels.rows * std::uint64_t{figures.loop.row};
 }
 
 /// Clocks of the loops that enclose the loop over instructions.
-std::uint64_t outer_clocks(const NodePixels& own, const Figures& figures) {
+std::uint64_t outer_clocks(const NodePixels& node_pixels, const Figures& figures) {
   switch (figures.order) {
     case RenderingOrder::segment: return 0;
-    case RenderingOrder::scan_line: return own.rows * std::uint64_t{figures.loop.row};
-    case RenderingOrder::pixel: return pass_clocks(own, 0, figures);
+    case RenderingOrder::scan_line: return node_pixels.rows * std::uint64_t{figures.loop.row};
+    case RenderingOrder::pixel: return pass_clocks(node_pixels, 0, figures);
   }
   return 0;
 }
 
 constexpr std::uint64_t bits_a_word = 64;  ///< bits in a word of a plane
 
-/// Mask for each word of a plane's row that selects the pixels of the node's first `columns` columns.
-std::vector<std::uint64_t> row_mask(const machines::PixelActivity& met, const NodePixels& own, std::uint64_t columns,
-                                    const isa::ArrayShape& nodes) {
+/// For each word of a plane's row, a mask that selects the pixels of the node's first `columns` columns.
+std::vector<std::uint64_t> row_mask(const machines::PixelActivity& met, const NodePixels& node_pixels,
+                                    std::uint64_t columns, const isa::ArrayShape& nodes) {
   std::vector<std::uint64_t> mask(met.row_words);
   for (std::uint64_t column = 0; column < columns; ++column) {
-    const std::uint64_t x = own.first_x + column * nodes.width;
+    const std::uint64_t x = node_pixels.first_x + column * nodes.width;
     mask[static_cast<std::size_t>(x / bits_a_word)] |= std::uint64_t{1} << x % bits_a_word;
   }
   return mask;
@@ -99,10 +100,10 @@ machines::PixelClocks all_pixel_clocks(const isa::Segment& segment, std::size_t 
   return {(own.count() - enabled) * costs.disabled + clocks, clocks};
 }
 
-std::uint64_t clearing_clocks(const NodePixels& own, const Machine& machine) {
+std::uint64_t clearing_clocks(const NodePixels& node_pixels, const Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
   const std::uint64_t memory_words = quotient_up(machine.array.memory_bits, figures.word_bits) + 1;
-  return pass_clocks(own, memory_words * figures.operations.write, figures);
+  return pass_clocks(node_pixels, memory_words * figures.operations.write, figures);
 }
 
 RenderingClocks::RenderingClocks(const ListPart& part, const Machine& machine)
@@ -132,32 +133,33 @@ void RenderingClocks::compute_weights() {
   }
 }
 
-std::uint64_t RenderingClocks::list_clocks(const NodePixels& own) const {
-  std::uint64_t clocks = outer_clocks(own, figures_) + chain_ + once_ + own.rows * row_ + own.count() * pixel_;
-  if (part_.begins) clocks += clearing_clocks(own, machine_);
+std::uint64_t RenderingClocks::list_clocks(const NodePixels& node_pixels) const {
+  std::uint64_t clocks =
+      outer_clocks(node_pixels, figures_) + chain_ + once_ + node_pixels.rows * row_ + node_pixels.count() * pixel_;
+  if (part_.begins) clocks += clearing_clocks(node_pixels, machine_);
   if (weights_.empty()) return clocks;
-  const PlaneCounts counts(*part_.met, own, machine_.array);
+  const PlaneCounts counts(*part_.met, node_pixels, machine_.array);
   for (const Weight& one : weights_) clocks += one.clocks * counts.all(one.plane);
   return clocks;
 }
 
-std::uint64_t RenderingClocks::all(const NodePixels& own, isa::Field colour) const {
-  if (own.count() == 0) return 0;
+std::uint64_t RenderingClocks::all(const NodePixels& node_pixels, isa::Field colour) const {
+  if (node_pixels.count() == 0) return 0;
   const bool has_instructions = !costs_.empty();
-  const std::uint64_t clocks = has_instructions ? list_clocks(own) : 0;
+  const std::uint64_t clocks = has_instructions ? list_clocks(node_pixels) : 0;
   if (!part_.ends || colour.width == 0) return clocks;
   const bool is_background = part_.begins && !has_instructions;
   const std::uint64_t words = quotient_up(colour.width, figures_.word_bits);
   const std::uint64_t reads = is_background ? 0 : words * figures_.operations.read;
-  return clocks + pass_clocks(own, reads + words * figures_.operations.write, figures_);
+  return clocks + pass_clocks(node_pixels, reads + words * figures_.operations.write, figures_);
 }
 
 /// Each enclosing loop, from the outermost inwards, has begun once for every row or pixel before this one.
-std::vector<machines::ClockSpan> RenderingClocks::spans_at(const NodePixels& own, std::uint32_t column,
+std::vector<machines::ClockSpan> RenderingClocks::spans_at(const NodePixels& node_pixels, std::uint32_t column,
                                                            std::uint32_t row) const {
   if (costs_.empty()) return {};  // without instructions there are no planes to count
   std::optional<PlaneCounts> counts;
-  if (part_.met != nullptr) counts.emplace(*part_.met, own, machine_.array);
+  if (part_.met != nullptr) counts.emplace(*part_.met, node_pixels, machine_.array);
   const auto at_pixels = [&](std::size_t i, std::uint64_t begin, std::uint64_t end) {
     const PixelCosts& costs = costs_[i].at_pixel;
     if (!counts) return (end - begin) * costs.maximum();
@@ -174,11 +176,11 @@ std::vector<machines::ClockSpan> RenderingClocks::spans_at(const NodePixels& own
     for (std::size_t i = 0; i < costs_.size(); ++i) sum += clocks(i, rows, begin, end);
     return sum;
   };
-  const std::uint64_t row_begin = std::uint64_t{row} * own.columns;
+  const std::uint64_t row_begin = std::uint64_t{row} * node_pixels.columns;
   const std::uint64_t here = row_begin + column;
-  std::uint64_t now = (part_.begins ? clearing_clocks(own, machine_) : 0) + chain_;
+  std::uint64_t now = (part_.begins ? clearing_clocks(node_pixels, machine_) : 0) + chain_;
   if (figures_.order != RenderingOrder::segment) {
-    now += outer_clocks({.columns = own.columns, .rows = row}, figures_) + clocks_of_all(row, 0, row_begin);
+    now += outer_clocks({.columns = node_pixels.columns, .rows = row}, figures_) + clocks_of_all(row, 0, row_begin);
     if (figures_.order == RenderingOrder::pixel)
       now += column * std::uint64_t{figures_.loop.pixel} + clocks_of_all(0, row_begin, here);
   }
@@ -189,11 +191,11 @@ std::vector<machines::ClockSpan> RenderingClocks::spans_at(const NodePixels& own
     switch (figures_.order) {
       case RenderingOrder::segment:
         begin = now + clocks(i, row, 0, here);
-        now += clocks(i, own.rows, 0, own.count());
+        now += clocks(i, node_pixels.rows, 0, node_pixels.count());
         break;
       case RenderingOrder::scan_line:
         begin = now + clocks(i, 1, row_begin, here);
-        now += clocks(i, 1, row_begin, row_begin + own.columns);
+        now += clocks(i, 1, row_begin, row_begin + node_pixels.columns);
         break;
       case RenderingOrder::pixel: now += clocks(i, 0, here, here + 1); break;
     }

@@ -20,7 +20,8 @@ namespace csgsim::multi_processor {
 /// start of a row.
 std::uint64_t pixel_clocks(const isa::Instruction& instruction, const machines::Machine& machine);
 
-/// Clocks of an instruction of a subsegment at all its pixels, over all nodes. `met`: as in ListPart.
+/// Clocks that an instruction takes at all pixels of its subsegment, summed over the nodes. `met`: measured activity,
+/// or null without a run.
 machines::PixelClocks all_pixel_clocks(const isa::Segment& segment, std::size_t index, const machines::Machine& machine,
                                        const machines::PixelActivity* met);
 
@@ -29,14 +30,15 @@ struct ListPart {
   std::span<const isa::Instruction> instructions;
   bool begins = true;  ///< no earlier part of the list has been executed
   bool ends = true;    ///< no part of the list follows
-  /// Pixels of the subsegment that each instruction of the whole list met in a run; null without a run: then each
-  /// instruction is charged its maximum at each pixel.
+  /// Measured activity of the subsegment's pixels at each instruction of the whole list; null without a run, in which
+  /// case each instruction is charged its maximum at each pixel.
   const machines::PixelActivity* met = nullptr;
   std::size_t first = 0;  ///< number of instructions of the list before this part
   ListForm form{};
 };
 
-/// Clocks of a node for a list part, for any set of the subsegment's pixels; the costs are computed once.
+/// Clocks that a node takes for a list part, for any set of the subsegment's pixels. The constructor computes the costs
+/// of the instructions.
 class RenderingClocks {
  public:
   /// The machine, and the data that `part` refers to, must outlive this object.
@@ -45,11 +47,11 @@ class RenderingClocks {
   /// Clocks at all of the node's pixels: clearing of memory if the part begins the list, execution, and storing of the
   /// colours if the part ends the list. A list without instructions stores the background. `colour`: field of pixel
   /// memory; width 0 if there is none.
-  [[nodiscard]] std::uint64_t all(const NodePixels& own, isa::Field colour) const;
+  [[nodiscard]] std::uint64_t all(const NodePixels& node_pixels, isa::Field colour) const;
 
-  /// Clocks of each instruction, counted from the start of the rendering, in which it executes at one of the
-  /// node's pixels.
-  [[nodiscard]] std::vector<machines::ClockSpan> spans_at(const NodePixels& own, std::uint32_t column,
+  /// For each instruction, the clocks, counted from the start of the rendering, in which the node executes it at its
+  /// pixel in the given column and row of `node_pixels`.
+  [[nodiscard]] std::vector<machines::ClockSpan> spans_at(const NodePixels& node_pixels, std::uint32_t column,
                                                           std::uint32_t row) const;
 
  private:
@@ -60,7 +62,7 @@ class RenderingClocks {
   };
 
   void compute_weights();
-  [[nodiscard]] std::uint64_t list_clocks(const NodePixels& own) const;
+  [[nodiscard]] std::uint64_t list_clocks(const NodePixels& node_pixels) const;
 
   const ListPart part_;
   const machines::Machine& machine_;
@@ -73,10 +75,10 @@ class RenderingClocks {
   std::vector<Weight> weights_;  ///< corrections for the pixels of planes
 };
 
-/// Initial clocks of a rendering, in which memory and enable of all of the node's pixels are cleared.
-std::uint64_t clearing_clocks(const NodePixels& own, const machines::Machine& machine);
+/// Clocks at the start of a rendering in which the node clears memory and enable of all its pixels.
+std::uint64_t clearing_clocks(const NodePixels& node_pixels, const machines::Machine& machine);
 
-/// Upper bound of the clocks of any node for a list at all pixels of a region; may be rounded.
+/// Upper bound of the clocks that any node takes for a list at all pixels of a region; may be rounded.
 double max_rendering_clocks(std::span<const isa::Instruction> list, const isa::Region& region, const ListForm& form,
                             const machines::Machine& machine);
 

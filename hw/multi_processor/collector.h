@@ -15,6 +15,7 @@ namespace csgsim::multi_processor {
 /// Port through which nodes report what they have executed.
 class CollectorPort : virtual public sc_core::sc_interface {
  public:
+  /// The state that a report after instruction `index` of the subsegment must contain.
   [[nodiscard]] virtual systemc::Keep required_after(const isa::Region& region, std::uint32_t index) = 0;
   /// Called for each instruction of the subsegment, in order.
   virtual void after_instruction(std::uint32_t node, NodeState state) = 0;

@@ -134,9 +134,9 @@ void DisplayProcessor::on_bus_word() {
   if (is_command) --lists_to_come_;
 }
 
-void DisplayProcessor::take_request(const BusRequest& sent) {
-  append(request_, sent.word, bus_width_);
-  if (!sent.last) return;
+void DisplayProcessor::take_request(const BusRequest& bus_word) {
+  append(request_, bus_word.word, bus_width_);
+  if (!bus_word.last) return;
   request_pending_ = true;
   request_received_.notify(sc_core::SC_ZERO_TIME);
 }
@@ -214,20 +214,20 @@ void DisplayProcessor::end_broadcast() {
   activities_.change(DisplayActivity::waiting_for_nodes, time_.now());
 }
 
-void DisplayProcessor::send(const isa::Command& command, bool last) {
+void DisplayProcessor::send(const isa::Command& command, bool is_last) {
   std::vector<isa::LinkWord> words;
   isa::encode(command, bus_width_, [&](const isa::LinkWord& word) { words.push_back(word); });
   for (std::size_t i = 0; i < words.size(); ++i) {
-    send({.number = 0, .kind = WordKind::command, .last = last && i + 1 == words.size(), .word = words[i]});
+    send({.number = 0, .kind = WordKind::command, .last = is_last && i + 1 == words.size(), .word = words[i]});
   }
 }
 
-void DisplayProcessor::send(const Records& records, WordKind kind, bool last) {
+void DisplayProcessor::send(const Records& records, WordKind kind, bool is_last) {
   for (std::size_t record = 0; record < records.size(); ++record) {
     const std::vector<isa::LinkWord> words = division::to_link(records[record], bus_width_);
     for (std::size_t i = 0; i < words.size(); ++i) {
-      const bool is_last = last && record + 1 == records.size() && i + 1 == words.size();
-      send({.number = 0, .kind = kind, .last = is_last, .word = words[i]});
+      const bool is_last_word = is_last && record + 1 == records.size() && i + 1 == words.size();
+      send({.number = 0, .kind = kind, .last = is_last_word, .word = words[i]});
     }
   }
 }

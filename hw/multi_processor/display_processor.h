@@ -52,7 +52,7 @@ class DisplayProcessor final : public sc_core::sc_module {
   void receive_model();
   void spend(DisplayActivity activity, std::uint64_t clocks);
   division::Candidates prune(const isa::Region& segment);
-  void take_request(const BusRequest& sent);
+  void take_request(const BusRequest& bus_word);
   void answer_request();
   [[nodiscard]] std::uint64_t remote_plane_clocks() const;
   void draw_segment(const isa::Region& segment);
@@ -61,8 +61,8 @@ class DisplayProcessor final : public sc_core::sc_module {
   [[nodiscard]] std::uint64_t memory_words(const Records& records) const;
   void begin_broadcast();
   void end_broadcast();
-  void send(const isa::Command& command, bool last);
-  void send(const Records& records, WordKind kind, bool last);
+  void send(const isa::Command& command, bool is_last);
+  void send(const Records& records, WordKind kind, bool is_last);
   void send(const BusRequest& word);
   void wait_for_nodes();
 

@@ -103,13 +103,14 @@ void ListRenderer::by_pixel() {
   }
 }
 
-void ListRenderer::execute_row(std::size_t index, std::uint32_t row, std::uint64_t sum, std::uint64_t step) {
-  const isa::Linear& linear = list_[index].linear;
+void ListRenderer::execute_row(std::size_t instruction_index, std::uint32_t row, std::uint64_t sum,
+                               std::uint64_t step) {
+  const isa::Linear& linear = list_[instruction_index].linear;
   for_each_in_row(row, [&](std::size_t pixel, std::uint32_t /*column*/) {
-    const PixelStart pixel_start = begin(index, pixel);
-    act(index, pixel, sum);
+    const PixelStart pixel_start = begin(instruction_index, pixel);
+    act(instruction_index, pixel, sum);
     if (linear.width > 0) processor_.add(linear, sum, step);
-    end(index, pixel, pixel_start);
+    end(instruction_index, pixel, pixel_start);
   });
 }
 
@@ -118,29 +119,29 @@ void ListRenderer::fetch(const isa::Instruction& instruction) {
   processor_.fetch(instruction, form_);
 }
 
-/// Begins an instruction at a pixel.
-ListRenderer::PixelStart ListRenderer::begin(std::size_t index, std::size_t pixel) {
+/// Begins an instruction at a pixel: tests the enable bit.
+ListRenderer::PixelStart ListRenderer::begin(std::size_t instruction_index, std::size_t pixel) {
   const PixelStart pixel_start{processor_.clocks(), processor_.unbranched_clocks(), memory_.enabled(pixel)};
-  steps_[index].enabled_pixels += pixel_start.is_enabled ? 1U : 0U;
-  processor_.test_enable(list_[index], memory_, pixel);
+  steps_[instruction_index].enabled_pixels += pixel_start.is_enabled ? 1U : 0U;
+  processor_.test_enable(list_[instruction_index], memory_, pixel);
   return pixel_start;
 }
 
-void ListRenderer::act(std::size_t index, std::size_t pixel, std::uint64_t sum) {
-  NodeState& step = steps_[index];
-  processor_.act(list_[index], memory_, pixel, sum);
-  if (keeps_[index] != systemc::Keep::nothing) step.pixels.copy(pixel, memory_);
+void ListRenderer::act(std::size_t instruction_index, std::size_t pixel, std::uint64_t sum) {
+  NodeState& step = steps_[instruction_index];
+  processor_.act(list_[instruction_index], memory_, pixel, sum);
+  if (keeps_[instruction_index] != systemc::Keep::nothing) step.pixels.copy(pixel, memory_);
 }
 
-void ListRenderer::end(std::size_t index, std::size_t pixel, const PixelStart& pixel_start) {
-  NodeState& step = steps_[index];
+void ListRenderer::end(std::size_t instruction_index, std::size_t pixel, const PixelStart& pixel_start) {
+  NodeState& step = steps_[instruction_index];
   const std::uint64_t clocks = processor_.clocks() - pixel_start.clocks;
   step.clocks = processor_.unbranched_clocks() - pixel_start.unbranched_clocks;
   step.pixel_clocks += clocks;
   if (pixel_start.is_enabled) step.enabled_clocks += clocks;
   for (const Watched& one : watched_) {
     if (one.pixel == pixel)
-      one.moments->push_back({index, {pixel_start.clocks, processor_.clocks()}, memory_.of(pixel)});
+      one.moments->push_back({instruction_index, {pixel_start.clocks, processor_.clocks()}, memory_.of(pixel)});
   }
 }
 
@@ -154,11 +155,11 @@ std::vector<std::uint32_t> ListRenderer::store_colours(isa::Field colour) {
   return colours;
 }
 
-std::uint64_t background_clocks(const Figures& figures, const NodePixels& own, isa::Field colour) {
+std::uint64_t background_clocks(const Figures& figures, const NodePixels& node_pixels, isa::Field colour) {
   WordProcessor processor(figures);
   if (colour.width == 0) return 0;
-  for (std::uint32_t row = 0; row < own.rows; ++row) {
-    for (std::uint32_t column = 0; column < own.columns; ++column) {
+  for (std::uint32_t row = 0; row < node_pixels.rows; ++row) {
+    for (std::uint32_t column = 0; column < node_pixels.columns; ++column) {
       processor.store_colour(colour);
       processor.count_pixel();
     }

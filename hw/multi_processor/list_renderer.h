@@ -26,8 +26,8 @@ struct PixelMoment {
 /// Executes a subsegment's list at a node's pixels in the configured loop order, and counts clocks while doing so.
 class ListRenderer {
  public:
-  /// `keeps`: what to keep after each instruction. `before`: the pixels after the earlier instructions of the list;
-  /// empty if there are none. All references must outlive the renderer.
+  /// `keeps`: for each instruction, the state to record after it. `before`: the pixels after the earlier instructions
+  /// of the list; empty if there are none. All references must outlive the renderer.
   ListRenderer(const Figures& figures, const isa::ArrayShape& nodes, std::span<const isa::Instruction> list,
                const ListForm& form, std::span<const systemc::Keep> keeps, const NodePixels& own,
                const PixelMemory& before);
@@ -38,12 +38,12 @@ class ListRenderer {
   /// Executes the list; clears memory before its first instruction, and builds the native program if used.
   void render();
 
-  /// Copies the colours of the pixels, in row order, to the image memory.
+  /// Stores the colours of the pixels in the image memory, and returns them in row order.
   std::vector<std::uint32_t> store_colours(isa::Field colour);
 
   [[nodiscard]] std::uint64_t clocks() const { return processor_.clocks(); }
 
-  /// States of the pixels after each instruction; the index is that of the instruction.
+  /// States of the pixels after each instruction, by index of the instruction.
   [[nodiscard]] std::vector<NodeState>& steps() { return steps_; }
   [[nodiscard]] PixelMemory& memory() { return memory_; }
 
@@ -70,10 +70,10 @@ class ListRenderer {
   void by_scan_line();
   void by_pixel();
   void fetch(const isa::Instruction& instruction);
-  PixelStart begin(std::size_t index, std::size_t pixel);
-  void act(std::size_t index, std::size_t pixel, std::uint64_t sum);
-  void end(std::size_t index, std::size_t pixel, const PixelStart& pixel_start);
-  void execute_row(std::size_t index, std::uint32_t row, std::uint64_t sum, std::uint64_t step);
+  PixelStart begin(std::size_t instruction_index, std::size_t pixel);
+  void act(std::size_t instruction_index, std::size_t pixel, std::uint64_t sum);
+  void end(std::size_t instruction_index, std::size_t pixel, const PixelStart& pixel_start);
+  void execute_row(std::size_t instruction_index, std::uint32_t row, std::uint64_t sum, std::uint64_t step);
 
   [[nodiscard]] std::uint32_t x_of(std::uint32_t column) const { return own_.first_x + column * nodes_.width; }
   [[nodiscard]] std::uint32_t y_of(std::uint32_t row) const { return own_.first_y + row * nodes_.height; }
@@ -93,6 +93,6 @@ class ListRenderer {
 };
 
 /// Clocks in which a node sets its pixels to the background colour.
-std::uint64_t background_clocks(const Figures& figures, const NodePixels& own, isa::Field colour);
+std::uint64_t background_clocks(const Figures& figures, const NodePixels& node_pixels, isa::Field colour);
 
 }  // namespace csgsim::multi_processor

@@ -11,11 +11,14 @@
 
 namespace csgsim::multi_processor {
 
-/// Bits of a command of a list; and widths of the numbers in an instruction of it, the opcode first.
+/// Number of bits of a command in a list.
 std::uint64_t entry_bits(const isa::Command& command, const ListForm& form);
+
+/// Widths in bits of the numbers of an instruction in a list, the opcode first.
 std::vector<unsigned> entry_widths(const isa::Instruction& instruction, const ListForm& form);
 
-/// Bus words of a command of the list of `square`. `model`: the node's copy; number n refers to plane n.
+/// Bus words of a command in the list of the subsegment `square`. `model`: the node's copy of the model; half-space
+/// number n refers to its plane n.
 std::vector<isa::LinkWord> entry_words(const isa::Command& command, const ListForm& form,
                                        const division::DisplayModel& model, const isa::Region& square,
                                        unsigned word_bits);

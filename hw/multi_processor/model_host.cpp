@@ -26,14 +26,14 @@ void ModelHost::work() {
   }
 }
 
-isa::LinkWord ModelHost::word_from(std::uint64_t first) const {
+isa::LinkWord ModelHost::word_from(std::uint64_t first_bit) const {
   isa::LinkWord sent;
-  for (std::uint64_t bit = first; bit < std::min(first + link_.width, bits()); ++bit) {
+  for (std::uint64_t bit = first_bit; bit < std::min(first_bit + link_.width, bits()); ++bit) {
     const std::uint64_t place = bit - length_bits;
     const std::uint64_t value = bit < length_bits
                                     ? model_.size() >> bit
                                     : std::uint64_t{model_[static_cast<std::size_t>(place / 8)]} >> place % 8;
-    sent.put(static_cast<unsigned>(bit - first), 1, value & 1U);
+    sent.put(static_cast<unsigned>(bit - first_bit), 1, value & 1U);
   }
   return sent;
 }

@@ -43,17 +43,17 @@ void Node::begin() {
   activities_.begin(NodeActivity::waiting, time_.now());
 }
 
-void Node::add_counts(FrameAccount& counted) const {
-  counted.second_box_tests += tests_.boxes;
-  counted.second_halfspace_tests += tests_.halfspaces;
-  counted.second_cell_tests += tests_.cells;
-  counted.second_tree_nodes += tests_.nodes;
-  counted.shared_words += words_ - first_word_;
-  counted.nodes.push_back(account());
+void Node::add_counts(FrameAccount& frame_counts) const {
+  frame_counts.second_box_tests += tests_.boxes;
+  frame_counts.second_halfspace_tests += tests_.halfspaces;
+  frame_counts.second_cell_tests += tests_.cells;
+  frame_counts.second_tree_nodes += tests_.nodes;
+  frame_counts.shared_words += words_ - first_word_;
+  frame_counts.nodes.push_back(account());
   // StageWatch counts these clocks as sharing, since it sees only an idle bus.
-  counted.stages.second_pruning += turn_dividing_clocks_;
-  counted.stages.sharing -= turn_dividing_clocks_;
-  if (number_ == 0) counted.list_passes = passes_;
+  frame_counts.stages.second_pruning += turn_dividing_clocks_;
+  frame_counts.stages.sharing -= turn_dividing_clocks_;
+  if (number_ == 0) frame_counts.list_passes = passes_;
 }
 
 /// Receiving a word occupies the node for the time that the word is on the bus.
@@ -63,11 +63,11 @@ void Node::on_word() {
   take_from_node(lines.sent);
 }
 
-void Node::take_from_display(const BusRequest& sent) {
-  if (sent.kind == WordKind::answer) return take_answer(sent);
+void Node::take_from_display(const BusRequest& bus_word) {
+  if (bus_word.kind == WordKind::answer) return take_answer(bus_word);
   if (!receiving_) begin_receiving();
-  if (sent.kind != WordKind::command) return take_record(sent);
-  const std::optional<isa::Command> command = decoder_.take(sent.word);
+  if (bus_word.kind != WordKind::command) return take_record(bus_word);
+  const std::optional<isa::Command> command = decoder_.take(bus_word.word);
   if (!command) return;
   if (const auto* start = std::get_if<isa::SegmentStart>(&*command)) return begin_segment(start->region);
   receiving_ = false;
@@ -82,14 +82,14 @@ void Node::begin_segment(const isa::Region& segment) {
   lists_received_ = 0;
 }
 
-void Node::take_from_node(const BusRequest& sent) {
-  if (sent.kind == WordKind::request) return;
+void Node::take_from_node(const BusRequest& bus_word) {
+  if (bus_word.kind == WordKind::request) return;
   if (!sharing_) begin_sharing(time_.now() - bus_word_clocks_ - bus_latency_);
-  if (sent.kind == WordKind::command) {
-    if (const auto command = entries_.take(sent.word, form_, records_.model())) take_list_command(*command);
+  if (bus_word.kind == WordKind::command) {
+    if (const auto command = entries_.take(bus_word.word, form_, records_.model())) take_list_command(*command);
   }
-  if (!sent.last) return;
-  paused_ = sent.kind == WordKind::pause || is_remote_;
+  if (!bus_word.last) return;
+  paused_ = bus_word.kind == WordKind::pause || is_remote_;
   if (paused_ || lists_received_ == parts_.size()) {
     sharing_ = false;
     activities_.change(NodeActivity::waiting, time_.now());
@@ -119,7 +119,7 @@ void Node::take_list_command(const isa::Command& command) {
   update_room_line();
 }
 
-/// A sending node already holds in memory what it sends, so it always has room.
+/// A sending node always has room, because its memory already holds the commands that it sends.
 void Node::update_room_line() {
   const std::uint32_t max_words = quotient_up(std::uint32_t{isa::LinkWord::most_bits}, figures_.word_bits);
   room->pull(number_, !sending_ && room_for_lists() - own_.words() - list_words_ < max_words);
@@ -147,13 +147,13 @@ void Node::begin_receiving() {
   activities_.change(NodeActivity::receiving, time_.now() - bus_word_clocks_);
 }
 
-void Node::take_record(const BusRequest& sent) {
-  if (is_segment_record(sent.kind) && !std::exchange(is_active_, true)) {
-    is_remote_ = sent.kind == WordKind::heads;
+void Node::take_record(const BusRequest& bus_word) {
+  if (is_segment_record(bus_word.kind) && !std::exchange(is_active_, true)) {
+    is_remote_ = bus_word.kind == WordKind::heads;
     records_.begin_segment(!is_remote_);
   }
-  records_.take(sent.word);
-  if (sent.kind == WordKind::frame && sent.last) begin_frame();
+  records_.take(bus_word.word);
+  if (bus_word.kind == WordKind::frame && bus_word.last) begin_frame();
 }
 
 void Node::begin_frame() {
@@ -206,7 +206,8 @@ void Node::wait_for_others() {
   while (released.read() < arrivals_) wait(released.value_changed_event());
 }
 
-/// Builds the part of the node's own list that fits; half of the room is reserved for the other nodes' lists.
+/// Builds the part of the node's own list that fits half of the free memory; the other half is reserved for the lists
+/// of other nodes.
 void Node::prune() {
   own_.clear();
   if (number_ < parts_.size() && !is_remote_) {
@@ -235,7 +236,7 @@ void Node::draw_lists() {
   if (!lists_.empty()) render_lists();
 }
 
-/// Sends the part of the list that the node has built and the other nodes have room for.
+/// Sends commands that the node has built, as long as the other nodes have room for them.
 void Node::send_list() {
   if (!own_.has_unsent()) {
     dividing_since_ = time_.now();
@@ -257,14 +258,15 @@ void Node::send_list() {
   update_room_line();
 }
 
-void Node::send(const isa::Command& command, bool last) {
+void Node::send(const isa::Command& command, bool is_last) {
   const std::vector<isa::LinkWord> words = entry_words(command, form_, records_.model(), parts_[number_], bus_width_);
-  for (std::size_t i = 0; i < words.size(); ++i) send_word(WordKind::command, words[i], last && i + 1 == words.size());
+  for (std::size_t i = 0; i < words.size(); ++i)
+    send_word(WordKind::command, words[i], is_last && i + 1 == words.size());
 }
 
 /// Returns when the word has been transferred.
-void Node::send_word(WordKind kind, const isa::LinkWord& word, bool last) {
-  request.write({.number = ++words_, .kind = kind, .last = last, .word = word});
+void Node::send_word(WordKind kind, const isa::LinkWord& word, bool is_last) {
+  request.write({.number = ++words_, .kind = kind, .last = is_last, .word = word});
   do {
     wait(bus.value_changed_event());
   } while (bus.read().master != master_of(number_) || bus.read().sent.number != words_);
@@ -327,11 +329,11 @@ void Node::clear_segment() {
   wait_for_others();
 }
 
-void Node::store(const isa::Region& region, const NodePixels& own, const std::vector<std::uint32_t>& colours) {
-  for (std::uint32_t row = 0; row < own.rows; ++row) {
-    const std::size_t y = (region.y + own.first_y) / nodes_.height + row;
-    const std::size_t x = (region.x + own.first_x) / nodes_.width;
-    std::copy_n(&colours[std::size_t{row} * own.columns], own.columns, &image_[y * image_columns_ + x]);
+void Node::store(const isa::Region& region, const NodePixels& node_pixels, const std::vector<std::uint32_t>& colours) {
+  for (std::uint32_t row = 0; row < node_pixels.rows; ++row) {
+    const std::size_t y = (region.y + node_pixels.first_y) / nodes_.height + row;
+    const std::size_t x = (region.x + node_pixels.first_x) / nodes_.width;
+    std::copy_n(&colours[std::size_t{row} * node_pixels.columns], node_pixels.columns, &image_[y * image_columns_ + x]);
   }
 }
 

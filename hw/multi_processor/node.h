@@ -25,7 +25,7 @@
 
 namespace csgsim::multi_processor {
 
-/// The list of a subsegment, or the part of it that came over the bus before the nodes rendered what they had received.
+/// The list of a subsegment, or a part of that list that was received before a pause.
 struct List {
   isa::Region region;
   std::size_t first = 0;  ///< instructions of the subsegment in earlier parts
@@ -74,8 +74,8 @@ class Node final : public sc_core::sc_module {
   void begin();
 
   [[nodiscard]] NodeClocks account() const { return activities_.clocks(time_.now()); }
-  /// Adds the node's counts to those of the frame.
-  void add_counts(FrameAccount& counted) const;
+  /// Adds the node's counts to `frame_counts`.
+  void add_counts(FrameAccount& frame_counts) const;
 
   // Shown in waves.
   [[nodiscard]] std::string_view activity() const { return name_of(activities_.now()); }
@@ -86,7 +86,7 @@ class Node final : public sc_core::sc_module {
   }
   [[nodiscard]] bool is_stalled() const { return screen_.is_in_turn(time_.now()); }
   [[nodiscard]] const SavedPixels& saved() const { return saved_; }
-  /// Whether the node holds colours, of the current frame or of the previous one.
+  /// Whether the node holds colours, either of the current frame or of the previous frame.
   [[nodiscard]] bool has_image() const { return !image_.empty(); }
 
   /// Colour that the node holds for a pixel of the picture.
@@ -98,10 +98,10 @@ class Node final : public sc_core::sc_module {
   class FarDatapath;
 
   void on_word();
-  void take_from_display(const BusRequest& sent);
-  void take_from_node(const BusRequest& sent);
+  void take_from_display(const BusRequest& bus_word);
+  void take_from_node(const BusRequest& bus_word);
   void begin_receiving();
-  void take_record(const BusRequest& sent);
+  void take_record(const BusRequest& bus_word);
   void begin_frame();
   void begin_segment(const isa::Region& segment);
   void take_list_command(const isa::Command& command);
@@ -114,9 +114,9 @@ class Node final : public sc_core::sc_module {
   void send_built();
   ReadHalfspace read_halfspace(const HalfspaceId& id);
   [[nodiscard]] std::uint64_t screen_turn_clocks(std::uint64_t start_clock);
-  void take_answer(const BusRequest& sent);
-  void send_word(WordKind kind, const isa::LinkWord& word, bool last);
-  void send(const isa::Command& command, bool last);
+  void take_answer(const BusRequest& bus_word);
+  void send_word(WordKind kind, const isa::LinkWord& word, bool is_last);
+  void send(const isa::Command& command, bool is_last);
   void render_lists();
   void render(const List& list);
   void clear(const isa::Region& region);
@@ -129,7 +129,7 @@ class Node final : public sc_core::sc_module {
   [[nodiscard]] std::uint64_t room_for_lists() const;
   [[nodiscard]] ListForm choose_list_form() const;
 
-  void store(const isa::Region& region, const NodePixels& own, const std::vector<std::uint32_t>& colours);
+  void store(const isa::Region& region, const NodePixels& node_pixels, const std::vector<std::uint32_t>& colours);
   [[nodiscard]] NodePixels own_pixels(const isa::Region& region) const;
 
   TimeBase time_;

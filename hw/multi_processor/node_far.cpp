@@ -11,7 +11,7 @@
 
 namespace csgsim::multi_processor {
 
-/// Reads each half-space that is tested over the bus, and extends the list meanwhile.
+/// Reads each tested half-space over the bus, and meanwhile extends the list.
 class Node::FarDatapath final : public division::Datapath {
  public:
   explicit FarDatapath(Node& node)
@@ -98,10 +98,10 @@ std::uint64_t Node::screen_turn_clocks(std::uint64_t start_clock) {
   return clocks;
 }
 
-void Node::take_answer(const BusRequest& sent) {
+void Node::take_answer(const BusRequest& bus_word) {
   if (!awaiting_answer_) return;
-  append(answer_, sent.word, bus_width_);
-  if (!sent.last) return;
+  append(answer_, bus_word.word, bus_width_);
+  if (!bus_word.last) return;
   awaiting_answer_ = false;
   answered_.notify(sc_core::SC_ZERO_TIME);
 }

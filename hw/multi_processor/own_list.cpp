@@ -50,8 +50,9 @@ class TimedDatapath final : public division::Datapath {
 
 }  // namespace
 
-void OwnList::begin(const isa::Region& part, const RecordReader& records, const ListForm& form, std::uint64_t room) {
-  begin(room);
+void OwnList::begin(const isa::Region& part, const RecordReader& records, const ListForm& form,
+                    std::uint64_t room_words) {
+  begin(room_words);
   form_ = form;
   TimedDatapath path(records.model(), node_test_costs(records.format(), figures_), form, figures_.number_clocks);
   const division::Divided divided = division::Divider(records.model()).divide(part, records.survivors(), path);
@@ -65,10 +66,10 @@ void OwnList::begin(const isa::Region& part, const RecordReader& records, const 
   commands_.push_back({isa::SegmentEnd{}, path.now(), path.now()});
 }
 
-void OwnList::begin(std::uint64_t room) {
+void OwnList::begin(std::uint64_t room_words) {
   clear();
   form_ = {};
-  room_ = room;
+  room_ = room_words;
 }
 
 void OwnList::put(const isa::Command& command) {

@@ -18,17 +18,17 @@ class OwnList {
  public:
   explicit OwnList(const Figures& figures) : figures_(figures) {}
 
-  /// Begins the list of a subsegment of the segment whose records were received; `room` is the words available at a
-  /// time.
-  void begin(const isa::Region& part, const RecordReader& records, const ListForm& form, std::uint64_t room);
+  /// Begins the list of the subsegment `part` of the segment whose records were received. The node's memory holds at
+  /// most `room_words` words of the list at a time.
+  void begin(const isa::Region& part, const RecordReader& records, const ListForm& form, std::uint64_t room_words);
   /// Begins an empty list, for a node without a subsegment.
   void clear();
 
   /// Builds until the list is complete or the next command has no room. Returns the clocks spent.
   std::uint64_t build();
 
-  /// Begins a list whose commands are supplied with put(), each if has_room_for() it.
-  void begin(std::uint64_t room);
+  /// Begins a list whose commands are supplied with put(); each call requires has_room_for().
+  void begin(std::uint64_t room_words);
   [[nodiscard]] bool has_room_for(const isa::Command& command) const { return words_ + words_of(command) <= room_; }
   void put(const isa::Command& command);
 

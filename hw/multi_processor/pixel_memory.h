@@ -24,7 +24,7 @@ class PixelMemory {
   [[nodiscard]] bool enabled(std::size_t pixel) const { return enable_[pixel] != 0; }
   void enable(std::size_t pixel, bool value) { enable_[pixel] = value ? 1 : 0; }
 
-  /// Returns 0 for a field without bits.
+  /// The value of a field of the pixel; 0 for a field of width 0.
   [[nodiscard]] std::uint64_t read(std::size_t pixel, isa::Field field) const {
     return systemc::read_field(std::span(memory_).subspan(pixel * pixel_words_, pixel_words_), field);
   }
@@ -39,15 +39,15 @@ class PixelMemory {
     return one;
   }
 
-  /// Copies a pixel from a memory of equal shape.
-  void copy(std::size_t pixel, const PixelMemory& from) {
+  /// Copies one pixel from `source`, a memory of equal shape.
+  void copy(std::size_t pixel, const PixelMemory& source) {
     for (std::size_t i = 0; i < pixel_words_; ++i) {
-      memory_[pixel * pixel_words_ + i] = from.memory_[pixel * pixel_words_ + i];
+      memory_[pixel * pixel_words_ + i] = source.memory_[pixel * pixel_words_ + i];
     }
-    enable_[pixel] = from.enable_[pixel];
+    enable_[pixel] = source.enable_[pixel];
   }
 
-  /// Writes the low bits of the value.
+  /// Writes the low bits of `value` to the field.
   void write(std::size_t pixel, isa::Field field, std::uint64_t value) {
     systemc::write_field(std::span(memory_).subspan(pixel * pixel_words_, pixel_words_), field, value);
   }

@@ -4,8 +4,9 @@
 
 namespace csgsim::multi_processor {
 
-/// Replaces each member that is machines::not_priced by the clocks of its task (hw/host/node_recipes.h) at the prices
-/// of its processor, times the compiler factor, rounded up. An unpriced compiler factor becomes the processor's.
+/// Replaces each member that is machines::not_priced. A clock count becomes the clocks of its task
+/// (hw/host/node_recipes.h) on its processor, times the compiler factor, rounded up. A compiler factor becomes that of
+/// the processor.
 void price(Figures& figures);
 
 }  // namespace csgsim::multi_processor

@@ -149,10 +149,10 @@ Records segment_heads(const DisplayModel& model, const division::Candidates& sur
   return records;
 }
 
-void append(BitWriter& gathered, const isa::LinkWord& word, unsigned word_bits) {
+void append(BitWriter& bits, const isa::LinkWord& word, unsigned word_bits) {
   for (unsigned at = 0; at < word_bits; at += max_bits) {
     const unsigned count = std::min(max_bits, word_bits - at);
-    gathered.put(word.number(at, count), count);
+    bits.put(word.number(at, count), count);
   }
 }
 

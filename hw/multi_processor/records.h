@@ -42,10 +42,11 @@ struct RecordFormat {
 
 using Records = std::vector<division::Bits>;
 
-/// Records of a valid model, for the frame and for the survivors of a segment.
+/// Records of the frame for a valid model.
 Records frame_records(const division::DisplayModel& model);
+/// Records of a segment with its surviving primitives and half-spaces.
 Records segment_records(const division::DisplayModel& model, const division::Candidates& survivors);
-/// Records of a segment without the half-spaces.
+/// Records of a segment with its surviving primitives, without their half-spaces.
 Records segment_heads(const division::DisplayModel& model, const division::Candidates& survivors);
 
 /// Identifies a surviving half-space.
@@ -63,10 +64,10 @@ HalfspaceId decode_request(const division::DisplayModel& model, const division::
 division::Bits halfspace_record(const division::DisplayModel& model, const division::Candidates& survivors,
                                 const HalfspaceId& id);
 
-/// Appends a word of the bus.
-void append(division::BitWriter& gathered, const isa::LinkWord& word, unsigned word_bits);
+/// Appends the `word_bits` bits of a bus word to `bits`.
+void append(division::BitWriter& bits, const isa::LinkWord& word, unsigned word_bits);
 
-/// A half-space with its plane, which it shares with no other.
+/// A half-space with its plane, which is not shared with other half-spaces.
 struct ReadHalfspace {
   division::Halfspace halfspace;
   division::Plane plane;
@@ -75,16 +76,18 @@ struct ReadHalfspace {
 /// Receiver of records: collects words into records, and records into the model and the survivors of a segment.
 class RecordReader {
  public:
-  /// Word widths of the bus, and of the memory that holds the records.
+  /// `word_bits`: width of a bus word. `memory_word_bits`: width of a word of the memory that holds the records.
   RecordReader(unsigned word_bits, unsigned memory_word_bits)
       : word_bits_(word_bits), memory_word_bits_(memory_word_bits) {}
 
-  /// Expects the records of a frame, or of a segment of the received frame. `with_halfspaces`: the half-spaces are
-  /// sent with the records and do not stay with the display processor.
+  /// Expects the records of a frame.
   void begin_frame();
+  /// Expects the records of a segment of the received frame. `with_halfspaces`: whether these include the half-spaces,
+  /// or the half-spaces stay with the display processor.
   void begin_segment(bool with_halfspaces = true);
 
-  /// Throws InputError for a word after the last record, and if the records do not form a valid model.
+  /// Accepts the next word. Throws InputError for a word after the last record, and if the records do not form a valid
+  /// model.
   void take(const isa::LinkWord& word);
 
   /// Whether the frame or the segment has been received completely.
@@ -94,8 +97,9 @@ class RecordReader {
   [[nodiscard]] const division::DisplayModel& model() const { return model_; }
   /// Survivors of the segment.
   [[nodiscard]] const division::Candidates& survivors() const { return survivors_; }
-  /// Used in a segment sent without half-spaces: encodes the request for one, and decodes the record that answers it.
+  /// Encodes the request for a half-space, in a segment that was sent without half-spaces.
   [[nodiscard]] division::Bits encode_request(const HalfspaceId& id) const;
+  /// Decodes the record that is sent in reply to such a request.
   [[nodiscard]] ReadHalfspace decode_halfspace(const division::Bits& record) const;
   /// Format of the received frame.
   [[nodiscard]] const RecordFormat& format() const { return format_; }

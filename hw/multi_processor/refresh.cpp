@@ -25,7 +25,7 @@ Refresh::Refresh(const isa::FrameHeader& header, const machines::Machine& machin
   turns_per_second_ = figures.rate * quotient_up(pixels * header.colour.width, std::uint64_t{figures.bits});
 }
 
-/// Number of clocks before `clock` that are in no turn.
+/// Number of clocks before `clock` that do not belong to a turn.
 std::uint64_t Refresh::free_until(std::uint64_t clock) const {
   if (turns_per_second_ == 0 || clock == 0) return clock;
   const auto turns = static_cast<std::uint64_t>(Wide{clock - 1} * turns_per_second_ / clock_hz_);
@@ -34,11 +34,11 @@ std::uint64_t Refresh::free_until(std::uint64_t clock) const {
   return clock - (turns - 1) * turn_clocks_ - std::min(turn_clocks_, clock - last);
 }
 
-std::uint64_t Refresh::end_of(std::uint64_t begin, std::uint64_t clocks) const {
-  if (turns_per_second_ == 0 || clocks == 0) return begin + clocks;
-  const std::uint64_t required = free_until(begin) + clocks;
-  std::uint64_t end = begin + clocks;
-  // No omitted clock is counted twice, so the loop stops at the first end with enough free clocks.
+std::uint64_t Refresh::end_of(std::uint64_t begin_clock, std::uint64_t work_clocks) const {
+  if (turns_per_second_ == 0 || work_clocks == 0) return begin_clock + work_clocks;
+  const std::uint64_t required = free_until(begin_clock) + work_clocks;
+  std::uint64_t end = begin_clock + work_clocks;
+  // No omitted clock is counted twice, so the loop stops at the first end with enough free work_clocks.
   for (std::uint64_t free = free_until(end); free < required; free = free_until(end)) end += required - free;
   return end;
 }

@@ -8,8 +8,9 @@
 /// Analytic model of the turns in which the screen reads the nodes' memories.
 namespace csgsim::multi_processor {
 
-/// The nodes are stalled during a turn. Clocks are counted from the frame's first, and turns from 1: turn k begins with
-/// the first clock that starts at least k / (turns per second) after the start of the frame.
+/// Computes when the nodes, which stall during turns, finish their work. Clocks are counted from the frame's first
+/// clock, and turns from 1: turn k begins with the first clock that starts at least k / (turns per second) after the
+/// start of the frame.
 class Refresh {
  public:
   /// Turns for the picture of the node with the most pixels.
@@ -18,8 +19,9 @@ class Refresh {
   [[nodiscard]] bool takes_turns() const { return turns_per_second_ > 0; }
   [[nodiscard]] std::uint64_t turns_per_second() const { return turns_per_second_; }
 
-  /// Clock in which a node finishes `clocks` clocks of work that start at clock `begin`; `begin` if there is no work.
-  [[nodiscard]] std::uint64_t end_of(std::uint64_t begin, std::uint64_t clocks) const;
+  /// Clock in which a node finishes `work_clocks` clocks of work that start at clock `begin_clock`; `begin_clock` if
+  /// `work_clocks` is 0.
+  [[nodiscard]] std::uint64_t end_of(std::uint64_t begin_clock, std::uint64_t work_clocks) const;
 
  private:
   [[nodiscard]] std::uint64_t free_until(std::uint64_t clock) const;

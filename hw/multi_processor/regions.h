@@ -24,7 +24,8 @@ struct NodePixels {
   [[nodiscard]] std::uint64_t count() const { return std::uint64_t{columns} * rows; }
 };
 
-/// Node (row, column) of the array holds the pixels of the picture with y mod height = row and x mod width = column.
+/// The pixels of `region` that node (row, column) of the array holds: those of the picture with y mod height = row and
+/// x mod width = column.
 NodePixels pixels_of(const isa::Region& region, const isa::ArrayShape& array, std::uint32_t row, std::uint32_t column);
 
 }  // namespace csgsim::multi_processor

@@ -8,7 +8,7 @@
 
 namespace csgsim::multi_processor {
 
-/// The turns in which the screen reads a node's memory and the node stalls, computed one after the other.
+/// Computes, one after the other, the turns in which the screen reads a node's memory and the node stalls.
 class ScreenTurns {
  public:
   ScreenTurns(const RefreshFigures& figures, std::uint64_t clock_hz) : figures_(figures), clock_hz_(clock_hz) {}

@@ -10,10 +10,11 @@
 
 namespace csgsim::multi_processor {
 
-/// Clocks of a processor for the counted tests.
-constexpr std::uint64_t clocks_of(const division::Counts& counts, const TestClocks& each) {
-  return counts.boxes * each.primitive + counts.halfspaces * each.halfspace + counts.cells * each.cell +
-         counts.nodes * each.tree_node + counts.instructions * each.instruction;
+/// Clocks that a processor takes for the counted tests, at `test_clocks` each.
+constexpr std::uint64_t clocks_of(const division::Counts& counts, const TestClocks& test_clocks) {
+  return counts.boxes * test_clocks.primitive + counts.halfspaces * test_clocks.halfspace +
+         counts.cells * test_clocks.cell + counts.nodes * test_clocks.tree_node +
+         counts.instructions * test_clocks.instruction;
 }
 
 /// Clocks of a node's tests, including unpacking of the tested numbers.

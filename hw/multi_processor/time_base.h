@@ -10,8 +10,8 @@
 
 namespace csgsim::multi_processor {
 
-/// The common clock of all units. Its edges are not simulated: a unit that cannot be disturbed sleeps for a whole
-/// number of clocks.
+/// The common clock of all units. Its edges are not simulated: a unit sleeps for a whole number of clocks while no
+/// other unit affects its work.
 class TimeBase {
  public:
   explicit TimeBase(const machines::Machine& machine) : period_(systemc::period_of(machine)) {}

@@ -359,7 +359,7 @@ std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeli
   const Refresh refresh(isa::frame_header(program), machine);
   std::vector<StartedPart> parts;
   if (const std::optional<ListForm> form = form_of_whole(program, machine, segment)) {
-    // The timeline holds the first clock in which a node executes the list.
+    // The timeline contains the first clock in which a node executes the list.
     const machines::PixelActivity* const met = timeline.met.empty() ? nullptr : &timeline.met[segment];
     parts.push_back(
         {{.instructions = part.instructions, .met = met, .form = *form}, timeline.cleared[segment].begin + 1, 0});

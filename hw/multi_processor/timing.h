@@ -21,8 +21,8 @@ struct FrameClocks {
   FrameAccount account;
 };
 
-/// Computes the timing stage by stage; the clocked modules count the same. `met`: as in machines::RunOutcome; if it is
-/// empty and nodes branch, the result is an upper bound.
+/// Computes the timing stage by stage; the clocked modules must count the same clocks. `met`: as in
+/// machines::RunOutcome; if `met` is empty and nodes branch, the result is an upper bound.
 FrameClocks time_stages(const isa::Program& program, const machines::Machine& machine,
                         std::span<const machines::PixelActivity> met = {});
 
@@ -34,7 +34,7 @@ struct StartedPart {
   std::uint64_t end = 0;
 };
 
-/// Parts of a subsegment, in order. `met`: as in time_stages; it must outlive the result.
+/// Parts of the list of subsegment `segment`, in order. `met`: as in time_stages; must outlive the result.
 std::vector<StartedPart> started_parts(const isa::Program& program, const machines::Machine& machine,
                                        std::uint32_t segment, std::span<const machines::PixelActivity> met = {});
 

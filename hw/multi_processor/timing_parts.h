@@ -32,10 +32,10 @@ SegmentDivision division_of(Subsegments parts);
 /// Test clocks of a node, including unpacking of a box, a half-space without its colour, or a node of the tree.
 TestClocks node_test_clocks(const ModelSizes& sizes, const Figures& figures);
 
-/// Words of a subsegment's list; each command begins at a word.
+/// Words of a subsegment's list; each command begins at a new word.
 std::uint64_t list_words(const isa::Segment& part, std::uint32_t word_bits);
 
-/// Words of the host's link.
+/// Words of the display model, and of its length, on the host's link.
 std::uint64_t host_words(const isa::Program& program, std::uint32_t word_bits);
 
 /// Contents of the display processor's memory.
@@ -44,7 +44,7 @@ struct DisplayMemory {
   bool has_planes =
       true;  ///< otherwise the model is stored without its planes, which are read from the host when tested
 
-  /// Whether memory can also hold the survivors of a segment.
+  /// Whether the display processor's memory has room for the survivors of a segment in addition.
   [[nodiscard]] bool holds(const SegmentDivision& division, const ModelSizes& sizes, const Figures& figures) const;
 };
 

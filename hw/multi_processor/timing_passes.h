@@ -25,7 +25,7 @@ struct Piece {
 struct Message {
   std::size_t node = 0;
   std::uint64_t divided = 0;   ///< clocks in which the node extends its list before it requests the bus
-  std::uint64_t reads = 0;     ///< half-spaces that it reads over the bus meanwhile
+  std::uint64_t reads = 0;     ///< half-spaces that the node reads over the bus in these clocks
   std::uint64_t words = 0;     ///< words on the bus
   std::optional<Piece> piece;  ///< none if a node has no room for the first command
   bool pauses = false;         ///< all nodes render what they have received, and the sender continues

@@ -64,15 +64,15 @@ void WordProcessor::shift_words(unsigned bits, unsigned places) {
   }
 }
 
-/// Unpacks a number that begins at bit `place` of a word: its bits in other words are shifted into place, and its last
-/// word is masked.
-void WordProcessor::unpack(unsigned bits, unsigned place) {
+/// Unpacks a number that begins at bit `first_bit` of a word: its bits in other words are shifted into place, and its
+/// last word is masked.
+void WordProcessor::unpack(unsigned bits, unsigned first_bit) {
   spend(field_clocks_);
-  const std::uint64_t from = words(place + bits);
-  for (std::uint64_t word = 0; place > 0 && word < words(bits); ++word) {
-    shift_word(place);
+  const std::uint64_t from = words(first_bit + bits);
+  for (std::uint64_t word = 0; first_bit > 0 && word < words(bits); ++word) {
+    shift_word(first_bit);
     if (word + 1 == from) continue;
-    shift_word(word_bits_ - place);
+    shift_word(word_bits_ - first_bit);
     combine_words(1);
   }
   if (bits % word_bits_ != 0) combine_words(1);
@@ -108,14 +108,15 @@ std::uint64_t WordProcessor::read(const PixelMemory& memory, std::size_t pixel, 
   return memory.read(pixel, field);
 }
 
-void WordProcessor::write_enable(PixelMemory& memory, std::size_t pixel, bool value) {
+void WordProcessor::write_enable(PixelMemory& memory, std::size_t pixel, bool is_enabled) {
   write_words(1);
-  memory.enable(pixel, value);
+  memory.enable(pixel, is_enabled);
 }
 
-void WordProcessor::write(PixelMemory& memory, std::size_t pixel, isa::Field field, std::uint64_t value, bool where) {
+void WordProcessor::write(PixelMemory& memory, std::size_t pixel, isa::Field field, std::uint64_t value,
+                          bool is_selected) {
   write_words(field.width);
-  if (where) memory.write(pixel, field, value);
+  if (is_selected) memory.write(pixel, field, value);
 }
 
 /// The low `width` bits as a two's complement number, arithmetically shifted right (floor).
@@ -147,7 +148,7 @@ void WordProcessor::act(const isa::Instruction& instruction, PixelMemory& memory
 }
 
 void WordProcessor::carry_out(const isa::Instruction& instruction, PixelMemory& memory, std::size_t pixel,
-                              std::int64_t f) {
+                              std::int64_t linear_value) {
   using isa::Opcode;
   const isa::Field first = instruction.fields[0];
   const isa::Field second = instruction.fields[1];
@@ -164,7 +165,7 @@ void WordProcessor::carry_out(const isa::Instruction& instruction, PixelMemory& 
     return number;
   };
   const auto number = [&](isa::Field field) { return static_cast<std::int64_t>(take(field)); };
-  const auto load = [&](bool where) { write_linear(instruction, memory, pixel, f, where && e); };
+  const auto load = [&](bool where) { write_linear(instruction, memory, pixel, linear_value, where && e); };
   const auto keep = [&](bool where) {
     branch(!where);
     load(where);
@@ -179,17 +180,17 @@ void WordProcessor::carry_out(const isa::Instruction& instruction, PixelMemory& 
     case Opcode::enable_and: return enable(e && bit);
     case Opcode::enable_and_not: return enable(e && !bit);
     case Opcode::enable_store: return write(memory, pixel, first, e ? 1 : 0, true);
-    case Opcode::edge_not_negative: compare_words(1); return enable(f >= 0 && e);
+    case Opcode::edge_not_negative: compare_words(1); return enable(linear_value >= 0 && e);
     case Opcode::edge_negative:
-    case Opcode::stripe: compare_words(1); return enable(f < 0 && e);
-    case Opcode::linear_ge: return enable(f >= compare_operand() && e);
-    case Opcode::linear_gt: return enable(f > compare_operand() && e);
-    case Opcode::linear_le: return enable(f <= compare_operand() && e);
-    case Opcode::linear_lt: return enable(f < compare_operand() && e);
-    case Opcode::linear_eq: return enable(f == compare_operand() && e);
+    case Opcode::stripe: compare_words(1); return enable(linear_value < 0 && e);
+    case Opcode::linear_ge: return enable(linear_value >= compare_operand() && e);
+    case Opcode::linear_gt: return enable(linear_value > compare_operand() && e);
+    case Opcode::linear_le: return enable(linear_value <= compare_operand() && e);
+    case Opcode::linear_lt: return enable(linear_value < compare_operand() && e);
+    case Opcode::linear_eq: return enable(linear_value == compare_operand() && e);
     case Opcode::load_linear: return load(true);
-    case Opcode::keep_max: return keep(f > compare_operand());
-    case Opcode::keep_min: return keep(f < compare_operand());
+    case Opcode::keep_max: return keep(linear_value > compare_operand());
+    case Opcode::keep_min: return keep(linear_value < compare_operand());
     case Opcode::set_constant: return put(instruction.constant);
     case Opcode::copy: return put(take(second));
     case Opcode::field_lt: return enable(compare_operand() < number(second) && e);
@@ -204,8 +205,12 @@ void WordProcessor::carry_out(const isa::Instruction& instruction, PixelMemory& 
     case Opcode::add: add_words(first.width); return put(take(first) + take(second));
     case Opcode::global_or:
     case Opcode::skip_if_none: return;
-    case Opcode::linear_plus: add_words(linear.width); return put(static_cast<std::uint64_t>(f) + take(first));
-    case Opcode::linear_minus: add_words(linear.width); return put(static_cast<std::uint64_t>(f) - take(first));
+    case Opcode::linear_plus:
+      add_words(linear.width);
+      return put(static_cast<std::uint64_t>(linear_value) + take(first));
+    case Opcode::linear_minus:
+      add_words(linear.width);
+      return put(static_cast<std::uint64_t>(linear_value) - take(first));
     case Opcode::root: return put(root_of(take(first), first.width / 2U));
     case Opcode::squares: throw std::logic_error("squares instruction on a machine of degree 1");
   }
@@ -234,14 +239,14 @@ std::uint64_t WordProcessor::root_of(std::uint64_t field, unsigned bits) {
   return static_cast<std::uint64_t>(root) << (bits + 1) | left;
 }
 
-/// Writes F to the target field where `where` is true, and disables the pixel if F does not fit there.
+/// Writes F to the target field where `is_selected` is true, and disables the pixel if F does not fit there.
 void WordProcessor::write_linear(const isa::Instruction& instruction, PixelMemory& memory, std::size_t pixel,
-                                 std::int64_t f, bool where) {
+                                 std::int64_t linear_value, bool is_selected) {
   const isa::Field target = instruction.fields[0];
-  write(memory, pixel, target, static_cast<std::uint64_t>(f), where);
+  write(memory, pixel, target, static_cast<std::uint64_t>(linear_value), is_selected);
   compare_words(instruction.linear.width);
-  const bool fits = f >= 0 && f >> target.width == 0;
-  write_enable(memory, pixel, memory.enabled(pixel) && (fits || !where));
+  const bool fits = linear_value >= 0 && linear_value >> target.width == 0;
+  write_enable(memory, pixel, memory.enabled(pixel) && (fits || !is_selected));
 }
 
 }  // namespace csgsim::multi_processor

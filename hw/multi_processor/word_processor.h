@@ -29,7 +29,7 @@ class WordProcessor {
   /// Clocks if no branch were taken.
   [[nodiscard]] std::uint64_t unbranched_clocks() const { return unbranched_clocks_; }
 
-  /// Counts an iteration of the loop over pixels, or over rows.
+  // Count an iteration of the loop over pixels, or over rows.
   void count_pixel() { spend(loop_.pixel); }
   void count_row() { spend(loop_.row); }
 
@@ -54,13 +54,14 @@ class WordProcessor {
   /// Computes A*x + B*y + C, modulo 2^64.
   std::uint64_t start(const isa::Linear& linear, std::uint32_t x, std::uint32_t y);
 
-  /// Increment of F over that distance; the coefficient is A or B.
+  /// Increment of F over `distance` pixels in x or y; `coefficient` is A or B.
   std::uint64_t step(const isa::Linear& linear, std::int64_t coefficient, std::uint32_t distance);
 
-  /// Advances the sum to the next pixel or row.
+  /// Advances `sum` to the next pixel or row by adding `step`.
   void add(const isa::Linear& linear, std::uint64_t& sum, std::uint64_t step);
 
-  /// Tests E at the start of every instruction; may branch over the rest of it at the pixel.
+  /// Tests the enable bit E at the start of every instruction. If the node branches over disabled pixels and E is 0,
+  /// skips the instruction at this pixel.
   void test_enable(const isa::Instruction& instruction, const PixelMemory& memory, std::size_t pixel);
 
   /// Executes the rest of a valid instruction at a pixel whose E was tested and whose sum is computed.
@@ -83,7 +84,7 @@ class WordProcessor {
     unbranched_clocks_ += clocks;
     if (!skipping_) clocks_ += clocks;
   }
-  /// Branches over the rest of the instruction.
+  /// Counts a branch; if taken, skips the rest of the instruction.
   void branch(bool is_taken);
 
   void read_words(unsigned bits) { spend(words(bits) * operations_.read); }
@@ -94,17 +95,18 @@ class WordProcessor {
 
   void shift_word(unsigned places) { spend(operations_.shift + std::uint64_t{operations_.shift_bit} * places); }
   void shift_words(unsigned bits, unsigned places);
-  void unpack(unsigned bits, unsigned place);
+  void unpack(unsigned bits, unsigned first_bit);
 
   std::uint64_t multiply(const isa::Linear& linear, std::int64_t coefficient, std::uint32_t factor);
   std::uint64_t read(const PixelMemory& memory, std::size_t pixel, isa::Field field);
-  void write_enable(PixelMemory& memory, std::size_t pixel, bool value);
-  void write(PixelMemory& memory, std::size_t pixel, isa::Field field, std::uint64_t value, bool where);
+  void write_enable(PixelMemory& memory, std::size_t pixel, bool is_enabled);
+  void write(PixelMemory& memory, std::size_t pixel, isa::Field field, std::uint64_t value, bool is_selected);
   std::int64_t value_of(std::uint64_t sum, const isa::Linear& linear);
   std::uint64_t root_of(std::uint64_t field, unsigned bits);
-  void carry_out(const isa::Instruction& instruction, PixelMemory& memory, std::size_t pixel, std::int64_t f);
-  void write_linear(const isa::Instruction& instruction, PixelMemory& memory, std::size_t pixel, std::int64_t f,
-                    bool where);
+  void carry_out(const isa::Instruction& instruction, PixelMemory& memory, std::size_t pixel,
+                 std::int64_t linear_value);
+  void write_linear(const isa::Instruction& instruction, PixelMemory& memory, std::size_t pixel,
+                    std::int64_t linear_value, bool is_selected);
 
   std::uint32_t word_bits_;
   OperationClocks operations_;
