@@ -62,9 +62,9 @@ machines::Share utilisation(const SquareAccount& counts) {
 
 }  // namespace
 
-SquareClocks complete_clocks(SquareClocks counted, SquareActivity rest, std::uint64_t clocks) {
-  counted.add(rest, clocks - counted.total());
-  return counted;
+SquareClocks complete_clocks(SquareClocks counted_clocks, SquareActivity rest_activity, std::uint64_t frame_clocks) {
+  counted_clocks.add(rest_activity, frame_clocks - counted_clocks.total());
+  return counted_clocks;
 }
 
 machines::Account account(const SquareAccount& counts) {

@@ -37,12 +37,12 @@ constexpr std::string_view name_of(SquareActivity activity) {
 /// Clocks of one unit by activity; their sum is the frame's clocks.
 using SquareClocks = machines::ClockTally<SquareActivity, square_activity_names.size()>;
 
-/// Returns `counted` with the remaining clocks of a frame of `clocks` clocks added to activity `rest`.
-SquareClocks complete_clocks(SquareClocks counted, SquareActivity rest, std::uint64_t clocks);
+/// Returns `counted_clocks`, completed to `frame_clocks` clocks: the remaining clocks are added to `rest_activity`.
+SquareClocks complete_clocks(SquareClocks counted_clocks, SquareActivity rest_activity, std::uint64_t frame_clocks);
 
 /// Counts of the ring in one frame.
 struct RingAccount {
-  SquareClocks clocks;      ///< working: at least one channel carries a word
+  SquareClocks clocks;      ///< the ring is working while at least one channel carries a word
   std::uint64_t words = 0;  ///< number of words carried
   /// Clocks in which every channel carried a word, or the frame buffer accepted as many words as it can.
   std::uint64_t full_clocks = 0;

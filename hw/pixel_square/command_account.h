@@ -7,7 +7,7 @@
 
 namespace csgsim::pixel_square {
 
-/// Counts of a renderer's controller for a command that it issued. Only run listeners read them; no hardware does.
+/// Counts of a renderer's controller for an issued command. They are reported to run listeners, and model no hardware.
 struct CommandAccount {
   enum class Kind : std::uint8_t { start, instruction, end };
 

@@ -112,8 +112,8 @@ isa::Region CornerDivider::enclosing_group(const isa::Region& square) const {
   return {x, y, std::min(width, picture_.width - x), std::min(height, picture_.height - y)};
 }
 
-bool CornerDivider::share_divider(const isa::Region& one, const isa::Region& other) const {
-  return figures_.levels == 2 && enclosing_group(one) == enclosing_group(other);
+bool CornerDivider::share_divider(const isa::Region& first, const isa::Region& second) const {
+  return figures_.levels == 2 && enclosing_group(first) == enclosing_group(second);
 }
 
 SteppedDatapath::Callbacks CornerDivider::callbacks() {

@@ -21,7 +21,7 @@ namespace csgsim::pixel_square {
 /// State of a divider, for waves.
 struct DividerStatus {
   std::string_view state;  ///< `receiving`, `testing`, `writing`, `done`, or the name of the reason for waiting
-  std::optional<std::size_t> square;  ///< index of the square in progress
+  std::optional<std::size_t> square;  ///< index of the square that is being divided
 };
 
 /// A divider in the machine (thesis fig. 7.3, docs/machines/pixel-square.md). After the model has been received, it
@@ -36,7 +36,7 @@ class CornerDivider final : public sc_core::sc_module {
   void begin(const machines::Size& picture, std::span<const isa::Region> squares, std::vector<std::size_t> assigned);
 
   /// Whether both squares lie in one group, so that the same divider divides them.
-  [[nodiscard]] bool share_divider(const isa::Region& one, const isa::Region& other) const;
+  [[nodiscard]] bool share_divider(const isa::Region& first, const isa::Region& second) const;
 
   [[nodiscard]] Store& store() { return store_; }
   [[nodiscard]] const Store& store() const { return store_; }
@@ -75,7 +75,7 @@ class CornerDivider final : public sc_core::sc_module {
   std::optional<std::size_t> square_;         ///< square in progress
   bool begun_square_ = false;                 ///< whether part of the square is in the store
   SquareClocks clocks_;                       ///< counted since the model was received
-  std::uint64_t spent_ = 0;                   ///< clocks counted that have not elapsed yet
+  std::uint64_t spent_ = 0;                   ///< counted clocks for which the divider has not waited yet
   std::string_view state_;
   bool frame_pending_ = false;  ///< whether a frame has begun that the thread has not processed yet
   sc_core::sc_event begun_{"begun"};

@@ -88,8 +88,8 @@ struct Figures {
   constexpr bool operator==(const Figures&) const = default;
 };
 
-/// Number of finished squares, with `colour_bits` bits of colour per pixel, that can wait in addition to the one being
-/// drawn; 0 if squares leave from the pixels' own memory.
+/// Maximum number of finished squares, with `colour_bits` bits of colour per pixel, that can wait for the frame buffer
+/// while another square is drawn; 0 if squares leave from the pixels' own memory.
 constexpr std::uint64_t squares_waiting(const Figures& figures, std::uint32_t colour_bits) {
   if (figures.backing_bits == no_backing) return figures.buffers - 1;
   return figures.backing_bits / (colour_bits == 0 ? 1 : colour_bits);
@@ -109,7 +109,8 @@ constexpr std::uint32_t command_word_bits(const Figures& figures, std::uint32_t 
 }
 
 /// Bits stored for each half-space of the current surface (docs/machines/pixel-square.md): 251 for the half-space, and
-/// an index for each of 15 cell sizes: the half-space's place among those that remain in a cell of that size.
+/// an index for each of 15 cell sizes: the half-space's position in the list of half-spaces that remain in a cell of
+/// that size.
 constexpr std::uint64_t halfspace_entry_bits(const Figures& figures) {
   constexpr std::uint64_t itself = 251;
   constexpr std::uint64_t sizes = 15;

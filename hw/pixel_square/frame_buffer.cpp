@@ -121,7 +121,7 @@ bool FrameBuffer::any_pending() {
   return false;
 }
 
-/// Claims the bank in which the port's next word begins; a header word needs none.
+/// Claims the bank in which the port's next word begins, and returns whether it was free; a header word needs no bank.
 bool FrameBuffer::claim_bank(std::size_t port) {
   const Incoming& square = incoming_[port];
   if (square.gathered < header_bits) return true;
@@ -166,7 +166,7 @@ void FrameBuffer::clear(Incoming& square) {
   store(square, span_of(bits));
 }
 
-/// Number of bits in the next word that belong to the square.
+/// Number of bits of the next word that belong to the square.
 std::uint64_t FrameBuffer::bits_to_come(const Incoming& square) const {
   return std::min<std::uint64_t>(port_bits_, colour_bits(square) - square.next_bit);
 }
@@ -202,9 +202,9 @@ std::uint64_t FrameBuffer::colour_bits(const Incoming& square) const {
   return std::uint64_t{square.region.width} * square.region.height * contents_.colour_bits;
 }
 
-std::uint32_t& FrameBuffer::pixel(const Incoming& square, const Cursor& at) {
-  const std::size_t row = std::size_t{square.region.y} + at.y;
-  return picture_[row * contents_.picture.width + square.region.x + at.x];
+std::uint32_t& FrameBuffer::pixel(const Incoming& square, const Cursor& position) {
+  const std::size_t row = std::size_t{square.region.y} + position.y;
+  return picture_[row * contents_.picture.width + square.region.x + position.x];
 }
 
 }  // namespace csgsim::pixel_square

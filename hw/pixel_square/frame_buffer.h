@@ -43,11 +43,14 @@ class FrameBuffer final : public systemc::ClockedModule {
   /// changed.
   [[nodiscard]] std::span<const std::uint32_t> picture() const { return picture_; }
 
-  // State for waves: the port served last at the last edge, if any; the row that the screen reads, if any; the square
-  // that came through that port, with width 0 until its header is complete; and the number of complete squares.
+  // State for waves.
+  /// The port served last at the last edge, if any.
   [[nodiscard]] std::optional<std::size_t> served() const { return served_; }
+  /// The row that the screen reads, if any.
   [[nodiscard]] std::optional<std::uint32_t> refreshed() const { return screen_.row(); }
+  /// The square that came through the port served last; its width is 0 until its header is complete.
   [[nodiscard]] const isa::Region& served_square() const { return served_square_; }
+  /// Number of complete squares.
   [[nodiscard]] std::uint64_t squares() const { return squares_; }
 
   /// Clocks by activity in a frame of `clocks` clocks.
@@ -96,7 +99,7 @@ class FrameBuffer final : public systemc::ClockedModule {
   Cursor for_each_colour(const Incoming& square, const Visit& visit) const;
   void finish_if_whole(Incoming& square);
   [[nodiscard]] std::uint64_t colour_bits(const Incoming& square) const;
-  [[nodiscard]] std::uint32_t& pixel(const Incoming& square, const Cursor& at);
+  [[nodiscard]] std::uint32_t& pixel(const Incoming& square, const Cursor& position);
 
   const sc_core::sc_time period_;
   const std::uint32_t port_bits_;

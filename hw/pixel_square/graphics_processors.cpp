@@ -68,24 +68,24 @@ void GraphicsProcessors::on_clock() {
 }
 
 /// Releases the square and the renderer of a processor whose words have all left.
-void GraphicsProcessors::release(std::size_t number) {
-  Processor& processor = processors_[number];
-  if (!processor.all_sent || static_cast<std::size_t>(words[number].num_free()) < fifo_depth_) return;
+void GraphicsProcessors::release(std::size_t processor_index) {
+  Processor& processor = processors_[processor_index];
+  if (!processor.all_sent || static_cast<std::size_t>(words[processor_index].num_free()) < fifo_depth_) return;
   if (processor.renderer) reserved_[*processor.renderer] = false;
   processor.renderer.reset();
   processor.square.reset();
   processor.all_sent = false;
 }
 
-SquareActivity GraphicsProcessors::act(std::size_t number) {
-  Processor& processor = processors_[number];
+SquareActivity GraphicsProcessors::act(std::size_t processor_index) {
+  Processor& processor = processors_[processor_index];
   if (latency_left_ > 0) return SquareActivity::waiting_for_host;
   if (processor.all_sent) return SquareActivity::waiting_for_ring;
   if (!processor.square && !take_square(processor)) return SquareActivity::done;
   if (!processor.is_clear && !processor.renderer && !request_renderer(processor))
     return SquareActivity::waiting_for_renderer;
-  if (words[number].num_free() == 0) return SquareActivity::waiting_for_ring;
-  send(number);
+  if (words[processor_index].num_free() == 0) return SquareActivity::waiting_for_ring;
+  send(processor_index);
   return SquareActivity::working;
 }
 
@@ -117,10 +117,10 @@ RingWord GraphicsProcessors::next_word(const Processor& processor) const {
   return {{}, {slice_of({&header, 1}, processor.sent * word_bits_, word_bits_)}};
 }
 
-void GraphicsProcessors::send(std::size_t number) {
-  Processor& processor = processors_[number];
-  targets[number].write(processor.renderer.value_or(finished.size()));
-  words[number].nb_write(next_word(processor));
+void GraphicsProcessors::send(std::size_t processor_index) {
+  Processor& processor = processors_[processor_index];
+  targets[processor_index].write(processor.renderer.value_or(finished.size()));
+  words[processor_index].nb_write(next_word(processor));
   const std::size_t all = processor.is_clear ? quotient_up(header_bits, word_bits_) : processor.commands.size();
   processor.all_sent = ++processor.sent == all;
   if (!processor.all_sent || !processor.is_clear) return;
@@ -128,8 +128,8 @@ void GraphicsProcessors::send(std::size_t number) {
   ++skipped_;
 }
 
-void GraphicsProcessors::record(std::size_t number, SquareActivity activity) {
-  Processor& processor = processors_[number];
+void GraphicsProcessors::record(std::size_t processor_index, SquareActivity activity) {
+  Processor& processor = processors_[processor_index];
   processor.activity = activity;
   processor.clocks.add(activity);
   processor.status = {.state = activity == SquareActivity::working ? "sending" : name_of(activity),

@@ -21,8 +21,8 @@ namespace csgsim::pixel_square {
 
 /// Processors that divide the model. Each takes the next square, requests a renderer, and sends the square's commands
 /// to its port of the ring, one word per clock while there is room; for an empty square it sends a header to the frame
-/// buffer. It keeps the renderer, and takes no other square, until the ring has taken all of these words. Each
-/// processor sends what it compiled while the previous frame was drawn (hw/host).
+/// buffer. The processor keeps the renderer, and takes no other square, until the ring has taken all of these words.
+/// Each processor sends the commands that it compiled while the previous frame was drawn (hw/host).
 ///
 /// A processor requests a renderer before its first word. It is assigned the renderer with the fewest unfinished
 /// squares among those that no other processor keeps; ties go to the lowest number. A released renderer is available
@@ -66,13 +66,13 @@ class GraphicsProcessors final : public systemc::ClockedModule {
   void on_clock() override;
   [[nodiscard]] bool all_stalled() const;
   [[nodiscard]] bool all_done() const;
-  void release(std::size_t number);
-  SquareActivity act(std::size_t number);
+  void release(std::size_t processor_index);
+  SquareActivity act(std::size_t processor_index);
   bool take_square(Processor& processor);
   bool request_renderer(Processor& processor);
-  void send(std::size_t number);
+  void send(std::size_t processor_index);
   [[nodiscard]] RingWord next_word(const Processor& processor) const;
-  void record(std::size_t number, SquareActivity activity);
+  void record(std::size_t processor_index, SquareActivity activity);
 
   const sc_core::sc_time period_;
   const std::uint32_t word_bits_;

@@ -30,7 +30,7 @@ class ModelSource final : public systemc::ClockedModule {
     return complete_clocks(clocks_, SquareActivity::done, clocks);
   }
 
-  /// State for waves: the number of words sent, and the activity at the last edge.
+  // State for waves: the number of words sent, and the activity at the last edge.
   [[nodiscard]] std::uint64_t words_sent() const { return sent_ / link_.width; }
   [[nodiscard]] std::string_view state() const { return state_; }
 

@@ -11,12 +11,12 @@
 
 namespace csgsim::pixel_square {
 
-/// Sends finished squares to the frame buffer, one word per clock while there is room, from the first clock after the
-/// square has moved.
+/// Sends finished squares to the frame buffer, one word per clock while there is room. Sending starts in the first
+/// clock after the square has moved.
 /// - Two buffers: a square leaves from the second buffer, which bit planes enter and colours leave.
 /// - Backing store: a square leaves from there, after the squares that already wait in it.
 /// - One buffer: a square leaves from the pixels' memory. Each row is latched, `latch_bits` bits of all its pixels per
-///   clock, and transferred to a register once it is latched and the next word of colours needs it; while words are
+///   clock. It is transferred to a register once it is latched and the next word of colours needs it. While words are
 ///   sent from that register, the next row is latched.
 ///
 /// The pixels do not change a square that is moving or leaving.

@@ -33,8 +33,8 @@ namespace csgsim::pixel_square {
 ///           ├─▶ FIFO ─▶ renderer 1 ─▶ FIFO ─────▲  ▲
 ///           └─▶ FIFO of clears ────────────────────┘
 ///
-/// If the machine has dividers, the host is replaced by a FIFO for the model, its receiver, the dividers with one
-/// store each, and the unit that sends the stored squares.
+/// If the machine has dividers, the host is replaced by a FIFO for the model, a receiver for that FIFO, the dividers
+/// with one store each, and the unit that sends the stored squares.
 ///
 /// If it has graphics processors, a ring connects the FIFOs of processors and renderers on its input side to those of
 /// renderers and frame buffer on its output side:
@@ -66,7 +66,7 @@ class PixelSquareMachine final : public sc_core::sc_module, public systemc::Cloc
     std::unique_ptr<GraphicsProcessors> processors;
   };
 
-  /// Present with graphics processors: the ring, its input FIFOs, and the FIFOs that it fills for the frame buffer.
+  /// The ring, its input FIFOs, and the FIFOs from the ring to the frame buffer; used only with graphics processors.
   struct RingParts {
     explicit RingParts(const machines::Machine& machine);
 

@@ -21,23 +21,23 @@ isa::Region region_of(std::uint64_t header) {
   return {number(0), number(1), number(2), number(3)};
 }
 
-void put_bits(std::span<std::uint64_t> into, std::uint64_t first, unsigned count, std::uint64_t value) {
-  if (count == 0) return;
-  const auto place = static_cast<unsigned>(first % 64);
-  into[first / 64] |= value << place;
-  if (place + count > 64) into[first / 64 + 1] |= value >> (64 - place);
+void put_bits(std::span<std::uint64_t> words, std::uint64_t first_bit, unsigned bit_count, std::uint64_t value) {
+  if (bit_count == 0) return;
+  const auto place = static_cast<unsigned>(first_bit % 64);
+  words[first_bit / 64] |= value << place;
+  if (place + bit_count > 64) words[first_bit / 64 + 1] |= value >> (64 - place);
 }
 
-PortBits slice_of(std::span<const std::uint64_t> bits, std::uint64_t first, std::uint32_t count) {
-  PortBits slice((count + 63U) / 64U);
-  const auto shift = static_cast<unsigned>(first % 64);
+PortBits slice_of(std::span<const std::uint64_t> bits, std::uint64_t first_bit, std::uint32_t bit_count) {
+  PortBits slice((bit_count + 63U) / 64U);
+  const auto shift = static_cast<unsigned>(first_bit % 64);
   const auto at = [&](std::uint64_t index) { return index < bits.size() ? bits[index] : 0; };
   for (std::size_t i = 0; i < slice.size(); ++i) {
-    const std::uint64_t from = first / 64 + i;
+    const std::uint64_t from = first_bit / 64 + i;
     slice[i] = at(from) >> shift;
     if (shift > 0) slice[i] |= at(from + 1) << (64 - shift);
   }
-  if (count % 64 > 0) slice.back() &= (std::uint64_t{1} << count % 64) - 1;
+  if (bit_count % 64 > 0) slice.back() &= (std::uint64_t{1} << bit_count % 64) - 1;
   return slice;
 }
 

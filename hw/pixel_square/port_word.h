@@ -29,14 +29,17 @@ struct PortWord {
 inline constexpr unsigned header_bits = 4 * isa::wire_region_bits;
 static_assert(header_bits == 64);
 
+/// Header of the square with that region.
 std::uint64_t header_of(const isa::Region& region);
+/// Region of the square with that header.
 isa::Region region_of(std::uint64_t header);
 
-/// Writes the lowest `count` bits (0 to 64) of `value` to `into`, from bit `first` on. These bits must have been 0.
-void put_bits(std::span<std::uint64_t> into, std::uint64_t first, unsigned count, std::uint64_t value);
+/// Writes the lowest `bit_count` bits (0 to 64) of `value` to `words`, from bit `first_bit` on; these bits of `words`
+/// must be 0.
+void put_bits(std::span<std::uint64_t> words, std::uint64_t first_bit, unsigned bit_count, std::uint64_t value);
 
-/// Returns `count` bits from bit `first` on; bits beyond the end are 0.
-PortBits slice_of(std::span<const std::uint64_t> bits, std::uint64_t first, std::uint32_t count);
+/// Returns `bit_count` bits of `bits` from bit `first_bit` on; bits beyond the end are 0.
+PortBits slice_of(std::span<const std::uint64_t> bits, std::uint64_t first_bit, std::uint32_t bit_count);
 
 // Required by sc_fifo; never called (hw/systemc/wire.h).
 inline std::ostream& operator<<(std::ostream& stream, const PortWord& /*word*/) { return stream; }

@@ -41,7 +41,7 @@ class Renderer final : public sc_core::sc_module {
   sc_core::sc_in<bool> clock{"clock"};
   sc_core::sc_fifo_in<isa::LinkWord> link{"link"};
   sc_core::sc_fifo_out<PortWord> colours{"colours"};
-  /// Squares that have left, or are complete in the output buffer.
+  /// Number of squares that have left, or are complete in the output buffer.
   sc_core::sc_out<std::uint64_t> finished{"finished"};
   sc_core::sc_port<systemc::RetirementPort> retirement{"retirement"};
 

@@ -8,9 +8,10 @@
 
 namespace csgsim::pixel_square {
 
-/// Models how the screen reads the memory into which squares are drawn. Its turns are spread evenly over the display
-/// time of a picture; each copies `Figures::refresh_bits` bits, row by row, to a register from which they are shown.
-/// With two pictures, the screen reads the other picture and takes no turns of this memory.
+/// Models how the screen reads the memory into which squares are drawn. The turns in which it reads are spread evenly
+/// over the display time of a picture. Each turn copies the next `Figures::refresh_bits` bits of the picture to a
+/// register from which they are shown. With two pictures, the screen reads the other picture and takes no turns of this
+/// memory.
 class Screen {
  public:
   Screen(const Figures& figures, std::uint64_t clock_hz);
@@ -24,7 +25,7 @@ class Screen {
   /// Edges until a turn begins or ends; valid only if takes_turns().
   [[nodiscard]] std::uint64_t clocks_to_change() const;
 
-  /// First row read by the turn that occupies the clock after the current edge; empty if there is no turn.
+  /// First row that is read by the turn in the clock after the current edge; empty if that clock belongs to no turn.
   [[nodiscard]] std::optional<std::uint32_t> row() const;
 
   /// Whether the screen takes turns.

@@ -54,10 +54,10 @@ class Sender : public systemc::ClockedModule {
   /// Begins a frame of `squares` squares.
   void begin_frame(std::size_t squares);
 
-  /// The reason for waiting in this clock if the square cannot be sent yet; empty if it can.
+  /// The reason for waiting in this clock if the square cannot be sent yet; empty if sending can begin.
   virtual std::optional<SquareActivity> prepare(std::size_t square) = 0;
 
-  /// Event after which prepare() can return something other than waiting_for_divider; null to poll at each edge.
+  /// Event to wait for after prepare() has returned waiting_for_divider; null to call prepare() at each edge.
   [[nodiscard]] virtual const sc_core::sc_event* prepared(std::size_t /*square*/) const { return nullptr; }
 
   /// State shown in waves while prepare() returns `working`.

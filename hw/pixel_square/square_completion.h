@@ -11,8 +11,9 @@
 
 namespace csgsim::pixel_square {
 
-/// Reports to the run listener which commands a renderer's pixels have completed, with the controller's counts. This is
-/// not a hardware unit: it takes no clock, and acts between the edge that completes a command and the next edge.
+/// Reports the commands that a renderer's pixels have completed, with the controller's counts, to the run listener.
+/// This module models no hardware: it takes no clock, and acts between the edge that completes a command and the next
+/// edge.
 class SquareCompletion final : public sc_core::sc_module {
  public:
   sc_core::sc_in<std::uint64_t> retired{"retired"};

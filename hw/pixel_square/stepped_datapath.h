@@ -14,7 +14,7 @@ namespace csgsim::pixel_square {
 /// `divider.port` bits, tests them, and writes instructions.
 class SteppedDatapath final : public division::Datapath {
  public:
-  /// What the divider divides, and from which input.
+  /// The unit that is divided, and the input of the division.
   enum class Level : std::uint8_t {
     group,   ///< first of two levels: a group of squares, from the whole model
     listed,  ///< a square, from the list that the first level produced

@@ -39,9 +39,9 @@ std::vector<division::Group> divider_groups(const isa::Program& program, const m
 
 }  // namespace
 
-bool has_remote_planes(std::uint64_t model_bytes, std::uint64_t planes, std::uint64_t plane_bits,
+bool has_remote_planes(std::uint64_t model_bytes, std::uint64_t plane_count, std::uint64_t plane_bits,
                        const Figures& figures) {
-  return byte_bits * model_bytes > figures.model_bits && planes > 0 && plane_bits > 0;
+  return byte_bits * model_bytes > figures.model_bits && plane_count > 0 && plane_bits > 0;
 }
 
 void check_storage(const isa::Program& program, const machines::Machine& machine) {

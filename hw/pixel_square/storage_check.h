@@ -10,7 +10,7 @@ namespace csgsim::pixel_square {
 
 /// Whether a model of `model_bytes` bytes exceeds a divider's memory, so that its planes, of `plane_bits` bits each,
 /// stay at the host and are read over the link (docs/machines/pixel-square.md).
-bool has_remote_planes(std::uint64_t model_bytes, std::uint64_t planes, std::uint64_t plane_bits,
+bool has_remote_planes(std::uint64_t model_bytes, std::uint64_t plane_count, std::uint64_t plane_bits,
                        const Figures& figures);
 
 /// Throws InputError, naming the parameter, unless a divider's memory can hold the model (without its planes if they

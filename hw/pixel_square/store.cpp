@@ -16,10 +16,10 @@ void Store::begin() {
   taken_at_ = 0;
 }
 
-void Store::write(const StoredWord& word, std::uint64_t edge) {
-  words_.push_back({word, edge});
-  if (word.is_last) ends_.push_back(edge);
-  if (word.is_last || words_.size() == depth_) notify_after(edge);
+void Store::write(const StoredWord& word, std::uint64_t write_edge) {
+  words_.push_back({word, write_edge});
+  if (word.is_last) ends_.push_back(write_edge);
+  if (word.is_last || words_.size() == depth_) notify_after(write_edge);
 }
 
 /// Notifies one edge after `edge`. An earlier pending notification is kept; the woken process checks again.

@@ -30,10 +30,10 @@ class Store {
   [[nodiscard]] bool has_room() const { return words_.size() + (taken_at_ == edge() ? 1U : 0U) < depth_; }
   /// Whether room at the next edge is guaranteed; valid only if there is no room at this edge.
   [[nodiscard]] bool has_room_next() const { return words_.size() < depth_; }
-  /// Writes a word that is visible after this edge.
+  /// Writes a word that becomes visible after this edge.
   void write(const StoredWord& word) { write(word, edge()); }
-  /// Writes a word that becomes visible after the later edge `edge`; room for it must be guaranteed.
-  void write(const StoredWord& word, std::uint64_t edge);
+  /// Writes a word that becomes visible after the later edge `write_edge`; requires guaranteed room for the word.
+  void write(const StoredWord& word, std::uint64_t write_edge);
   /// Whether room for `words` words is guaranteed from the next edge on.
   [[nodiscard]] bool has_room_for(std::uint64_t words) const { return words_.size() + words <= depth_; }
   /// Notified when there will be room at the next edge.

@@ -21,8 +21,8 @@ std::vector<wave::Tap> divider_taps(const std::string& part, const CornerDivider
 /// Taps of a sender: `PART.state`, `.square` (in progress) and `.renderer` (the destination).
 std::vector<wave::Tap> sender_taps(const std::string& part, const SenderStatus& status, const isa::Program& program);
 
-/// Taps of the frame buffer: `frame_buffer.state`; `.port`, the port being served (a renderer's number or, above these,
-/// the number of the port that requested a clear); `.square`, which arrives through that port; `.squares`, the number
+/// Taps of the frame buffer: `frame_buffer.state`; `.port`, the port being served (the renderers' ports come first,
+/// then the ports for squares to clear); `.square`, the square that arrives through that port; `.squares`, the number
 /// of complete squares; `.refreshed_row`.
 std::vector<wave::Tap> frame_buffer_taps(const FrameBuffer& buffer, const isa::Program& program,
                                          const systemc::SegmentNames& names);

@@ -19,9 +19,9 @@ namespace csgsim::pixel_square {
 /// Number of a clock edge, counted from 1.
 using Time = std::uint64_t;
 
-/// Numbers of the units in the agenda. At one edge, units act in the order of their numbers: the pixels before their
-/// decoder, because the decoder can take a word at the edge at which the pixels take a command; graphics processors in
-/// their own order. For the other units the order has no effect.
+/// Numbers of the units in the agenda. At each edge, units act in the order of their numbers. Pixels act before their
+/// decoder, because the decoder can take a word at the edge at which the pixels take a command; graphics processors act
+/// in their own order. For the other units the order has no effect.
 struct PartNumbers {
   std::size_t renderers = 1;
   std::size_t dividers = 0;
@@ -43,7 +43,7 @@ constexpr std::size_t next_in_turn(std::size_t number, std::size_t count) {
   return number + 1 == count ? 0 : number + 1;
 }
 
-/// Set of numbers below a bound.
+/// Set of indices below a bound.
 class IndexSet {
  public:
   explicit IndexSet(std::size_t count) : words_((count + 63) / 64) {}
@@ -96,21 +96,21 @@ class Agenda {
  public:
   explicit Agenda(std::size_t parts) : due_(parts, never), this_edge_(parts), next_edge_(parts) {}
 
-  /// Schedules the unit for `when`, the current edge or a later one, and discards its previous entry.
-  void put(std::size_t part, Time when) {
-    due_[part] = when;
-    if (when == now_) {
+  /// Schedules the unit for `edge`, the current edge or a later one, and discards its previous entry.
+  void put(std::size_t part, Time edge) {
+    due_[part] = edge;
+    if (edge == now_) {
       this_edge_.add(part);
-    } else if (when == now_ + 1) {
+    } else if (edge == now_ + 1) {
       next_edge_.add(part);
     } else {
-      later_.emplace(when, part);
+      later_.emplace(edge, part);
     }
   }
 
-  /// Schedules the unit if it sleeps; otherwise its entry is kept.
-  void wake(std::size_t part, Time when) {
-    if (due_[part] == never) put(part, when);
+  /// Schedules the unit for `edge` if it sleeps; otherwise keeps its entry.
+  void wake(std::size_t part, Time edge) {
+    if (due_[part] == never) put(part, edge);
   }
 
   /// Returns the next unit to act and its edge. The unit then sleeps until it is scheduled again.
@@ -199,8 +199,8 @@ class PartClocks {
   /// Counts the next `clocks` clocks as working.
   void work(Time clocks) { add(SquareActivity::working, clocks); }
 
-  /// Counts all clocks before `now` that are not counted yet as `why`.
-  void wait(SquareActivity why, Time now) { add(why, now - next_clock_); }
+  /// Attributes all clocks before `now` that have not been counted to `activity`.
+  void wait(SquareActivity activity, Time now) { add(activity, now - next_clock_); }
 
   /// Completes the account; `end` is the frame's last clock.
   [[nodiscard]] const SquareClocks& complete(Time end) {

@@ -12,9 +12,9 @@
 
 namespace csgsim::pixel_square {
 
-/// Commands of a square for a renderer: SegmentStart, its instructions, SegmentEnd; empty if the square has no
-/// instructions. `skips`: skips of the run, in program order. `timeline`: null, or a blank timeline that the renderers
-/// fill.
+/// Commands that a renderer receives for a square: SegmentStart, the instructions, SegmentEnd; empty if the square has
+/// no instructions. `skips`: skips of the run, in program order. `timeline`: null, or a blank timeline that the
+/// renderers fill.
 std::vector<TimedCommand> timed_commands(const isa::Program& program, std::size_t square,
                                          const machines::Machine& machine, std::span<const machines::Skip> skips,
                                          machines::Timeline* timeline);

@@ -18,8 +18,8 @@ DividerTiming::DividerTiming(const isa::Program& program, const machines::Machin
       timeline_(timeline),
       store_(machines::own<Figures>(machine).store_words, part, sender, agenda) {}
 
-void DividerTiming::begin(Time now, std::uint64_t words) {
-  clocks_.work(words);
+void DividerTiming::begin(Time now, std::uint64_t model_words) {
+  clocks_.work(model_words);
   clocks_.wait(SquareActivity::waiting_for_host, now + 1);
   before_ = division_.tree_clocks();
   next(now);

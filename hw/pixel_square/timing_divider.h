@@ -26,8 +26,8 @@ class DividerTiming {
   /// Assigns one more square to the divider, in program order.
   void assign(std::size_t square) { assigned_.push_back(square); }
 
-  /// Starts the divider at edge `now`, at which the last of the model's `words` words arrives.
-  void begin(Time now, std::uint64_t words);
+  /// Starts the divider at edge `now`, at which the last of the model's `model_words` words arrives.
+  void begin(Time now, std::uint64_t model_words);
 
   /// Acts at an edge.
   void act(Time now);

@@ -47,13 +47,13 @@ std::uint64_t DivisionClocks::list_clocks(std::uint64_t lists, std::uint64_t hal
   return halfspaces * std::max(read, test) + lists * std::min(read, test);
 }
 
-std::uint64_t DivisionClocks::group_clocks(const isa::DivisionCounts& first) const {
+std::uint64_t DivisionClocks::group_clocks(const isa::DivisionCounts& group_counts) const {
   const Figures& figures = figures_of(machine_);
   const std::uint64_t again = std::max(halfspace_, std::uint64_t{figures.halfspace_clocks});
-  return first.group_boxes * (primitive_ + figures.box_clocks) +
-         list_clocks(first.group_lists, first.group_halfspaces, halfspace_) +
-         first.group_cells * (figures.cell_clocks + again) +
-         std::min<std::uint64_t>(first.group_entries, figures.list_entries);
+  return group_counts.group_boxes * (primitive_ + figures.box_clocks) +
+         list_clocks(group_counts.group_lists, group_counts.group_halfspaces, halfspace_) +
+         group_counts.group_cells * (figures.cell_clocks + again) +
+         std::min<std::uint64_t>(group_counts.group_entries, figures.list_entries);
 }
 
 std::uint64_t DivisionClocks::test_clocks(const isa::DivisionStep& step, bool from_list) const {
@@ -72,8 +72,8 @@ std::uint64_t DivisionClocks::instruction_clocks(const isa::Instruction& instruc
   return is_linear ? figures_of(machine_).linear_clocks : 0;
 }
 
-bool DivisionClocks::is_listed(std::uint64_t entries) const {
-  return figures_of(machine_).levels == 2 && entries <= figures_of(machine_).list_entries;
+bool DivisionClocks::is_listed(std::uint64_t survivor_count) const {
+  return figures_of(machine_).levels == 2 && survivor_count <= figures_of(machine_).list_entries;
 }
 
 std::vector<std::size_t> dividers_of(const isa::Program& program, const machines::Machine& machine) {

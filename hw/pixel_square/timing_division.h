@@ -16,14 +16,15 @@ class DivisionClocks {
 
   /// Clocks between the model's last word and the first square.
   [[nodiscard]] std::uint64_t tree_clocks() const;
-  /// Clocks of the first level, spent before a group's first square; `first` contains the counts of the group.
-  [[nodiscard]] std::uint64_t group_clocks(const isa::DivisionCounts& first) const;
+  /// Clocks of the first level, spent before a group's first square; `group_counts`: counts of that square, which
+  /// include those of the group.
+  [[nodiscard]] std::uint64_t group_clocks(const isa::DivisionCounts& group_counts) const;
   /// Clocks of the tests for a surface. `from_list`: whether the square is divided from the list of its group.
   [[nodiscard]] std::uint64_t test_clocks(const isa::DivisionStep& step, bool from_list) const;
   /// Clocks of an instruction before its first word.
   [[nodiscard]] std::uint64_t instruction_clocks(const isa::Instruction& instruction) const;
-  /// Whether a group that leaves `entries` survivors is divided from its list.
-  [[nodiscard]] bool is_listed(std::uint64_t entries) const;
+  /// Whether the squares of a group with `survivor_count` survivors are divided from the list of the group.
+  [[nodiscard]] bool is_listed(std::uint64_t survivor_count) const;
 
  private:
   [[nodiscard]] std::uint64_t list_clocks(std::uint64_t lists, std::uint64_t halfspaces, std::uint64_t read) const;
@@ -35,7 +36,7 @@ class DivisionClocks {
   std::uint64_t halfspace_ = 0;  ///< including its plane
 };
 
-/// The divider of each square: groups, or single squares if there is one level, are assigned round-robin.
+/// Index of the divider of each square. Groups, or single squares if there is one level, are assigned round-robin.
 std::vector<std::size_t> dividers_of(const isa::Program& program, const machines::Machine& machine);
 
 /// Throws InputError if the clocks of a frame's tests would exceed the range of the clock counter.

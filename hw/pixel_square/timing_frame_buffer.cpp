@@ -57,7 +57,7 @@ std::optional<TimedPortWord> FrameBufferTiming::waiting(std::size_t port, Time n
   return ports_[port]->oldest();
 }
 
-/// Returns false if the word's bank is already claimed.
+/// Claims the word's bank for this clock. Returns false if the bank is already claimed.
 bool FrameBufferTiming::take_bank(const TimedPortWord& word) {
   if (!word.row) return true;
   const std::uint32_t bank = *word.row % banks_;

@@ -19,7 +19,7 @@ class FrameBufferTiming {
   /// Lets the frame buffer act at an edge: it serves the ports round-robin.
   void store(Time now);
 
-  /// Edge at which the last square was complete; 0 before.
+  /// Edge at which the last square was complete; 0 before that edge.
   [[nodiscard]] Time end() const { return end_; }
   [[nodiscard]] SquareClocks clocks(Time end);
 

@@ -26,7 +26,7 @@ class LeavingSquare {
   };
   [[nodiscard]] std::optional<Rows> rows() const;
 
-  /// Row of the picture in which the next word begins; empty for a header word.
+  /// Row of the picture in which the next word of colours begins; empty if the next word is a header word.
   [[nodiscard]] std::optional<std::uint32_t> picture_row() const;
 
   /// Advances past the word that has been sent.

@@ -28,8 +28,8 @@ void ProcessorsTiming::begin() {
   for (const Processor& processor : processors_) agenda_.put(processor.part, 1 + machine_.link.latency);
 }
 
-void ProcessorsTiming::act(std::size_t number, Time now) {
-  Processor& processor = processors_[number];
+void ProcessorsTiming::act(std::size_t processor_index, Time now) {
+  Processor& processor = processors_[processor_index];
   if (processor.all_sent) return;
   processor.clocks.wait(processor.activity, now);
   if (!processor.square && !take_square(processor)) return sleep(processor, SquareActivity::done);
@@ -94,8 +94,8 @@ TimedRingWord ProcessorsTiming::next_word(Processor& processor) {
   return {.renderer = processor.renderer, .command = {command}, .header = {}, .ends = ends};
 }
 
-void ProcessorsTiming::leave(std::size_t number, Time now) {
-  Processor& processor = processors_[number];
+void ProcessorsTiming::leave(std::size_t processor_index, Time now) {
+  Processor& processor = processors_[processor_index];
   processor.clocks.wait(SquareActivity::waiting_for_ring, now + 1);
   if (processor.renderer) reservations_[*processor.renderer] = {.reserved = false, .free_from = now + 1};
   processor.renderer.reset();

@@ -35,19 +35,19 @@ class ProcessorsTiming {
   void begin();
 
   /// Lets one processor act at an edge.
-  void act(std::size_t number, Time now);
+  void act(std::size_t processor_index, Time now);
 
   /// Records that the ring has taken the last word of the processor's square: renderer and processor are free from the
   /// next edge on.
-  void leave(std::size_t number, Time now);
+  void leave(std::size_t processor_index, Time now);
 
-  /// Words that wait for the ring.
-  [[nodiscard]] Fifo<TimedRingWord>& words(std::size_t number) { return processors_[number].words; }
+  /// Words of a processor that wait for the ring.
+  [[nodiscard]] Fifo<TimedRingWord>& words(std::size_t processor_index) { return processors_[processor_index].words; }
 
   [[nodiscard]] std::size_t count() const { return processors_.size(); }
   [[nodiscard]] std::uint64_t skipped() const { return skipped_; }
-  [[nodiscard]] const SquareClocks& clocks(std::size_t number, Time end) {
-    return processors_[number].clocks.complete(end);
+  [[nodiscard]] const SquareClocks& clocks(std::size_t processor_index, Time end) {
+    return processors_[processor_index].clocks.complete(end);
   }
 
  private:
@@ -73,7 +73,7 @@ class ProcessorsTiming {
   bool request_renderer(Processor& processor, Time now);
   void send(Processor& processor, Time now);
   [[nodiscard]] TimedRingWord next_word(Processor& processor);
-  void sleep(Processor& processor, SquareActivity why) { processor.activity = why; }
+  void sleep(Processor& processor, SquareActivity activity) { processor.activity = activity; }
 
   const isa::Program& program_;
   const machines::Machine& machine_;

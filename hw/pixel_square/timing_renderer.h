@@ -42,7 +42,7 @@ class RendererTiming {
   [[nodiscard]] Fifo<TimedLinkWord>& link() { return link_; }
   [[nodiscard]] Fifo<TimedPortWord>& colours() { return colours_; }
 
-  // Lets one of the three units act at an edge.
+  // Each lets one of the three units (decoder, pixels, output) act at an edge.
   void decode(Time now);
   void draw(Time now);
   void leave(Time now);

@@ -69,27 +69,27 @@ bool will_pass(const Fifo<From>& from, const Fifo<To>& to) {
 }  // namespace
 
 /// A renderer is kept by one processor, so no two processors have words for the same renderer.
-RingTiming::Outcome RingTiming::carry_from_processor(std::size_t number, Time now) {
-  Fifo<TimedRingWord>& words = processors_.words(number);
+RingTiming::Outcome RingTiming::carry_from_processor(std::size_t index, Time now) {
+  Fifo<TimedRingWord>& words = processors_.words(index);
   const std::optional<std::size_t> renderer = words.oldest().renderer;
   const bool may_go = renderer || to_frame_buffer_ < banks_;
   const auto pass = [&](auto& to, const auto& word_of) {
     if (!may_go || !passes(words, to, now)) return will_pass(words, to) ? Outcome::later : Outcome::stuck;
     const TimedRingWord word = words.read(now);
     to.write(now, word_of(word));
-    if (word.ends) processors_.leave(number, now);
+    if (word.ends) processors_.leave(index, now);
     return Outcome::carried;
   };
   if (renderer) return pass(renderers_[*renderer].link(), [](const TimedRingWord& word) { return word.command; });
   const Outcome outcome =
-      pass(carried_[renderers_.size() + number], [](const TimedRingWord& word) { return word.header; });
+      pass(carried_[renderers_.size() + index], [](const TimedRingWord& word) { return word.header; });
   if (outcome == Outcome::carried) ++to_frame_buffer_;
   return outcome;
 }
 
-RingTiming::Outcome RingTiming::carry_from_renderer(std::size_t number, Time now) {
-  Fifo<TimedPortWord>& words = renderers_[number].colours();
-  Fifo<TimedPortWord>& to = carried_[number];
+RingTiming::Outcome RingTiming::carry_from_renderer(std::size_t index, Time now) {
+  Fifo<TimedPortWord>& words = renderers_[index].colours();
+  Fifo<TimedPortWord>& to = carried_[index];
   if (to_frame_buffer_ == banks_ || !passes(words, to, now))
     return will_pass(words, to) ? Outcome::later : Outcome::stuck;
   to.write(now, words.read(now));

@@ -34,8 +34,8 @@ class RingTiming {
   };
 
   Outcome carry_from(std::size_t source, Time now);
-  Outcome carry_from_processor(std::size_t number, Time now);
-  Outcome carry_from_renderer(std::size_t number, Time now);
+  Outcome carry_from_processor(std::size_t index, Time now);
+  Outcome carry_from_renderer(std::size_t index, Time now);
   [[nodiscard]] Time step_after(Time now) const { return (now / word_clocks_ + 1) * word_clocks_; }
 
   const Time word_clocks_;

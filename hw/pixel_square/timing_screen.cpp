@@ -49,11 +49,11 @@ std::optional<std::uint32_t> ScreenTiming::bank(Time now) {
   return now < end_ ? std::optional(bank_) : std::nullopt;
 }
 
-std::uint64_t ScreenTiming::clocks_until(Time end) const {
+std::uint64_t ScreenTiming::clocks_until(Time last_edge) const {
   if (turns_per_second_ == 0) return 0;
-  const std::uint64_t turns = turns_until(end);
+  const std::uint64_t turns = turns_until(last_edge);
   if (turns == 0) return 0;
-  return (turns - 1) * turn_clocks_ + std::min(turn_clocks_, end - turn_start(turns) + 1);
+  return (turns - 1) * turn_clocks_ + std::min(turn_clocks_, last_edge - turn_start(turns) + 1);
 }
 
 }  // namespace csgsim::pixel_square

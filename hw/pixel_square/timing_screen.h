@@ -15,12 +15,12 @@ class ScreenTiming {
  public:
   ScreenTiming(const isa::Program& program, const machines::Machine& machine);
 
-  /// The bank that a turn occupies in the clock that begins with edge `now`, if any. Successive calls must not decrease
-  /// `now`.
+  /// The bank that a turn occupies in the clock that begins with edge `now`; empty if no turn does. `now` must not
+  /// decrease from call to call.
   [[nodiscard]] std::optional<std::uint32_t> bank(Time now);
 
-  /// Number of clocks occupied by turns, up to and including the clock that begins with edge `end`.
-  [[nodiscard]] std::uint64_t clocks_until(Time end) const;
+  /// Number of clocks occupied by turns, up to and including the clock that begins with edge `last_edge`.
+  [[nodiscard]] std::uint64_t clocks_until(Time last_edge) const;
 
  private:
   [[nodiscard]] std::uint64_t turns_until(Time now) const;

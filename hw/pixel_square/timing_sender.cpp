@@ -51,9 +51,9 @@ bool SenderTiming::begin_square(Time now) {
   return true;
 }
 
-void SenderTiming::sleep(SquareActivity why, bool retry, Time now) {
-  activity_ = why;
-  if (retry) agenda_.put(part_, now + 1);
+void SenderTiming::sleep(SquareActivity activity, bool retry_next_edge, Time now) {
+  activity_ = activity;
+  if (retry_next_edge) agenda_.put(part_, now + 1);
 }
 
 void SenderTiming::send(Time now) {

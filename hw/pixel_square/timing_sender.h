@@ -38,7 +38,7 @@ class SenderTiming {
   [[nodiscard]] StoreTiming& store() { return dividers_[sources_[square_]].store(); }
   void begin_host_square();
   bool begin_square(Time now);
-  void sleep(SquareActivity why, bool retry, Time now);
+  void sleep(SquareActivity activity, bool retry_next_edge, Time now);
   void send_header(Time now);
   void send_word(Time now);
   TimedStored take_word(Time now);
