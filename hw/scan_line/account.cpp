@@ -6,7 +6,7 @@
 
 namespace csgsim::scan_line {
 
-machines::Account account(const LineAccount& counts, const machines::Machine& machine, std::uint64_t clocks) {
+machines::Account account(const LineAccount& counts, const machines::Machine& machine, std::uint64_t frame_clocks) {
   using enum LineActivity;
   const auto part = [](const char* name, const LineClocks& tally, std::initializer_list<LineActivity> shown) {
     return machines::part_of(name, tally, line_activity_names, shown);
@@ -24,7 +24,7 @@ machines::Account account(const LineAccount& counts, const machines::Machine& ma
                      {"drain_clocks", counts.drain_clocks},
                      {"busy_cells", counts.busy_cells}},
           .shares = {{"mean_packets", counts.packets, counts.lines},
-                     {"cell_utilisation", counts.busy_cells, cells * clocks}},
+                     {"cell_utilisation", counts.busy_cells, cells * frame_clocks}},
           .parts = {part("host", counts.host, {sorting, updating, preparing, starting, waiting_for_link, done}),
                     part("link", counts.link, {sending, latency, waiting_for_host, waiting_for_entry, done}),
                     part("entry", counts.entry, {entering, waiting_for_link, waiting_for_refresh, done}),

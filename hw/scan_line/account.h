@@ -13,7 +13,7 @@ namespace csgsim::scan_line {
 struct LineAccount {
   std::uint64_t lines = 0;
   std::uint64_t packets = 0;      ///< packets of instructions
-  std::uint64_t max_packets = 0;  ///< maximum number of packets of a line
+  std::uint64_t max_packets = 0;  ///< packets of the line with the most packets
   /// Clocks that the refresh allows for a line: its time per line times the number of chains.
   std::uint64_t line_budget = 0;
   /// Number of lines whose mark entered more than line_budget after the previous mark of the chain.
@@ -33,7 +33,7 @@ struct LineAccount {
   bool operator==(const LineAccount&) const = default;
 };
 
-/// Converts the counts of a frame of `clocks` clocks to the account that statistics and reports show.
-machines::Account account(const LineAccount& counts, const machines::Machine& machine, std::uint64_t clocks);
+/// Converts the counts of a frame of `frame_clocks` clocks to the account that statistics and reports show.
+machines::Account account(const LineAccount& counts, const machines::Machine& machine, std::uint64_t frame_clocks);
 
 }  // namespace csgsim::scan_line

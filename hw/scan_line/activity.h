@@ -38,20 +38,21 @@ using LineClocks = machines::ClockTally<LineActivity, line_activity_names.size()
 class ActivityCounter {
  public:
   void begin() { *this = {}; }
-  void edge(LineActivity next) {
+  /// Counts the clock since the last edge, and sets the activity until the next edge.
+  void edge(LineActivity activity) {
     if (begun_) clocks_.add(now_);
-    now_ = next;
+    now_ = activity;
     begun_ = true;
   }
   [[nodiscard]] const LineClocks& clocks() const { return clocks_; }
 
-  /// Clocks in a frame of `frame` clocks; clocks after the last counted edge are `done`.
-  [[nodiscard]] LineClocks clocks_of(std::uint64_t frame) const {
+  /// Clocks by activity in a frame of `frame_clocks` clocks; clocks after the last counted edge count as `done`.
+  [[nodiscard]] LineClocks clocks_of(std::uint64_t frame_clocks) const {
     LineClocks all = clocks_;
     const std::uint64_t counted = clocks_.total();
-    if (counted >= frame) return all;
+    if (counted >= frame_clocks) return all;
     all.add(now_);
-    all.add(LineActivity::done, frame - counted - 1);
+    all.add(LineActivity::done, frame_clocks - counted - 1);
     return all;
   }
 

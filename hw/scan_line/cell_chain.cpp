@@ -10,12 +10,12 @@ namespace csgsim::scan_line {
 CellChain::CellChain(sc_core::sc_module_name name, const isa::ArrayShape& cells, const CellShape& shape)
     : systemc::ClockedModule(name), chain_(cells.width, cells.memory_bits, shape) {}
 
-void CellChain::clear(std::uint32_t pixels) {
-  chain_.begin(pixels);
+void CellChain::clear(std::uint32_t line_pixels) {
+  chain_.begin(line_pixels);
   frames_.clear();
 }
 
-void CellChain::begin(std::size_t lines) { frames_.push_back({.lines_left = lines}); }
+void CellChain::begin(std::size_t line_count) { frames_.push_back({.lines_left = line_count}); }
 
 CellCounts CellChain::pop_counts() {
   const CellCounts counts = frames_.front().counts;

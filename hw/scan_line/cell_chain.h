@@ -31,11 +31,11 @@ class CellChain final : public systemc::ClockedModule {
 
   CellChain(sc_core::sc_module_name name, const isa::ArrayShape& cells, const CellShape& shape);
 
-  /// Empties the chain, for lines of `pixels` pixels.
-  void clear(std::uint32_t pixels);
+  /// Empties the chain; the following lines have `line_pixels` pixels.
+  void clear(std::uint32_t line_pixels);
 
-  /// Begins a frame of `lines` lines. Lines of earlier frames may still be in the cells.
-  void begin(std::size_t lines);
+  /// Begins a frame of `line_count` lines. Lines of earlier frames may still be in the cells.
+  void begin(std::size_t line_count);
 
   /// Removes and returns the counts of the oldest frame. All its lines must have left the cells.
   CellCounts pop_counts();
@@ -54,7 +54,7 @@ class CellChain final : public systemc::ClockedModule {
   void retire(const Departure& departure);
 
   Chain chain_;
-  std::deque<Frame> frames_;  ///< frames whose counts have not been taken
+  std::deque<Frame> frames_;  ///< frames whose counts have not been removed with pop_counts()
 };
 
 }  // namespace csgsim::scan_line

@@ -11,7 +11,7 @@
 /// Loops over cells, compiled for each vector instruction set and selected at run time.
 namespace csgsim::scan_line::kernels {
 
-/// Maximum number of lanes of a vector. Arrays are padded by as many lanes behind the last cell.
+/// Maximum number of lanes of a vector. Arrays are padded with this number of lanes after the last cell.
 inline constexpr std::size_t max_lanes = 8;
 
 /// The cells in [first, end).
@@ -25,7 +25,7 @@ struct Lanes {
   std::uint64_t* memory = nullptr;  ///< 64-bit words; word w of all cells precedes word w + 1
   std::size_t stride = 0;           ///< lanes from one word of a cell to the next
   std::uint64_t* enable = nullptr;
-  std::array<std::uint64_t*, 2> fetched{};  ///< fields that were read; a root is computed in the first of them
+  std::array<std::uint64_t*, 2> fetched{};  ///< registers of the fields that were read; roots are computed in the first
   std::uint64_t* value = nullptr;           ///< partial result of the ALU
   std::uint64_t* flags = nullptr;           ///< condition flags of the ALU or of a root (cell_kernels.cpp)
   std::uint64_t* writes = nullptr;          ///< whether the field is written

@@ -42,7 +42,7 @@ HWY_INLINE Vector bit(Vector value) {
   return hn::And(hn::ShiftRight<from>(value), set(1));
 }
 
-/// All ones for 1, all zeros for 0.
+/// Copies a number that is 0 or 1 to all bits.
 HWY_INLINE Vector spread(Vector bit_of) { return hn::Sub(hn::Zero(Tag()), bit_of); }
 
 /// 1 for any nonzero number, otherwise 0.

@@ -25,7 +25,7 @@ struct AluBits {
   constexpr bool operator==(const AluBits&) const = default;
 };
 
-/// Operations of a cell in the clock in which a beat is in it, in this order. All cells execute the same steps.
+/// Operations of a cell in the clock in which it contains a beat, in this order. All cells execute the same steps.
 struct CellStep {
   bool clears = false;               ///< memory and enable become 0
   std::array<FieldPart, 2> reads{};  ///< parts of the sources
@@ -33,7 +33,7 @@ struct CellStep {
   std::uint32_t root_bit = 0;        ///< root bit being tried; the highest is 0
   AluBits trial{};                   ///< bits of the trial's sum
   AluBits alu{};                     ///< bits of the operands
-  bool acts = false;                 ///< the enable bit and the values to write are final at the end of the clock
+  bool acts = false;                 ///< the enable bit and the values to write become final in this clock
   FieldPart writes{};                ///< part of the target
   bool holds = false;                ///< the hold register stores what was read
 

@@ -18,7 +18,8 @@ using kernels::CellRange;
 /// The memory can write single bits of a word. A root is computed by the ALU in the register of the first field. F
 /// comes from the adders before the cell (words_in); their sums are computed from the coefficients.
 ///
-/// Cells are independent of each other, so some may be simulated ahead of others; each must execute all steps in order.
+/// Cells are independent of each other, so some may be simulated ahead of others. Each cell must execute all steps in
+/// order.
 class Cells {
  public:
   Cells(std::uint32_t count, std::uint32_t memory_bits);
@@ -37,7 +38,7 @@ class Cells {
   /// Value that the cell holds for the refresh.
   [[nodiscard]] std::uint32_t held(std::uint32_t cell) const { return hold_[cell]; }
 
-  /// Sets the enable bits of the range in words of 64 cells.
+  /// For each enabled cell i of the range, sets bit i % 64 of words[i / 64].
   void add_enabled(CellRange range, std::span<std::uint64_t> words) const {
     kernels::add_bits(enable_.data(), range, words);
   }

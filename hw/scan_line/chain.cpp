@@ -26,12 +26,12 @@ Chain::Chain(std::uint32_t cells, std::uint32_t memory_bits, const CellShape& sh
       sums_before_(cells),
       shift_(cells) {}
 
-void Chain::begin(std::uint32_t pixels) {
+void Chain::begin(std::uint32_t line_pixels) {
   catch_up(pixels_ - 1);
   for (std::uint32_t cell = 0; cell < pixels_; ++cell) sums_before_[cell] = sum(cell);
   last_f_packet_.reset();
   cleared_.reset();
-  pixels_ = pixels;
+  pixels_ = line_pixels;
   oldest_ = 0;
   count_ = 0;
   shifting_ = false;
@@ -165,8 +165,8 @@ void Chain::depart() {
   --count_;
 }
 
-Chain::Flight& Chain::flight(std::size_t number) const {
-  const std::size_t place = oldest_ + number;
+Chain::Flight& Chain::flight(std::size_t index) const {
+  const std::size_t place = oldest_ + index;
   return flights_[place < flights_.size() ? place : place - flights_.size()];
 }
 
@@ -196,14 +196,14 @@ void Chain::catch_up(std::uint32_t cell) const {
   }
 }
 
-/// Executes the beat in the cells before `end`.
-void Chain::catch_up(Flight& flight, std::uint32_t beat, std::uint32_t end) const {
+/// Executes the beat in the cells before `end_cell` that have not executed it.
+void Chain::catch_up(Flight& flight, std::uint32_t beat, std::uint32_t end_cell) const {
   std::uint32_t& done = flight.done_cells[beat];
-  if (done >= end) return;
-  const CellRange range{done, end};
+  if (done >= end_cell) return;
+  const CellRange range{done, end_cell};
   flight.enabled += cells_.execute(flight.packet, std::span(flight.steps).subspan(beat, 1), range);
   if (beat + 1 == flight.packet.beats) record_snapshot(flight, range);
-  done = end;
+  done = end_cell;
 }
 
 /// Executes the packet completely in all cells of the line.

@@ -26,9 +26,9 @@ struct Departure {
 /// cell 0. In each clock, every cell processes the beat in it, which then moves to the next cell. If the network is
 /// trees, a beat moves from level to level, and is then processed by all cells of the line in one clock.
 ///
-/// A mark makes each cell hold its colour at the mark's last beat. In the clock after that beat was in the line's last
-/// cell, all hold registers are copied to the shift chain, which has pixel 0 at the port in the next clock, then pixel
-/// 1, and so on.
+/// At the last beat of a mark, each cell stores its colour in its hold register. In the clock after that beat was in
+/// the line's last cell, all hold registers are copied to the shift chain. The shift chain then has pixel 0 at the port
+/// in the next clock, then pixel 1, and so on.
 ///
 /// Execution is deferred: a packet is executed in all cells when it leaves the last of them. Reading a cell executes
 /// the pending steps of that cell and of the cells before it.
@@ -41,8 +41,8 @@ class Chain {
     return clocks_to_cell(network_, cells_.count(), cell);
   }
 
-  /// Empties the chain, for lines of `pixels` pixels (1 to the number of cells).
-  void begin(std::uint32_t pixels);
+  /// Empties the chain; the following lines have `line_pixels` pixels (1 to the number of cells).
+  void begin(std::uint32_t line_pixels);
 
   /// Advances by one clock, in which the beat `entering` is in cell 0 or at the root of the tree. Throws
   /// std::logic_error for a mark that arrives before a hold register or the shift chain is free, and for a beat out of
@@ -66,7 +66,7 @@ class Chain {
   [[nodiscard]] std::uint64_t read(std::uint32_t cell, isa::Field field) const;
   /// Content of the cell's hold register.
   [[nodiscard]] std::uint32_t held(std::uint32_t cell) const;
-  /// Content of the shift chain at a cell in the next clock; empty if no pixel of the line is left there.
+  /// Colour in the shift chain at a cell in the next clock; empty if no pixel of the line is at that cell.
   [[nodiscard]] std::optional<std::uint32_t> shifting(std::uint32_t cell) const {
     return shifting_ && shifted_ + cell < pixels_ ? std::optional(shift_[shifted_ + cell]) : std::nullopt;
   }
@@ -77,7 +77,7 @@ class Chain {
     Packet packet;
     std::vector<CellStep> steps;  ///< steps of its beats
     std::uint64_t entered = 0;    ///< clock of its first beat
-    /// For each beat, the number of cells that have executed it; empty if no beat has been executed.
+    /// For each beat, the number of cells that have executed the beat; empty if no beat has been executed.
     std::vector<std::uint32_t> done_cells;
     std::uint64_t enabled = 0;  ///< number of these cells that were enabled in the acting step
     std::size_t snapshot = no_snapshot;
@@ -91,11 +91,11 @@ class Chain {
   void take(const Packet& packet);
   void hold();
   void depart();
-  [[nodiscard]] Flight& flight(std::size_t number) const;
+  [[nodiscard]] Flight& flight(std::size_t index) const;
   [[nodiscard]] std::uint32_t beats_executed(const Flight& flight, std::uint32_t cell) const;
   [[nodiscard]] std::uint32_t cells_reached(const Flight& flight, std::uint32_t beat) const;
   void catch_up(std::uint32_t cell) const;
-  void catch_up(Flight& flight, std::uint32_t beat, std::uint32_t end) const;
+  void catch_up(Flight& flight, std::uint32_t beat, std::uint32_t end_cell) const;
   void finish(Flight& flight);
   void record_snapshot(const Flight& flight, CellRange range) const;
   std::size_t take_snapshot(Keep keep);

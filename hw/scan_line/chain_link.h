@@ -27,8 +27,8 @@ class ChainLink final : public systemc::ClockedModule {
 
   ChainLink(sc_core::sc_module_name name, const machines::Link& link);
 
-  /// Begins a frame with the next clock; the chain draws `lines` of its lines.
-  void begin(const PictureLines& frame, std::size_t lines);
+  /// Begins a frame with the next clock; the chain draws `lines_to_send` of its lines.
+  void begin(const PictureLines& frame, std::size_t lines_to_send);
 
   [[nodiscard]] const ActivityCounter& counter() const { return counter_; }  ///< counter of the frame that began last
   [[nodiscard]] std::uint64_t sent() const { return sent_; }                 ///< number of words sent

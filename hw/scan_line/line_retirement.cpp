@@ -4,8 +4,8 @@ namespace csgsim::scan_line {
 
 LineRetirement::LineRetirement(sc_core::sc_module_name name) : sc_core::sc_module(name) {}
 
-void LineRetirement::begin(systemc::RunListener& listener, std::size_t lines) {
-  if (lines > 0) frames_.push_back({&listener, lines});
+void LineRetirement::begin(systemc::RunListener& listener, std::size_t line_count) {
+  if (line_count > 0) frames_.push_back({&listener, line_count});
 }
 
 systemc::Keep LineRetirement::required_after(std::uint32_t segment, std::uint32_t index) {

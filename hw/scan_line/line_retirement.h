@@ -16,8 +16,8 @@ class LineRetirement final : public sc_core::sc_module, public systemc::Retireme
  public:
   explicit LineRetirement(sc_core::sc_module_name name);
 
-  /// Begins a frame; the chain draws `lines` of its lines. The listener must outlive the frame.
-  void begin(systemc::RunListener& listener, std::size_t lines);
+  /// Begins a frame; the chain draws `line_count` of its lines. The listener must outlive the frame.
+  void begin(systemc::RunListener& listener, std::size_t line_count);
 
   [[nodiscard]] systemc::Keep required_after(std::uint32_t segment, std::uint32_t index) override;
   void after_instruction(const systemc::Retired& retired, const systemc::PixelView& pixels) override;

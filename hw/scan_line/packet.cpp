@@ -222,20 +222,20 @@ Packet background_packet(isa::Field colour, std::uint32_t background, const Cell
   return packet;
 }
 
-BeatWords words_in(const Beat& beat, std::uint32_t x, const CellShape& cell) {
+BeatWords words_in(const Beat& beat, std::uint32_t cell_index, const CellShape& cell) {
   if (beat.number >= beat.packet->words) return {};
   const isa::Linear& linear = beat.packet->instruction.linear;
   const auto word = [&](Wide number) { return word_of(number, beat.number, f_bits(cell)); };
   const Wide square = beat.packet->square;
-  return {.f = word((square * x + linear.a) * x + linear.c),
-          .a = word(square * (2 * Wide{x} + 1) + linear.a),
+  return {.f = word((square * cell_index + linear.a) * cell_index + linear.c),
+          .a = word(square * (2 * Wide{cell_index} + 1) + linear.a),
           .aa = word(2 * square)};
 }
 
-std::uint64_t sum_in(const Packet& packet, std::uint32_t beats, std::uint32_t x, const CellShape& cell) {
+std::uint64_t sum_in(const Packet& packet, std::uint32_t beat_count, std::uint32_t cell_index, const CellShape& cell) {
   const isa::Linear& linear = packet.instruction.linear;
-  const auto sum = static_cast<std::uint64_t>((packet.square * Wide{x} + linear.a) * x + linear.c);
-  const std::uint64_t bits = std::uint64_t{std::min(beats, packet.words)} * f_bits(cell);
+  const auto sum = static_cast<std::uint64_t>((packet.square * Wide{cell_index} + linear.a) * cell_index + linear.c);
+  const std::uint64_t bits = std::uint64_t{std::min(beat_count, packet.words)} * f_bits(cell);
   if (bits == 0) return 0;
   return bits < max_word_bits ? sum & ((std::uint64_t{1} << bits) - 1) : sum;
 }

@@ -94,6 +94,7 @@ enum class EnableFunction : std::uint8_t {
   where_fits,   ///< the same; F is written there and must fit
 };
 
+/// Effect of the opcode on a cell's E.
 EnableFunction enable_function_of(isa::Opcode opcode);
 
 /// Sequential work of a cell on a packet's operands after all have arrived: the shifter aligns operands, then the ALU
@@ -115,7 +116,7 @@ struct Packet {
   bool begins_line = false;  ///< clears the cell's memory and enable before the cell acts
   /// Whether this is the mark of a line that shows only the background, which is the instruction's constant.
   bool background = false;
-  Keep keep = Keep::nothing;  ///< which state of the cells to copy, as the packet leaves them, for run listeners
+  Keep keep = Keep::nothing;  ///< state that is copied from each cell when the packet leaves it, for run listeners
   std::uint32_t words = 1;
   std::uint32_t beats = 1;
   std::uint32_t segment = 0;
@@ -159,21 +160,24 @@ struct RefreshPixel {
   constexpr bool operator==(const RefreshPixel&) const = default;
 };
 
-/// Packet of an instruction. `squares`: coefficients of a preceding instruction `squares`. A line is a single row,
-/// number 0, so only the factor of x*x matters. The instruction `squares` itself delivers nothing to the cells.
+/// Packet of an instruction. `squares`: coefficients of a preceding instruction `squares`, of which only the factor of
+/// x*x matters, because a line is a single row, number 0. The instruction `squares` itself delivers nothing to the
+/// cells.
 Packet instruction_packet(const isa::Instruction& instruction, const CellShape& cell, const isa::Linear& squares = {});
+/// Packet that clears the cells at the start of a line and enters for `clocks` clocks.
 Packet clear_packet(std::uint32_t clocks);
+/// Mark at the end of a line: each cell holds its field `colour` for the refresh.
 Packet mark_packet(isa::Field colour, const CellShape& cell);
 /// Mark of a line that shows only the background, in a field as wide as `colour`.
 Packet background_packet(isa::Field colour, std::uint32_t background, const CellShape& cell);
 
-/// Words that arrive at cell `x` with the beat, after the adders of the preceding cells have processed C, A and the
-/// second difference.
-BeatWords words_in(const Beat& beat, std::uint32_t x, const CellShape& cell);
+/// Words that arrive at cell `cell_index` with the beat, after the adders of the preceding cells have processed C, A
+/// and the second difference.
+BeatWords words_in(const Beat& beat, std::uint32_t cell_index, const CellShape& cell);
 
-/// The low 64 bits of C + A*x + S*x*x, S being the factor of x*x, that have arrived at cell `x` with the first `beats`
-/// beats of a packet with F.
-std::uint64_t sum_in(const Packet& packet, std::uint32_t beats, std::uint32_t x, const CellShape& cell);
+/// The low 64 bits of C + A*x + S*x*x, S being the factor of x*x, that have arrived at cell `cell_index` with the first
+/// `beat_count` beats of a packet with F.
+std::uint64_t sum_in(const Packet& packet, std::uint32_t beat_count, std::uint32_t cell_index, const CellShape& cell);
 
 /// Bits that the ALU processes per clock; `bits` if the ALU has no limit.
 constexpr std::uint32_t alu_width(const CellShape& cell, std::uint32_t bits) {

@@ -22,7 +22,7 @@ namespace csgsim::scan_line {
 struct EntryCounts {
   std::uint64_t packets = 0;      ///< packets of instructions
   std::uint64_t max_packets = 0;  ///< maximum number of packets of a line
-  /// Number of lines whose mark entered later after the previous mark than the refresh allows.
+  /// Number of lines whose mark entered too late: more clocks after the previous mark than the refresh allows.
   std::uint64_t late_lines = 0;
 };
 
@@ -34,16 +34,17 @@ class PacketQueue final : public systemc::ClockedModule {
  public:
   sc_core::sc_fifo_in<isa::LinkWord> link{"link"};
   sc_core::sc_out<Beat> entry{"entry"};
-  sc_core::sc_out<bool> busy{"busy"};  ///< whether some line's mark has not entered yet
+  sc_core::sc_out<bool> busy{"busy"};  ///< whether the marks of some lines have not entered yet
   sc_core::sc_fifo_out<EntryAccount> accounts{"accounts"};
   sc_core::sc_port<systemc::RetirementPort> retirement{"retirement"};
 
-  /// Number of frames all of whose marks in this chain have entered.
+  /// Number of frames of which all marks in this chain have entered.
   sc_core::sc_out<std::uint64_t> through{"through"};
 
   PacketQueue(sc_core::sc_module_name name, const machines::Machine& machine, std::uint32_t chain);
 
-  /// Lets the next mark enter without a distance from the previous one. Called when no mark is in the cells.
+  /// Lets the next mark enter immediately, without the minimum distance from the previous mark. Called when no mark is
+  /// in the cells.
   void forget_mark() { marked_ = false; }
 
   /// Begins a frame with the next clock. All marks of the previous frame must have entered.
@@ -76,7 +77,7 @@ class PacketQueue final : public systemc::ClockedModule {
   std::uint32_t index_ = 0;   ///< index of the instruction in its line
   isa::Linear squares_;       ///< coefficients of the preceding `squares` instruction, if any
   bool begins_line_ = false;  ///< whether the next packet is the line's first, which clears
-  /// Used alternately: a packet has left the entry when the packet after the next arrives.
+  /// Used alternately, because a packet has left the entry when the second packet after it arrives.
   std::array<Packet, 2> packets_;
   std::size_t packet_ = 0;         ///< index of the packet that arrived last
   std::optional<Beat> beat_;       ///< the beat that enters next

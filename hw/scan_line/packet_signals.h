@@ -8,7 +8,7 @@
 #include "hw/scan_line/packet.h"
 #include "hw/systemc/wire.h"
 
-/// Operations that SystemC requires of the signal values between the modules.
+/// Values of the signals between the modules, with the operators that SystemC requires.
 namespace csgsim::scan_line {
 
 /// Counts of a packet queue for one packet or mark.

@@ -18,7 +18,8 @@ namespace csgsim::scan_line {
 struct ShownFrame {
   std::uint64_t clocks = 0;  ///< clocks from the first in which the host works until the last pixel was at its port
   std::uint64_t drain_clocks = 0;  ///< part of `clocks` after the last mark entered
-  /// Chain whose last pixel arrived last; among several, the lowest number.
+  /// Chain from which the frame's last pixel arrived; if several chains delivered a pixel in that clock, the lowest of
+  /// their numbers.
   std::size_t last_chain = 0;
   std::vector<LineClocks> chains;  ///< clocks of each chain's refresh port, by activity
   /// Pixels of each line from left to right; lines in the frame's order.
@@ -64,7 +65,7 @@ class RefreshCollector final : public systemc::ClockedModule {
   [[nodiscard]] bool any_entering() const;
 
   std::deque<PendingFrame> pending_;  ///< frames that have begun, the oldest first
-  std::deque<ShownFrame> complete_;   ///< complete frames that have not been taken
+  std::deque<ShownFrame> complete_;   ///< complete frames that have not been removed with pop_frame()
   std::uint64_t frames_done_ = 0;
 };
 

@@ -167,10 +167,10 @@ std::vector<systemc::RunReport> ScanLineArray::run_sequence(std::span<const isa:
   return reports;
 }
 
-/// Empties the chains for lines of `pixels` pixels. All frames drawn must have been shown.
-void ScanLineArray::clear(std::uint32_t pixels) {
+/// Empties the chains for lines of `line_pixels` pixels. All frames drawn must have been shown.
+void ScanLineArray::clear(std::uint32_t line_pixels) {
   for_each(queues_, [](PacketQueue& queue) { queue.forget_mark(); });
-  for_each(chains_, [pixels](CellChain& chain) { chain.clear(pixels); });
+  for_each(chains_, [line_pixels](CellChain& chain) { chain.clear(line_pixels); });
 }
 
 void ScanLineArray::begin(const PictureLines& frame, systemc::RunListener& listener) {

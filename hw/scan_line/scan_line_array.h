@@ -59,7 +59,7 @@ class ScanLineArray final : public sc_core::sc_module, public systemc::ClockedMa
 
   void on_entered();
   void on_shown();
-  void clear(std::uint32_t pixels);
+  void clear(std::uint32_t line_pixels);
   void begin(const PictureLines& frame, systemc::RunListener& listener);
   void run_until_entered();
   void run_until_shown();

@@ -10,7 +10,7 @@
 
 namespace csgsim::scan_line {
 
-/// State of the cells of a line as a packet left them, each at its own clock.
+/// State of the cells of a line as a packet left them. The packet leaves each cell in a different clock.
 struct Snapshot {
   std::size_t cell_words = 0;         ///< 64-bit words of a cell's memory
   std::vector<std::uint64_t> memory;  ///< cell_words words per cell; empty if not kept

@@ -8,7 +8,7 @@
 
 namespace csgsim::scan_line {
 
-/// View of a line as a packet left it: the state of each cell at the instruction boundary, each at its own clock.
+/// View of the cells of a line as a packet left them: each cell in its state at the end of the packet's instruction.
 /// Throws std::logic_error for data that the snapshot does not contain.
 class SnapshotView final : public systemc::PixelView {
  public:

@@ -42,8 +42,8 @@ struct WordShape {
 /// Taps `host.activity` and `.line`, the row of the picture.
 std::vector<wave::Tap> host_taps(const LineHost& host, const isa::Program& program);
 
-/// Taps `link.activity`, `.line` and the fill of the FIFO behind it, `.fill`; `entry.activity` and the packet at the
-/// entry; `refresh.line` and `.colour` at the port. `suffix` is appended to the names of the units.
+/// Taps `link.activity`, `.line` and `.fill`, the number of words in the FIFO after the link; `entry.activity` and the
+/// packet at the entry; `refresh.line` and `.colour` at the port. `suffix` is appended to the names of the units.
 std::vector<wave::Tap> chain_taps(const std::string& suffix, const ChainParts& parts, const isa::Program& program,
                                   WordShape shape);
 

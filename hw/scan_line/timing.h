@@ -15,8 +15,8 @@ namespace csgsim::scan_line {
 std::uint64_t packet_words(const isa::Instruction& instruction, const machines::Machine& machine);
 
 /// Minimum clocks between the entries of the last beats of two marks into a chain. A line's cells hold their colours
-/// from the clock in which that beat is in them until the refresh path takes the line, one clock per pixel of the line
-/// after the beat's entry. After as many clocks again, the path is free for the next line.
+/// from the clock in which that beat is in them until the refresh path takes the line, which is one clock per pixel of
+/// the line after the beat's entry. After the same number of further clocks, the path is free for the next line.
 constexpr std::uint64_t mark_spacing(std::uint32_t line_pixels) { return line_pixels; }
 
 /// Clocks that the refresh allows for a line of a picture of the given height: its time per line times the number of
