@@ -18,13 +18,13 @@ class VertexIndex {
   explicit VertexIndex(const facet::Box& box);
 
   /// `normal` is that of a face at the vertex, or 0; queries are fastest for planes close to that face.
-  void insert(std::uint32_t vertex, const glm::dvec3& place, const glm::dvec3& normal);
+  void insert(std::uint32_t vertex, const glm::dvec3& position, const glm::dvec3& normal);
   /// Removes an existing vertex, given its position.
-  void remove(std::uint32_t vertex, const glm::dvec3& place);
+  void remove(std::uint32_t vertex, const glm::dvec3& position);
 
   /// Appends the vertices whose Plane::height() is not below -near to `found`, exactly and in no particular order.
   /// Returns the number of vertices visited.
-  std::uint64_t find(const facet::Plane& plane, double near, std::vector<std::uint32_t>& found) const;
+  std::uint64_t find(const facet::Plane& plane, double tolerance, std::vector<std::uint32_t>& found) const;
 
  private:
   struct Held {

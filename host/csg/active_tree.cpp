@@ -73,7 +73,7 @@ std::uint32_t ActiveTree::depth() const {
   return operands.size() > 1 ? deepest + 1 : deepest;
 }
 
-/// The place for which a set's surface is examined.
+/// The block in which a set's surface is examined.
 struct Pruner::Place {
   Block block;
   std::span<const std::uint32_t> set;
@@ -147,7 +147,7 @@ bool Pruner::disjoint(std::uint32_t primitive, const Place& place) const {
                                         [&](std::uint32_t other) { return have_disjoint_boxes(primitive, other); }));
 }
 
-/// Appends the primitives in [first, end) that are not disjoint from the place, in order.
+/// Appends the primitives in [first, end) that are not disjoint from the place's block, in order.
 void Pruner::find(std::uint32_t first, std::uint32_t end, const Place& place, std::vector<std::uint32_t>& found) const {
   const std::size_t begin = found.size();
   if (!boxes_ || end - first <= few_primitives) {
@@ -196,33 +196,33 @@ double Pruner::comparison_instructions(std::uint32_t primitive) const {
 }
 
 /// Whether the boxes in model space are disjoint; false if the test is not worth its time.
-bool Pruner::have_disjoint_boxes(std::uint32_t one, std::uint32_t other) const {
-  const double saved = comparison_instructions(one);
+bool Pruner::have_disjoint_boxes(std::uint32_t first, std::uint32_t second) const {
+  const double saved = comparison_instructions(first);
   if (!prices_.is_worthwhile(saved, prices_.box)) {
     ++tallies_.space.left;
     return false;
   }
   counted_.add(&isa::Preparation::boxes);
-  const bool are_disjoint = csg::disjoint(view_.extents[one].box, view_.extents[other].box);
+  const bool are_disjoint = csg::disjoint(view_.extents[first].box, view_.extents[second].box);
   tallies_.space.add(are_disjoint, saved, prices_.box);
   return are_disjoint;
 }
 
 /// Whether a plane separates the primitives; false if the search is not worth its time.
-bool Pruner::are_apart(std::uint32_t one, std::uint32_t other) const {
-  const double saved = comparison_instructions(one);
-  if (!prices_.is_worthwhile(saved, pairs_.price(one, other, prices_))) {
+bool Pruner::are_apart(std::uint32_t first, std::uint32_t second) const {
+  const double saved = comparison_instructions(first);
+  if (!prices_.is_worthwhile(saved, pairs_.price(first, second, prices_))) {
     ++tallies_.separation.left;
     return false;
   }
   const std::uint64_t before = pairs_.work().supports;
-  const bool are_apart = pairs_.are_apart(one, other, view_, counted_);
+  const bool are_apart = pairs_.are_apart(first, second, view_, counted_);
   const auto supports = static_cast<double>(pairs_.work().supports - before + 1);
   tallies_.separation.add(are_apart, saved, supports * prices_.support);
   return are_apart;
 }
 
-/// Whether the half-spaces of a primitive contain or exclude the place; Known::depends if the test is not worth its
+/// Whether the half-spaces of a primitive contain or exclude the block; Known::depends if the test is not worth its
 /// time. The extremes of the half-spaces are needed for the comparison's instructions anyway.
 Known Pruner::located(std::uint32_t primitive, const Place& place) const {
   const double saved = comparison_instructions(primitive);
@@ -237,7 +237,7 @@ Known Pruner::located(std::uint32_t primitive, const Place& place) const {
   return known;
 }
 
-/// What is known of a leaf, complemented or not. The cheaper test comes first.
+/// Location of the block relative to a leaf, complemented or not. The cheaper test comes first.
 Known Pruner::leaf_known(const PositiveNode& leaf, const Place& place) const {
   Known known = pruning_.halfspaces ? located(leaf.primitive, place) : Known::depends;
   const auto is_apart = [&](std::uint32_t primitive) { return are_apart(leaf.primitive, primitive); };
@@ -247,19 +247,19 @@ Known Pruner::leaf_known(const PositiveNode& leaf, const Place& place) const {
   return known == Known::in ? Known::out : Known::in;
 }
 
-/// What is known of a leaf that is not disjoint from the place.
+/// Location of the block relative to a leaf that is not disjoint from it. Leaves of the set itself contain its surface.
 Known Pruner::known(const PositiveNode& leaf, const Place& place) const {
   const bool in_set = std::binary_search(place.set.begin(), place.set.end(), leaf.primitive);
   return in_set ? Known::in : leaf_known(leaf, place);
 }
 
-/// The leading primitives of `from` that are below the node; at least the first must be.
-Pruner::Primitives Pruner::below(std::uint32_t node, Primitives from) const {
-  return from.first(
-      static_cast<std::size_t>(std::upper_bound(from.begin(), from.end(), paths_.last(node)) - from.begin()));
+/// The leading primitives of `primitives` that are below the node; at least the first must be.
+Pruner::Primitives Pruner::below(std::uint32_t node, Primitives primitives) const {
+  return primitives.first(static_cast<std::size_t>(
+      std::upper_bound(primitives.begin(), primitives.end(), paths_.last(node)) - primitives.begin()));
 }
 
-/// Counts a visit of a node in a walk.
+/// Counts a visit of a tree node.
 void Pruner::visit() const {
   ++visits_;
   counted_.add(&isa::Preparation::nodes);
@@ -279,12 +279,12 @@ bool Pruner::is_decided_elsewhere(std::uint32_t node, Primitives meeting) const 
 }
 
 /// Prunes a part of the tree without recursion, so that deep trees do not overflow the stack. It visits only the
-/// operators at which the paths to primitives that meet the place join.
+/// operators at which the paths to primitives that meet the block join.
 class Pruner::Walk {
  public:
   Walk(const Pruner& pruner, const Place& place, ActiveTree& into) : pruner_(pruner), place_(place), into_(into) {}
 
-  /// `meeting`: the primitives at or below the root that are not disjoint from the place; at least one.
+  /// `meeting`: the primitives at or below the root that are not disjoint from the block; at least one.
   Pruned prune(std::uint32_t root, Primitives meeting) {
     bool has_result = !begin(root, meeting);
     while (!open_.empty()) {
@@ -312,7 +312,7 @@ class Pruner::Walk {
     std::vector<std::uint32_t> kept{};
   };
 
-  /// Returns false if the result is known; else the operands have to be visited.
+  /// Visits a node. Returns false if its result is known; otherwise its operands have to be visited.
   bool begin(std::uint32_t top, Primitives some) {
     pruner_.visit();
     const TreePaths& paths = pruner_.paths_;
@@ -390,7 +390,7 @@ void Pruner::join_leaves(ActiveTree& into, PositiveOperator op, std::vector<std:
 }
 
 /// Adds the remaining operands of `node`, an intersection above the set's first primitive. Returns false if the
-/// intersection is empty. `meeting`: the primitives below the node that are not disjoint from the place, and the set's
+/// intersection is empty. `meeting`: the primitives below the node that are not disjoint from the block, and the set's
 /// first.
 bool Pruner::add_operands(std::uint32_t node, Primitives meeting, const Place& place, ActiveTree& into) const {
   const std::uint32_t own = paths_.child_towards(node, place.set.front());
@@ -410,7 +410,7 @@ bool Pruner::add_operands(std::uint32_t node, Primitives meeting, const Place& p
 ActiveTree Pruner::active_tree(std::span<const std::uint32_t> set, const Block& block) const {
   std::vector<std::uint32_t> found = meeting(set, block);
   Place place{block, set};
-  // A walk without other primitives is shorter than a look-up.
+  // A traversal without other primitives is faster than a look-up.
   if (kept_ == nullptr || found.empty()) return walked(place, std::move(found));
   KeptResults::Search search = kept_->search(set, found);
   while (const std::optional<std::uint32_t> primitive = search.question())
@@ -428,7 +428,7 @@ ActiveTree Pruner::active_tree(std::span<const std::uint32_t> set, const Block& 
   return active;
 }
 
-/// The active tree by a walk of the CSG tree; `found` are the primitives that meet the place.
+/// Builds the active tree by a traversal of the CSG tree; `found` are the primitives that meet the block.
 ActiveTree Pruner::walked(const Place& place, std::vector<std::uint32_t> found) const {
   ActiveTree active;
   ActiveTree nothing{true, {}, {}};
@@ -437,7 +437,7 @@ ActiveTree Pruner::walked(const Place& place, std::vector<std::uint32_t> found) 
   auto begin = found.insert(std::lower_bound(found.begin(), found.end(), set.front()), set.front());
   auto end = begin + 1;
   std::uint32_t at = leaf;
-  // Walks up through the nodes at which more of the found primitives join.
+  // Visits, upwards from the leaf, the nodes below which more of the found primitives are.
   while (begin != found.begin() || end != found.end()) {
     visit();
     std::uint32_t node = model::no_index;

@@ -41,7 +41,7 @@ struct CompileFacts {
   bool operator==(const CompileFacts&) const = default;
 };
 
-/// What a pruning did while a Program was compiled. An item is a pair of primitives for `space` and `separation`, a
+/// Statistics of a pruning during compilation. An item is a pair of primitives for `space` and `separation`, a
 /// primitive at a place for `halfspaces`, and a surface for `hidden`.
 struct PruningFacts {
   std::string name;               ///< as in --pruning
