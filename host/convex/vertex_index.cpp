@@ -20,17 +20,17 @@ VertexIndex::VertexIndex(const facet::Box& box) {
   cells_.front().whole = box;
 }
 
-void VertexIndex::Cell::put(const Held& one) {
+void VertexIndex::Cell::put(const Held& entry) {
   if (count == 0) {
-    box = {one.place, one.place};
-    normal = one.normal;
-    highest = glm::dot(normal, one.place);
+    box = {entry.place, entry.place};
+    normal = entry.normal;
+    highest = glm::dot(normal, entry.place);
   } else {
-    box = facet::hull(box, one.place);
-    highest = std::max(highest, glm::dot(normal, one.place));
+    box = facet::hull(box, entry.place);
+    highest = std::max(highest, glm::dot(normal, entry.place));
   }
   ++count;
-  if (below == 0) held.push_back(one);
+  if (below == 0) held.push_back(entry);
 }
 
 bool VertexIndex::Cell::is_surely_below(const facet::Plane& plane, double height) const {

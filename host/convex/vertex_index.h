@@ -45,10 +45,10 @@ class VertexIndex {
 
     [[nodiscard]] double middle() const { return whole.low[axis] + (whole.high[axis] - whole.low[axis]) / 2.0; }
     /// The half that contains a position.
-    [[nodiscard]] std::uint32_t half_at(const glm::dvec3& place) const {
-      return below + (place[axis] < middle() ? 0U : 1U);
+    [[nodiscard]] std::uint32_t half_at(const glm::dvec3& position) const {
+      return below + (position[axis] < middle() ? 0U : 1U);
     }
-    void put(const Held& one);
+    void put(const Held& entry);
     /// Whether every vertex is certainly less than `height` above the plane, despite rounding errors.
     [[nodiscard]] bool is_surely_below(const facet::Plane& plane, double height) const;
   };

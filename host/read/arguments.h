@@ -91,15 +91,17 @@ class Arguments {
   [[nodiscard]] double read_number(ValueView value, std::string_view description) const;
 
   /// Prints a message to standard error, with the position of a value.
-  void report(ValueView at, std::string_view message) const { source_->print_message(at.value().offset, message); }
+  void report(ValueView value, std::string_view message) const {
+    source_->print_message(value.value().offset, message);
+  }
 
   /// Prints a message to standard error, with the position of the node's name.
   void report(std::string_view message) const { source_->print_message(statement_->offset, message); }
 
   /// Throws InputError at the position of a value.
   template <typename... Parts>
-  [[noreturn]] void fail(ValueView at, fmt::format_string<Parts...> message, Parts&&... parts) const {
-    source_->fail(at.value().offset, fmt::format(message, std::forward<Parts>(parts)...));
+  [[noreturn]] void fail(ValueView value, fmt::format_string<Parts...> message, Parts&&... parts) const {
+    source_->fail(value.value().offset, fmt::format(message, std::forward<Parts>(parts)...));
   }
 
   /// Throws InputError at the position of the node's name.
