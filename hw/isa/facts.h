@@ -42,7 +42,7 @@ struct CompileFacts {
 };
 
 /// Statistics of a pruning during compilation. An item is a pair of primitives for `space` and `separation`, a
-/// primitive at a place for `halfspaces`, and a surface for `hidden`.
+/// primitive in a block for `halfspaces`, and a surface for `hidden`.
 struct PruningFacts {
   std::string name;               ///< as in --pruning
   std::uint64_t tried = 0;        ///< items to which it was applied
