@@ -19,37 +19,37 @@ class Cursor {
   Cursor(read::Source& source, std::span<const Item> line) : source_(source), line_(line) {}
 
   [[nodiscard]] bool at_end() const { return at_ == line_.size(); }
-  [[nodiscard]] bool is(std::string_view what) const { return !at_end() && line_[at_].is(what); }
+  [[nodiscard]] bool is(std::string_view text) const { return !at_end() && line_[at_].is(text); }
   [[nodiscard]] bool is(Kind kind) const { return !at_end() && line_[at_].kind == kind; }
   [[nodiscard]] const Item& peek() const { return line_[at_]; }
   const Item& take() { return line_[at_++]; }
-  /// If the next item is `what`, consumes it and returns true.
-  bool take_if(std::string_view what) {
-    if (!is(what)) return false;
+  /// If the next item is `text`, consumes it and returns true.
+  bool take_if(std::string_view text) {
+    if (!is(text)) return false;
     ++at_;
     return true;
   }
 
-  /// Consumes the next item, which must be of the given kind; `what` names it in messages.
-  const Item& word(std::string_view what) { return expected(Kind::word, what); }
-  double number(std::string_view what) { return expected(Kind::number, what).number; }
+  /// Consumes the next item, which must be of the given kind; `description` names it in messages.
+  const Item& word(std::string_view description) { return expected(Kind::word, description); }
+  double number(std::string_view description) { return expected(Kind::number, description).number; }
   /// Consumes a number, which must be above 0.
-  double positive_number(std::string_view what) {
-    const Item& item = expected(Kind::number, what);
-    if (!(item.number > 0)) fail(item.offset, fmt::format("{} must be above 0", what));
+  double positive_number(std::string_view description) {
+    const Item& item = expected(Kind::number, description);
+    if (!(item.number > 0)) fail(item.offset, fmt::format("{} must be above 0", description));
     return item.number;
   }
-  /// Consumes the bracket or other symbol `text`; fails with "expected `text` `where`" if the next item is another.
-  void symbol(std::string_view text, std::string_view where) {
-    if (!take_if(text)) fail_here(fmt::format("expected `{}` {}", text, where));
+  /// Consumes the bracket or sign `text`. Fails with "expected `text` CONTEXT" if the next item is another.
+  void symbol(std::string_view text, std::string_view context) {
+    if (!take_if(text)) fail_here(fmt::format("expected `{}` {}", text, context));
   }
   /// Consumes all numbers before the next item of another kind.
   std::vector<double> numbers() {
-    std::vector<double> all;
-    while (is(Kind::number)) all.push_back(take().number);
-    return all;
+    std::vector<double> values;
+    while (is(Kind::number)) values.push_back(take().number);
+    return values;
   }
-  /// Fails if an item is left.
+  /// Fails unless all items have been consumed.
   void end() {
     if (!at_end()) fail_here("expected the end of the line");
   }
@@ -65,8 +65,8 @@ class Cursor {
   }
 
  private:
-  const Item& expected(Kind kind, std::string_view what) {
-    if (!is(kind)) fail_here(fmt::format("expected {}", what));
+  const Item& expected(Kind kind, std::string_view description) {
+    if (!is(kind)) fail_here(fmt::format("expected {}", description));
     return take();
   }
 

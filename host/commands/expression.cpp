@@ -13,7 +13,7 @@ model::Operator to_operator(const Item& sign) {
 
 int strength(const Item& sign) { return sign.text == "*" ? 2 : 1; }
 
-/// Dijkstra's shunting-yard algorithm, which handles parentheses of any depth.
+/// Dijkstra's shunting-yard algorithm, which needs no recursion for nested parentheses.
 class Yard {
  public:
   Yard(Cursor& line, const Algebra& algebra) : line_(line), algebra_(algebra) {}

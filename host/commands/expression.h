@@ -17,8 +17,8 @@ struct Algebra {
 };
 
 /// Reads an expression up to the end of the line and returns its solid. It consists of names, + (union), -
-/// (difference), * (intersection), and parentheses.
-/// * binds more tightly than + and -; operators of equal precedence are left-associative.
+/// (difference), * (intersection), and parentheses. `*` binds more tightly than
+/// `+` and `-`; operators of equal precedence are left-associative.
 std::uint32_t read_expression(Cursor& line, const Algebra& algebra);
 
 }  // namespace csgsim::commands

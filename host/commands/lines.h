@@ -19,7 +19,7 @@ struct Item {
   double number = 0;
   std::uint32_t offset = 0;  ///< position in the text
 
-  [[nodiscard]] bool is(std::string_view what) const { return kind != Kind::number && text == what; }
+  [[nodiscard]] bool is(std::string_view expected_text) const { return kind != Kind::number && text == expected_text; }
 };
 
 /// Splits the text into lines, without empty lines. Throws InputError for text that the grammar does not allow.

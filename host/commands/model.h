@@ -16,7 +16,7 @@
 
 namespace csgsim::commands {
 
-/// The index of no solid.
+/// Marks an index that refers to no solid.
 inline constexpr std::uint32_t nothing = 0xffffffffU;
 
 /// A sweep defined in a file.

@@ -18,9 +18,9 @@ Carver::Carver(Polytope polytope, const facet::PlaneTable& planes)
   faces_ = static_cast<std::uint32_t>(polytope_.faces.size());
 }
 
-void Carver::add_vertex(const glm::dvec3& place, const glm::dvec3& normal) {
-  index_.insert(static_cast<std::uint32_t>(polytope_.vertices.size()), place, normal);
-  polytope_.vertices.push_back(place);
+void Carver::add_vertex(const glm::dvec3& position, const glm::dvec3& normal) {
+  index_.insert(static_cast<std::uint32_t>(polytope_.vertices.size()), position, normal);
+  polytope_.vertices.push_back(position);
   at_.emplace_back();
   is_alive_.push_back(true);
   sides_.push_back(VertexSide::in);
@@ -28,9 +28,9 @@ void Carver::add_vertex(const glm::dvec3& place, const glm::dvec3& normal) {
 
 std::uint64_t Carver::steps() const { return clip_steps(visited_); }
 
-bool Carver::has_depth(const facet::Plane& plane, double near) {
+bool Carver::has_depth(const facet::Plane& plane, double tolerance) {
   const auto is_deep = [&](std::uint32_t vertex) {
-    return is_alive_[vertex] && plane.height(polytope_.vertices[vertex]) < -near;
+    return is_alive_[vertex] && plane.height(polytope_.vertices[vertex]) < -tolerance;
   };
   if (is_deep(deep_)) return true;
   while (first_alive_ < at_.size() && !is_alive_[first_alive_]) ++first_alive_;
@@ -42,13 +42,13 @@ bool Carver::has_depth(const facet::Plane& plane, double near) {
   return false;
 }
 
-bool Carver::find_sides(const facet::Plane& plane, double near) {
+bool Carver::find_sides(const facet::Plane& plane, double tolerance) {
   for (const std::uint32_t vertex : found_) sides_[vertex] = VertexSide::in;
   found_.clear();
-  visited_ += index_.find(plane, near, found_);
+  visited_ += index_.find(plane, tolerance, found_);
   bool is_one_out = false;
   for (const std::uint32_t vertex : found_) {
-    const bool is_out = plane.height(polytope_.vertices[vertex]) > near;
+    const bool is_out = plane.height(polytope_.vertices[vertex]) > tolerance;
     sides_[vertex] = is_out ? VertexSide::out : VertexSide::on;
     is_one_out = is_one_out || is_out;
   }
@@ -71,7 +71,7 @@ void Carver::clip(facet::Halfspace halfspace) {
   if (empty()) return;
   visited_ = 0;
   const facet::Plane plane = outward_plane(halfspace, planes_);
-  // Terminates: once the tolerance exceeds all distances, no vertex is inside.
+  // The loop terminates: once the tolerance exceeds all distances, no vertex is inside.
   for (double times = 1.0;; times = next_tolerance(times)) {
     const double near = times * tolerance(planes_);
     if (!has_depth(plane, near)) return clear();
@@ -98,8 +98,8 @@ void Carver::drop_face(std::uint32_t face, std::vector<std::uint32_t>& doubtful)
   --faces_;
 }
 
-void Carver::apply(Cut made, facet::Halfspace halfspace) {
-  std::vector<std::uint32_t> doubtful = made.cap;
+void Carver::apply(Cut cut, facet::Halfspace halfspace) {
+  std::vector<std::uint32_t> doubtful = cut.cap;
   for (const std::uint32_t vertex : found_) {
     if (sides_[vertex] == VertexSide::out) {
       drop_vertex(vertex);
@@ -109,8 +109,8 @@ void Carver::apply(Cut made, facet::Halfspace halfspace) {
   }
   const std::size_t old = polytope_.vertices.size();
   const glm::dvec3 normal = outward_plane(halfspace, planes_).normal;
-  for (const glm::dvec3& place : made.added) add_vertex(place, normal);
-  for (CutFace& one : made.faces) {
+  for (const glm::dvec3& place : cut.added) add_vertex(place, normal);
+  for (CutFace& one : cut.faces) {
     for (const std::uint32_t corner : one.corners)
       if (corner >= old) at_[corner].push_back(one.face);
     if (one.corners.size() < 3) {
@@ -120,8 +120,8 @@ void Carver::apply(Cut made, facet::Halfspace halfspace) {
     }
   }
   const auto cap = static_cast<std::uint32_t>(polytope_.faces.size());
-  for (const std::uint32_t corner : made.cap) at_[corner].push_back(cap);
-  polytope_.faces.push_back({halfspace, std::move(made.cap)});
+  for (const std::uint32_t corner : cut.cap) at_[corner].push_back(cap);
+  polytope_.faces.push_back({halfspace, std::move(cut.cap)});
   ++faces_;
   for (std::size_t vertex = old; vertex < polytope_.vertices.size(); ++vertex)
     doubtful.push_back(static_cast<std::uint32_t>(vertex));

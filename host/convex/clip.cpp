@@ -54,10 +54,10 @@ facet::Plane outward_plane(facet::Halfspace halfspace, const facet::PlaneTable& 
   return halfspace.positive ? plane : facet::Plane{-plane.normal, -plane.offset};
 }
 
-std::uint64_t clip_steps(std::uint64_t vertices) {
+std::uint64_t clip_steps(std::uint64_t vertex_count) {
   constexpr std::uint64_t of_any = 200;
   constexpr std::uint64_t of_vertex = 40;
-  return of_any + of_vertex * vertices;
+  return of_any + of_vertex * vertex_count;
 }
 
 std::uint64_t clip_steps(const Polytope& polytope) { return clip_steps(polytope.vertices.size()); }
@@ -71,7 +71,8 @@ Polytope clip(Polytope polytope, facet::Halfspace halfspace, const facet::PlaneT
   const auto [deepest, farthest] = std::minmax_element(distances.begin(), distances.end());
   std::vector<std::uint32_t> faces(polytope.faces.size());
   std::iota(faces.begin(), faces.end(), 0U);
-  // Terminates: no vertex is inside once the tolerance exceeds all distances, or if a distance is not a number.
+  // The loop terminates: no vertex is inside once the tolerance exceeds all distances, or if a distance is not a
+  // number.
   for (double times = 1.0;; times = next_tolerance(times)) {
     const double near = times * tolerance(planes);
     if (!(*deepest < -near)) return {};

@@ -26,8 +26,8 @@ double tolerance(const facet::PlaneTable& planes);
 /// fractions and then with multiples of the tolerance until it is one.
 Polytope clip(Polytope polytope, facet::Halfspace halfspace, const facet::PlaneTable& planes);
 
-/// Approximate cost, in steps of work (hw/base/work.h), of one cut that visits `vertices` vertices.
-std::uint64_t clip_steps(std::uint64_t vertices);
+/// Approximate cost, in steps of work (hw/base/work.h), of one cut that visits `vertex_count` vertices.
+std::uint64_t clip_steps(std::uint64_t vertex_count);
 
 /// Approximate cost of clip(), in steps of work.
 std::uint64_t clip_steps(const Polytope& polytope);

@@ -100,10 +100,10 @@ class Cutter {
 
 }  // namespace
 
-double next_tolerance(double times) {
+double next_tolerance(double factor) {
   constexpr double least = 1.0 / 4096;
-  if (times == least) return 8.0;
-  return times > 1.0 ? times * 8.0 : times / 8.0;
+  if (factor == least) return 8.0;
+  return factor > 1.0 ? factor * 8.0 : factor / 8.0;
 }
 
 std::optional<Cut> cut_faces(const Polytope& polytope, std::span<const std::uint32_t> faces, const facet::Plane& plane,

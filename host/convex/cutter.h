@@ -19,9 +19,9 @@ enum class VertexSide : std::uint8_t { in, on, out };
 
 using FaceCorners = std::vector<std::uint32_t>;
 
-/// The tolerance to try after `times`, both in multiples of the usual tolerance. The sequence starts at 1, continues
-/// with fractions down to the level of rounding, and then with multiples.
-double next_tolerance(double times);
+/// The tolerance to try after one that is `factor` times the usual tolerance, as such a factor. The sequence starts at
+/// 1, continues with fractions down to the level of rounding errors, and then with multiples.
+double next_tolerance(double factor);
 
 /// The remaining part of a face that is not entirely inside; it has no corners if nothing remains.
 struct CutFace {

@@ -114,7 +114,7 @@ bool is_union(const csg::PositiveTree& tree) {
   });
 }
 
-/// What is known about the neighbourhood of a point: it is entirely outside, undecided, or entirely inside.
+/// Location of the neighbourhood of a point relative to a solid: entirely outside, undecided, or entirely inside.
 enum class Known : std::uint8_t { out, maybe, in };
 
 /// Tests whether corners of primitives are corners of the model. Points are relative to PlaneTable::centre().

@@ -79,9 +79,9 @@ std::array<glm::dvec3, 2> plane_axes(const glm::dvec3& normal) {
   return {right, glm::cross(normal, right)};
 }
 
-std::vector<glm::dvec3> clipped(std::vector<glm::dvec3> corners, const facet::Plane& plane, double near) {
+std::vector<glm::dvec3> clipped(std::vector<glm::dvec3> corners, const facet::Plane& plane, double tolerance) {
   std::vector<glm::dvec3> kept;
-  clip_corners(corners, plane, near, kept);
+  clip_corners(corners, plane, tolerance, kept);
   return corners;
 }
 

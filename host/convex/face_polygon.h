@@ -15,9 +15,9 @@ namespace csgsim::convex {
 /// Two orthogonal unit vectors in a plane.
 std::array<glm::dvec3, 2> plane_axes(const glm::dvec3& normal);
 
-/// The part of a convex polygon behind a plane. Corners within `near` of the plane do not move. Empty if no corner is
-/// more than `near` behind the plane.
-std::vector<glm::dvec3> clipped(std::vector<glm::dvec3> corners, const facet::Plane& plane, double near);
+/// The part of a convex polygon behind a plane. Corners within `tolerance` of the plane do not move. Empty if no corner
+/// is more than `tolerance` behind the plane.
+std::vector<glm::dvec3> clipped(std::vector<glm::dvec3> corners, const facet::Plane& plane, double tolerance);
 
 /// The corners of a primitive's face in a plane, in order around it, relative to PlaneTable::centre(). The face is the
 /// part of the plane inside the other half-spaces, so its cost is one step per half-space, while make_polytope()

@@ -51,7 +51,7 @@ double volume(const Polytope& polytope);
 Polytope intersection(const facet::Box& box, std::span<const facet::Halfspace> halfspaces,
                       const facet::PlaneTable& planes, const Work& work = {});
 
-/// The six half-spaces of a box in model space, whose planes are added to the table.
+/// Adds the planes of a box in model space to the table. Returns its six half-spaces.
 std::vector<facet::Halfspace> box_walls(const facet::Box& box, facet::PlaneTable& planes);
 
 /// A primitive as the intersection of its half-spaces.

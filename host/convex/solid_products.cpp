@@ -96,7 +96,7 @@ class Enumeration {
   }
 
  private:
-  /// What is known about a subtree inside the partial product.
+  /// Location of the partial product relative to a subtree: outside, inside, or undecided.
   enum class Known : std::uint8_t { out, in, depends };
   [[nodiscard]] Known known(std::uint32_t node, const Partial& partial) const {
     const Reach& reach = reaches_[node];
@@ -214,8 +214,8 @@ class Enumeration {
 }  // namespace
 
 void for_each_product(const facet::Geometry& geometry, const PositiveTree& tree,
-                      const std::function<void(SolidProduct)>& use, std::uint64_t max_choices, const Work& work) {
-  if (tree.root != model::no_index) Enumeration(geometry, tree, use, max_choices, work)();
+                      const std::function<void(SolidProduct)>& visit, std::uint64_t max_choices, const Work& work) {
+  if (tree.root != model::no_index) Enumeration(geometry, tree, visit, max_choices, work)();
 }
 
 }  // namespace csgsim::convex

@@ -24,14 +24,14 @@ struct SolidProduct {
 /// Maximum number of operands chosen from unions.
 inline constexpr std::uint64_t max_operands = 1'000'000;
 
-/// Calls `use` with every nonempty product. A branch of the tree is abandoned as soon as the intersection of its
+/// Calls `visit` with every nonempty product. A branch of the tree is abandoned as soon as the intersection of its
 /// uncomplemented primitives is empty, so products of disjoint solids are never built.
 ///
 /// A union of complements, as in A - (B * C), is expanded without overlap into A - B and A * B - C, because
 /// intersections of many such unions then have many empty products. The terms of other unions overlap as their operands
 /// do. Throws InputError for more than `max_choices` chosen operands, and WorkError if the work limit is exceeded.
 void for_each_product(const facet::Geometry& geometry, const csg::PositiveTree& tree,
-                      const std::function<void(SolidProduct)>& use, std::uint64_t max_choices = max_operands,
+                      const std::function<void(SolidProduct)>& visit, std::uint64_t max_choices = max_operands,
                       const Work& work = {});
 
 }  // namespace csgsim::convex

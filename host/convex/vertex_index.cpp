@@ -20,17 +20,17 @@ VertexIndex::VertexIndex(const facet::Box& box) {
   cells_.front().whole = box;
 }
 
-void VertexIndex::Cell::put(const Held& one) {
+void VertexIndex::Cell::put(const Held& entry) {
   if (count == 0) {
-    box = {one.place, one.place};
-    normal = one.normal;
-    highest = glm::dot(normal, one.place);
+    box = {entry.place, entry.place};
+    normal = entry.normal;
+    highest = glm::dot(normal, entry.place);
   } else {
-    box = facet::hull(box, one.place);
-    highest = std::max(highest, glm::dot(normal, one.place));
+    box = facet::hull(box, entry.place);
+    highest = std::max(highest, glm::dot(normal, entry.place));
   }
   ++count;
-  if (below == 0) held.push_back(one);
+  if (below == 0) held.push_back(entry);
 }
 
 bool VertexIndex::Cell::is_surely_below(const facet::Plane& plane, double height) const {
@@ -50,10 +50,10 @@ bool VertexIndex::Cell::is_surely_below(const facet::Plane& plane, double height
   return plane.height(middle) + glm::dot(glm::abs(plane.normal), half) + doubt < height;
 }
 
-void VertexIndex::insert(std::uint32_t vertex, const glm::dvec3& place, const glm::dvec3& normal) {
-  const Held held{vertex, place, normal};
+void VertexIndex::insert(std::uint32_t vertex, const glm::dvec3& position, const glm::dvec3& normal) {
+  const Held held{vertex, position, normal};
   std::uint32_t cell = 0;
-  for (; cells_[cell].below != 0; cell = cells_[cell].half_at(place)) cells_[cell].put(held);
+  for (; cells_[cell].below != 0; cell = cells_[cell].half_at(position)) cells_[cell].put(held);
   cells_[cell].put(held);
   if (cells_[cell].count > max_cell_vertices && cells_[cell].depth < max_cell_depth) divide(cell);
 }
@@ -76,29 +76,29 @@ void VertexIndex::divide(std::uint32_t cell) {
   cut.held = {};
 }
 
-void VertexIndex::remove(std::uint32_t vertex, const glm::dvec3& place) {
+void VertexIndex::remove(std::uint32_t vertex, const glm::dvec3& position) {
   std::uint32_t cell = 0;
-  for (; cells_[cell].below != 0; cell = cells_[cell].half_at(place)) --cells_[cell].count;
+  for (; cells_[cell].below != 0; cell = cells_[cell].half_at(position)) --cells_[cell].count;
   --cells_[cell].count;
   std::vector<Held>& held = cells_[cell].held;
   *std::ranges::find(held, vertex, &Held::vertex) = held.back();
   held.pop_back();
 }
 
-std::uint64_t VertexIndex::find(const facet::Plane& plane, double near, std::vector<std::uint32_t>& found) const {
+std::uint64_t VertexIndex::find(const facet::Plane& plane, double tolerance, std::vector<std::uint32_t>& found) const {
   std::uint64_t visited = 0;
   std::vector<std::uint32_t> left{0};
   while (!left.empty()) {
     const Cell& cell = cells_[left.back()];
     left.pop_back();
-    if (cell.count == 0 || cell.is_surely_below(plane, -near)) continue;
+    if (cell.count == 0 || cell.is_surely_below(plane, -tolerance)) continue;
     if (cell.below != 0) {
       left.insert(left.end(), {cell.below, cell.below + 1});
       continue;
     }
     visited += cell.count;
     for (const Held& one : cell.held)
-      if (!(plane.height(one.place) < -near)) found.push_back(one.vertex);
+      if (!(plane.height(one.place) < -tolerance)) found.push_back(one.vertex);
   }
   return visited;
 }

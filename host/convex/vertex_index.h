@@ -18,13 +18,13 @@ class VertexIndex {
   explicit VertexIndex(const facet::Box& box);
 
   /// `normal` is that of a face at the vertex, or 0; queries are fastest for planes close to that face.
-  void insert(std::uint32_t vertex, const glm::dvec3& place, const glm::dvec3& normal);
+  void insert(std::uint32_t vertex, const glm::dvec3& position, const glm::dvec3& normal);
   /// Removes an existing vertex, given its position.
-  void remove(std::uint32_t vertex, const glm::dvec3& place);
+  void remove(std::uint32_t vertex, const glm::dvec3& position);
 
   /// Appends the vertices whose Plane::height() is not below -near to `found`, exactly and in no particular order.
   /// Returns the number of vertices visited.
-  std::uint64_t find(const facet::Plane& plane, double near, std::vector<std::uint32_t>& found) const;
+  std::uint64_t find(const facet::Plane& plane, double tolerance, std::vector<std::uint32_t>& found) const;
 
  private:
   struct Held {
@@ -45,10 +45,10 @@ class VertexIndex {
 
     [[nodiscard]] double middle() const { return whole.low[axis] + (whole.high[axis] - whole.low[axis]) / 2.0; }
     /// The half that contains a position.
-    [[nodiscard]] std::uint32_t half_at(const glm::dvec3& place) const {
-      return below + (place[axis] < middle() ? 0U : 1U);
+    [[nodiscard]] std::uint32_t half_at(const glm::dvec3& position) const {
+      return below + (position[axis] < middle() ? 0U : 1U);
     }
-    void put(const Held& one);
+    void put(const Held& entry);
     /// Whether every vertex is certainly less than `height` above the plane, despite rounding errors.
     [[nodiscard]] bool is_surely_below(const facet::Plane& plane, double height) const;
   };

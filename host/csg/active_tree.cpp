@@ -73,7 +73,7 @@ std::uint32_t ActiveTree::depth() const {
   return operands.size() > 1 ? deepest + 1 : deepest;
 }
 
-/// The place for which a set's surface is examined.
+/// The block in which a set's surface is examined.
 struct Pruner::Place {
   Block block;
   std::span<const std::uint32_t> set;
@@ -136,34 +136,34 @@ Block Pruner::surface_block(std::span<const std::uint32_t> set, const view::Pixe
   return block.z_low > block.z_high ? Block{} : block;
 }
 
-bool Pruner::disjoint(std::uint32_t primitive, const Place& place) const {
-  const Block& block = place.block;
+bool Pruner::disjoint(std::uint32_t primitive, const Place& query) const {
+  const Block& block = query.block;
   const view::Extent& extent = view_.extents[primitive];
   const bool picture =
       common(extent.pixels, block.pixels).empty() || extent.z_low > block.z_high || extent.z_high < block.z_low;
   if (pruning_.picture) counted_.add(&isa::Preparation::boxes);
   return (pruning_.picture && picture) ||
-         (pruning_.space && std::any_of(place.set.begin(), place.set.end(),
+         (pruning_.space && std::any_of(query.set.begin(), query.set.end(),
                                         [&](std::uint32_t other) { return have_disjoint_boxes(primitive, other); }));
 }
 
-/// Appends the primitives in [first, end) that are not disjoint from the place, in order.
-void Pruner::find(std::uint32_t first, std::uint32_t end, const Place& place, std::vector<std::uint32_t>& found) const {
+/// Appends the primitives in [first, end) that are not disjoint from the block, in order.
+void Pruner::find(std::uint32_t first, std::uint32_t end, const Place& query, std::vector<std::uint32_t>& found) const {
   const std::size_t begin = found.size();
   if (!boxes_ || end - first <= few_primitives) {
     for (std::uint32_t i = first; i < end; ++i) found.push_back(i);
   } else {
-    const Block& block = place.block;
+    const Block& block = query.block;
     counted_.add(&isa::Preparation::boxes, boxes_->path_boxes());
     boxes_->meeting(picture_box(block.pixels, block.z_low, block.z_high, first, end - 1), found);
   }
-  const auto is_elsewhere = [&](std::uint32_t one) { return one < first || one >= end || disjoint(one, place); };
+  const auto is_elsewhere = [&](std::uint32_t one) { return one < first || one >= end || disjoint(one, query); };
   const auto new_begin = found.begin() + static_cast<std::ptrdiff_t>(begin);
   found.erase(std::remove_if(new_begin, found.end(), is_elsewhere), found.end());
 }
 
 std::vector<std::uint32_t> Pruner::meeting(std::span<const std::uint32_t> set, const Block& block) const {
-  const Place place{block, set};
+  const Place query{block, set};
   std::vector<std::uint32_t> found;
   const std::uint32_t leaf = tree_.leaf_of[set.front()];
   std::uint32_t operand = paths_.operand_above(leaf);
@@ -178,8 +178,8 @@ std::vector<std::uint32_t> Pruner::meeting(std::span<const std::uint32_t> set, c
       first = paths_.first(operand);
       last = paths_.last(operand);
     }
-    find(paths_.first(node), first, place, found);
-    find(last + 1, paths_.last(node) + 1, place, found);
+    find(paths_.first(node), first, query, found);
+    find(last + 1, paths_.last(node) + 1, query, found);
     first = paths_.first(node);
     last = paths_.last(node);
     operand = all_others ? model::no_index : paths_.operand_above(node);
@@ -196,70 +196,70 @@ double Pruner::comparison_instructions(std::uint32_t primitive) const {
 }
 
 /// Whether the boxes in model space are disjoint; false if the test is not worth its time.
-bool Pruner::have_disjoint_boxes(std::uint32_t one, std::uint32_t other) const {
-  const double saved = comparison_instructions(one);
+bool Pruner::have_disjoint_boxes(std::uint32_t first, std::uint32_t second) const {
+  const double saved = comparison_instructions(first);
   if (!prices_.is_worthwhile(saved, prices_.box)) {
     ++tallies_.space.left;
     return false;
   }
   counted_.add(&isa::Preparation::boxes);
-  const bool are_disjoint = csg::disjoint(view_.extents[one].box, view_.extents[other].box);
+  const bool are_disjoint = csg::disjoint(view_.extents[first].box, view_.extents[second].box);
   tallies_.space.add(are_disjoint, saved, prices_.box);
   return are_disjoint;
 }
 
 /// Whether a plane separates the primitives; false if the search is not worth its time.
-bool Pruner::are_apart(std::uint32_t one, std::uint32_t other) const {
-  const double saved = comparison_instructions(one);
-  if (!prices_.is_worthwhile(saved, pairs_.price(one, other, prices_))) {
+bool Pruner::are_apart(std::uint32_t first, std::uint32_t second) const {
+  const double saved = comparison_instructions(first);
+  if (!prices_.is_worthwhile(saved, pairs_.price(first, second, prices_))) {
     ++tallies_.separation.left;
     return false;
   }
   const std::uint64_t before = pairs_.work().supports;
-  const bool are_apart = pairs_.are_apart(one, other, view_, counted_);
+  const bool are_apart = pairs_.are_apart(first, second, view_, counted_);
   const auto supports = static_cast<double>(pairs_.work().supports - before + 1);
   tallies_.separation.add(are_apart, saved, supports * prices_.support);
   return are_apart;
 }
 
-/// Whether the half-spaces of a primitive contain or exclude the place; Known::depends if the test is not worth its
+/// Whether the half-spaces of a primitive contain or exclude the block; Known::depends if the test is not worth its
 /// time. The extremes of the half-spaces are needed for the comparison's instructions anyway.
-Known Pruner::located(std::uint32_t primitive, const Place& place) const {
+Known Pruner::located(std::uint32_t primitive, const Place& query) const {
   const double saved = comparison_instructions(primitive);
   if (!prices_.is_worthwhile(saved, prices_.box)) {
     ++tallies_.halfspaces.left;
     return Known::depends;
   }
-  Excluder* const excluder = kept_ == nullptr ? nullptr : kept_->excluder(place.set.front(), primitive);
-  const Known known = locate(view_, geometry_, primitive, place.block, counted_, excluder);
+  Excluder* const excluder = kept_ == nullptr ? nullptr : kept_->excluder(query.set.front(), primitive);
+  const Known known = locate(view_, geometry_, primitive, query.block, counted_, excluder);
   if (excluder != nullptr && excluder->held) kept_->count_certificate();
   tallies_.halfspaces.add(known != Known::depends, saved, prices_.box);
   return known;
 }
 
-/// What is known of a leaf, complemented or not. The cheaper test comes first.
-Known Pruner::leaf_known(const PositiveNode& leaf, const Place& place) const {
-  Known known = pruning_.halfspaces ? located(leaf.primitive, place) : Known::depends;
+/// Location of the block relative to a leaf, complemented or not. The cheaper test comes first.
+Known Pruner::leaf_known(const PositiveNode& leaf, const Place& query) const {
+  Known known = pruning_.halfspaces ? located(leaf.primitive, query) : Known::depends;
   const auto is_apart = [&](std::uint32_t primitive) { return are_apart(leaf.primitive, primitive); };
-  if (known == Known::depends && pruning_.separation && std::any_of(place.set.begin(), place.set.end(), is_apart))
+  if (known == Known::depends && pruning_.separation && std::any_of(query.set.begin(), query.set.end(), is_apart))
     known = Known::out;
   if (known == Known::depends || !leaf.complemented) return known;
   return known == Known::in ? Known::out : Known::in;
 }
 
-/// What is known of a leaf that is not disjoint from the place.
-Known Pruner::known(const PositiveNode& leaf, const Place& place) const {
-  const bool in_set = std::binary_search(place.set.begin(), place.set.end(), leaf.primitive);
-  return in_set ? Known::in : leaf_known(leaf, place);
+/// Location of the block relative to a leaf that is not disjoint from it. Leaves of the set itself contain its surface.
+Known Pruner::known(const PositiveNode& leaf, const Place& query) const {
+  const bool in_set = std::binary_search(query.set.begin(), query.set.end(), leaf.primitive);
+  return in_set ? Known::in : leaf_known(leaf, query);
 }
 
-/// The leading primitives of `from` that are below the node; at least the first must be.
-Pruner::Primitives Pruner::below(std::uint32_t node, Primitives from) const {
-  return from.first(
-      static_cast<std::size_t>(std::upper_bound(from.begin(), from.end(), paths_.last(node)) - from.begin()));
+/// The leading primitives of `primitives` that are below the node; at least the first must be.
+Pruner::Primitives Pruner::below(std::uint32_t node, Primitives primitives) const {
+  return primitives.first(static_cast<std::size_t>(
+      std::upper_bound(primitives.begin(), primitives.end(), paths_.last(node)) - primitives.begin()));
 }
 
-/// Counts a visit of a node in a walk.
+/// Counts a visit of a tree node.
 void Pruner::visit() const {
   ++visits_;
   counted_.add(&isa::Preparation::nodes);
@@ -279,12 +279,12 @@ bool Pruner::is_decided_elsewhere(std::uint32_t node, Primitives meeting) const 
 }
 
 /// Prunes a part of the tree without recursion, so that deep trees do not overflow the stack. It visits only the
-/// operators at which the paths to primitives that meet the place join.
+/// operators at which the paths to primitives that meet the block join.
 class Pruner::Walk {
  public:
-  Walk(const Pruner& pruner, const Place& place, ActiveTree& into) : pruner_(pruner), place_(place), into_(into) {}
+  Walk(const Pruner& pruner, const Place& query, ActiveTree& into) : pruner_(pruner), place_(query), into_(into) {}
 
-  /// `meeting`: the primitives at or below the root that are not disjoint from the place; at least one.
+  /// `meeting`: the primitives at or below the root that are not disjoint from the block; at least one.
   Pruned prune(std::uint32_t root, Primitives meeting) {
     bool has_result = !begin(root, meeting);
     while (!open_.empty()) {
@@ -312,7 +312,7 @@ class Pruner::Walk {
     std::vector<std::uint32_t> kept{};
   };
 
-  /// Returns false if the result is known; else the operands have to be visited.
+  /// Visits a node. Returns false if its result is known; otherwise its operands have to be visited.
   bool begin(std::uint32_t top, Primitives some) {
     pruner_.visit();
     const TreePaths& paths = pruner_.paths_;
@@ -390,11 +390,11 @@ void Pruner::join_leaves(ActiveTree& into, PositiveOperator op, std::vector<std:
 }
 
 /// Adds the remaining operands of `node`, an intersection above the set's first primitive. Returns false if the
-/// intersection is empty. `meeting`: the primitives below the node that are not disjoint from the place, and the set's
+/// intersection is empty. `meeting`: the primitives below the node that are not disjoint from the block, and the set's
 /// first.
-bool Pruner::add_operands(std::uint32_t node, Primitives meeting, const Place& place, ActiveTree& into) const {
-  const std::uint32_t own = paths_.child_towards(node, place.set.front());
-  Walk walk(*this, place, into);
+bool Pruner::add_operands(std::uint32_t node, Primitives meeting, const Place& query, ActiveTree& into) const {
+  const std::uint32_t own = paths_.child_towards(node, query.set.front());
+  Walk walk(*this, query, into);
   while (!meeting.empty()) {
     const std::uint32_t child = paths_.child_towards(node, meeting.front());
     const Primitives some = below(child, meeting);
@@ -409,35 +409,35 @@ bool Pruner::add_operands(std::uint32_t node, Primitives meeting, const Place& p
 
 ActiveTree Pruner::active_tree(std::span<const std::uint32_t> set, const Block& block) const {
   std::vector<std::uint32_t> found = meeting(set, block);
-  Place place{block, set};
-  // A walk without other primitives is shorter than a look-up.
-  if (kept_ == nullptr || found.empty()) return walked(place, std::move(found));
+  Place query{block, set};
+  // A traversal without other primitives is faster than a look-up.
+  if (kept_ == nullptr || found.empty()) return walked(query, std::move(found));
   KeptResults::Search search = kept_->search(set, found);
   while (const std::optional<std::uint32_t> primitive = search.question())
-    search.answer(known(tree_.nodes[tree_.leaf_of[*primitive]], place));
+    search.answer(known(tree_.nodes[tree_.leaf_of[*primitive]], query));
   const std::uint64_t looked_up = search.visits();
   counted_.add(&isa::Preparation::nodes, looked_up);
   if (const ActiveTree* const tree = search.tree()) {
     search.count_found(looked_up);
     return *tree;
   }
-  place.search = &search;
+  query.search = &search;
   const std::uint64_t before = visits_;
-  ActiveTree active = walked(place, std::move(found));
+  ActiveTree active = walked(query, std::move(found));
   search.keep(active, visits_ - before);
   return active;
 }
 
-/// The active tree by a walk of the CSG tree; `found` are the primitives that meet the place.
-ActiveTree Pruner::walked(const Place& place, std::vector<std::uint32_t> found) const {
+/// Builds the active tree by a traversal of the CSG tree; `found` are the primitives that meet the block.
+ActiveTree Pruner::walked(const Place& query, std::vector<std::uint32_t> found) const {
   ActiveTree active;
   ActiveTree nothing{true, {}, {}};
-  const std::span<const std::uint32_t> set = place.set;
+  const std::span<const std::uint32_t> set = query.set;
   const std::uint32_t leaf = tree_.leaf_of[set.front()];
   auto begin = found.insert(std::lower_bound(found.begin(), found.end(), set.front()), set.front());
   auto end = begin + 1;
   std::uint32_t at = leaf;
-  // Walks up through the nodes at which more of the found primitives join.
+  // Visits, upwards from the leaf, the nodes below which more of the found primitives are.
   while (begin != found.begin() || end != found.end()) {
     visit();
     std::uint32_t node = model::no_index;
@@ -448,7 +448,7 @@ ActiveTree Pruner::walked(const Place& place, std::vector<std::uint32_t> found) 
     if (paths_.is_out_between(at, paths_.child_towards(node, set.front()))) return nothing;
     if (tree_.nodes[node].op == PositiveOperator::intersect) {
       const Primitives meeting(begin, end);
-      if (is_decided_elsewhere(node, meeting) || !add_operands(node, meeting, place, active)) return nothing;
+      if (is_decided_elsewhere(node, meeting) || !add_operands(node, meeting, query, active)) return nothing;
     }
     at = node;
   }

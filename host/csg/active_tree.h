@@ -37,7 +37,7 @@ struct ActiveNode {
   [[nodiscard]] std::uint32_t primitives() const { return 1 + static_cast<std::uint32_t>(others.size()); }
 };
 
-/// What remains of a primitive's I-tree (thesis 6.2) over its block: the intersection of `operands`. The primitive's
+/// The remainder of a primitive's I-tree (thesis 6.2) over its block: the intersection of `operands`. The primitive's
 /// surface is visible where it is inside all of them. Without operands it is visible everywhere in the block.
 struct ActiveTree {
   bool nothing = false;  ///< the surface is outside everywhere in the block
@@ -51,7 +51,7 @@ struct ActiveTree {
   [[nodiscard]] std::uint32_t depth() const;
 };
 
-/// What a pruning did; members as in isa::PruningFacts.
+/// Statistics of a pruning; members as in isa::PruningFacts.
 struct Tally {
   std::uint64_t tried = 0;
   std::uint64_t decided = 0;
@@ -60,12 +60,12 @@ struct Tally {
   double nanoseconds = 0;
 
   /// Records an item to which the pruning was applied.
-  void add(bool is_decided, double instructions, double took) {
+  void add(bool is_decided, double saved_instructions, double spent_nanoseconds) {
     ++tried;
-    nanoseconds += took;
+    nanoseconds += spent_nanoseconds;
     if (!is_decided) return;
     ++decided;
-    saved += instructions;
+    saved += saved_instructions;
   }
 };
 
@@ -84,21 +84,21 @@ struct PrunerSettings {
   Pruning pruning{};
   Prices prices{};
   Counted counted{};            ///< counts the work for a view
-  KeptResults* kept = nullptr;  ///< results kept from earlier blocks and frames of the model; new ones are added;
-                                ///< null to keep none
+  KeptResults* kept = nullptr;  ///< results of earlier blocks and frames, to which new ones are added; null: none are
+                                ///< kept
 };
 
 /// Prunes I-trees for regions of the picture. `pairs` has the results for pairs of primitives of the geometry. The
 /// pruner keeps references to its arguments and is not thread-safe.
 ///
 /// An index of boxes finds the primitives that may meet the block. Only the parts of an I-tree that contain some of
-/// these are visited; the values of the other parts are precomputed, as they do not depend on the place.
+/// these are visited; the values of the other parts are precomputed, as they do not depend on the block.
 class Pruner {
  public:
   Pruner(const facet::Geometry& geometry, const view::View& view, const PositiveTree& tree, PairTable& pairs,
          const PrunerSettings& settings = {});
 
-  /// What each pruning has tried and decided since the construction.
+  /// Statistics of each pruning since construction.
   [[nodiscard]] const Tallies& tallies() const { return tallies_; }
 
   /// The part of the region and the depths in which the surface of a set can be; its pixels are empty if there is none.
@@ -116,20 +116,20 @@ class Pruner {
   class Walk;
   struct Place;
   using Primitives = std::span<const std::uint32_t>;
-  [[nodiscard]] bool disjoint(std::uint32_t primitive, const Place& place) const;
+  [[nodiscard]] bool disjoint(std::uint32_t primitive, const Place& query) const;
   [[nodiscard]] double comparison_instructions(std::uint32_t primitive) const;
-  [[nodiscard]] bool have_disjoint_boxes(std::uint32_t one, std::uint32_t other) const;
-  [[nodiscard]] bool are_apart(std::uint32_t one, std::uint32_t other) const;
-  [[nodiscard]] Known located(std::uint32_t primitive, const Place& place) const;
-  [[nodiscard]] Known leaf_known(const PositiveNode& leaf, const Place& place) const;
-  [[nodiscard]] Known known(const PositiveNode& leaf, const Place& place) const;
+  [[nodiscard]] bool have_disjoint_boxes(std::uint32_t first, std::uint32_t second) const;
+  [[nodiscard]] bool are_apart(std::uint32_t first, std::uint32_t second) const;
+  [[nodiscard]] Known located(std::uint32_t primitive, const Place& query) const;
+  [[nodiscard]] Known leaf_known(const PositiveNode& leaf, const Place& query) const;
+  [[nodiscard]] Known known(const PositiveNode& leaf, const Place& query) const;
   void visit() const;
-  [[nodiscard]] Primitives below(std::uint32_t node, Primitives from) const;
+  [[nodiscard]] Primitives below(std::uint32_t node, Primitives primitives) const;
   [[nodiscard]] bool is_decided_elsewhere(std::uint32_t node, Primitives meeting) const;
-  [[nodiscard]] bool add_operands(std::uint32_t node, Primitives meeting, const Place& place, ActiveTree& into) const;
+  [[nodiscard]] bool add_operands(std::uint32_t node, Primitives meeting, const Place& query, ActiveTree& into) const;
   void join_leaves(ActiveTree& into, PositiveOperator op, std::vector<std::uint32_t>& operands) const;
-  void find(std::uint32_t first, std::uint32_t end, const Place& place, std::vector<std::uint32_t>& found) const;
-  [[nodiscard]] ActiveTree walked(const Place& place, std::vector<std::uint32_t> found) const;
+  void find(std::uint32_t first, std::uint32_t end, const Place& query, std::vector<std::uint32_t>& found) const;
+  [[nodiscard]] ActiveTree walked(const Place& query, std::vector<std::uint32_t> found) const;
 
   const facet::Geometry& geometry_;
   const view::View& view_;
@@ -141,7 +141,7 @@ class Pruner {
   PairTable& pairs_;
   KeptResults* kept_;
   mutable Tallies tallies_;
-  mutable std::uint64_t visits_ = 0;  ///< visits of nodes in walks
+  mutable std::uint64_t visits_ = 0;  ///< node visits of all traversals
   std::optional<BoxIndex> boxes_;     ///< index of the primitives by pixels, depths and number; empty without picture
                                       ///< pruning
 };

@@ -100,8 +100,8 @@ class Development {
   std::vector<std::vector<Siblings>> levels_;
 };
 
-/// Adjacent siblings share a meeting.
-void add_meeting(std::vector<Meeting>& meetings, const Siblings& siblings) {
+/// Adds the AND of two siblings; extends the last run if it continues there.
+void add_and_run(std::vector<Meeting>& meetings, const Siblings& siblings) {
   if (!meetings.empty()) {
     Meeting& last = meetings.back();
     if (siblings.first == last.first + last.bits && siblings.second == last.second + last.bits) {
@@ -144,7 +144,7 @@ BitString make_bit_string(const std::vector<ActiveNode>& nodes, std::uint32_t ro
         if (inverted[position] != wanted) level.inverted.push_back(position);
       }
       inverted[first] = wanted;
-      add_meeting(level.meetings, {first, second, op});
+      add_and_run(level.meetings, {first, second, op});
     }
     std::sort(level.inverted.begin(), level.inverted.end());
     string.levels.push_back(std::move(level));

@@ -9,7 +9,7 @@
 
 namespace csgsim::csg {
 
-/// The `bits` bits from `first` on are ANDed with those from `second` on, in order.
+/// An AND of two runs of `bits` bits: each bit from position `first` on with the corresponding one from `second` on.
 struct Meeting {
   std::uint32_t first = 0;
   std::uint32_t second = 0;

@@ -14,8 +14,8 @@ namespace csgsim::csg {
 class Counted {
  public:
   Counted() = default;
-  /// `into` and `tested`, which may be null, must outlive this object.
-  explicit Counted(isa::Preparation& into, Tested* tested = nullptr) : into_(&into), tested_(tested) {}
+  /// `work` and `tested`, which may be null, must outlive this object.
+  explicit Counted(isa::Preparation& work, Tested* tested = nullptr) : into_(&work), tested_(tested) {}
 
   void add(std::uint64_t isa::Preparation::*kind, std::uint64_t times = 1) const {
     if (into_ != nullptr) into_->*kind += times;

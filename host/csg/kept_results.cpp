@@ -117,7 +117,7 @@ void KeptResults::Search::count_found(std::uint64_t visits) {
   kept_.reused_.nodes += replaced > visits ? replaced - visits : 0;
 }
 
-/// Makes the step the one that follows the answers until now.
+/// Makes `step` the successor of the test results until now.
 void KeptResults::Search::link(std::uint32_t step) {
   std::uint32_t& before =
       last_ == model::no_index ? *root_ : kept_.steps_[last_].next[static_cast<std::size_t>(answers_.back())];

@@ -30,11 +30,11 @@ struct Reused {
   bool operator==(const Reused&) const = default;
 };
 
-/// Active trees by their set and the primitives that meet its block, the half-spaces that exclude primitives, and the
-/// planes between pairs of primitives. A kept tree belongs to the results of the tests at its leaves, which are made
-/// again for each block, in the order in which a walk of the tree makes them. Found trees are therefore those that a
-/// walk would have made. A kept half-space is tested before the others of its primitive, which does not change the
-/// result.
+/// Stores active trees, keyed by their set and the primitives that meet its block; the half-spaces that exclude
+/// primitives; and the planes between pairs of primitives. A kept tree belongs to the results of the tests at its
+/// leaves, which are made again for each block, in the order in which a traversal of the CSG tree makes them. Found
+/// trees are therefore those that a traversal would have built. A kept half-space is tested before the others of its
+/// primitive; this does not change the result.
 ///
 /// A look-up reads each primitive of the key and each result: three of these take the host as long as a visit of a node
 /// (docs/host.md).
@@ -56,13 +56,13 @@ class KeptResults {
   /// Work that was replaced in the last Program.
   [[nodiscard]] const Reused& reused() const { return reused_; }
 
-  /// Whether the kept results apply to this tree and these prunings. The first call determines both.
+  /// Whether the kept results are those of this tree and these prunings, which the first call determines.
   [[nodiscard]] bool applies_to(const model::Tree& tree, const Pruning& pruning);
 
   /// The search for one active tree.
   class Search {
    public:
-    /// The primitive that has to be tested next, if the results until now lead to one.
+    /// The primitive to be tested next; empty if the test results until now determine the outcome of the search.
     [[nodiscard]] std::optional<std::uint32_t> question() const;
     /// Continues the search with the result of that test.
     void answer(Known known);
@@ -71,8 +71,8 @@ class KeptResults {
     /// Cost of this search for the host, as a number of node visits.
     [[nodiscard]] std::uint64_t visits() const;
 
-    /// The result of testing a primitive in a walk of the tree: the search's answer if it has one, otherwise the result
-    /// of `test`, which is kept.
+    /// The result of testing a primitive during a traversal of the CSG tree: the one that the search has already used,
+    /// if any; otherwise that of `test`, which is kept.
     template <class Test>
     Known in_walk(std::uint32_t primitive, const Test& test) {
       if (walked_ < answers_.size()) return answers_[walked_++];
@@ -81,9 +81,9 @@ class KeptResults {
       return known;
     }
 
-    /// Records in Reused that the tree was found, by a search that cost `visits` node visits.
+    /// Counts a found tree, whose search cost `visits` node visits, in reused().
     void count_found(std::uint64_t visits);
-    /// Keeps the tree of a walk that took that number of visits.
+    /// Keeps a tree whose traversal took `visits` node visits.
     void keep(const ActiveTree& tree, std::uint64_t visits);
 
    private:
@@ -109,7 +109,7 @@ class KeptResults {
   void count_certificate() { ++reused_.certificates; }
 
  private:
-  /// A test of a primitive, or the tree to which tests have led.
+  /// A node of the search graph: a test of a primitive, or the tree that the preceding tests determine.
   struct Step {
     std::uint32_t primitive = model::no_index;
     std::uint32_t tree = model::no_index;
@@ -117,7 +117,7 @@ class KeptResults {
   };
   struct KeptTree {
     ActiveTree tree;
-    std::uint64_t visits = 0;  ///< visits of nodes in the walk that made the tree
+    std::uint64_t visits = 0;  ///< node visits of the traversal that built the tree
   };
   struct Hash {
     std::size_t operator()(const std::vector<std::uint32_t>& key) const;

@@ -11,7 +11,7 @@
 
 namespace csgsim::csg {
 
-/// What is known of an object over a block: outside everywhere, inside everywhere, or undecided.
+/// Location of a block relative to an object: outside everywhere, inside everywhere, or undecided.
 enum class Known : std::uint8_t { out, in, depends };
 
 /// A block of picture and depth that contains the surface of a primitive.
@@ -37,7 +37,7 @@ Known locate(const view::View& view, facet::QuadricSide side, const Block& block
 /// A half-space of a primitive that excluded a block.
 struct Excluder {
   std::uint32_t halfspace = model::no_index;  ///< index in its solid; no_index if none has been found
-  bool held = false;                          ///< whether it has excluded the last block as well
+  bool held = false;                          ///< whether it excluded the most recently tested block as well
 };
 
 /// Locates the block relative to a convex primitive: out if one half-space or quadric is out; in if all are in and the
@@ -46,7 +46,7 @@ struct Excluder {
 Known locate(const view::View& view, const facet::Geometry& geometry, std::uint32_t primitive, const Block& block,
              const Counted& counted = {}, Excluder* excluder = nullptr);
 
-/// Whether `locate` gives `in`; stops at the first half-space or quadric that does not.
+/// Whether locate() returns `in`. Stops at the first half-space or quadric for which this is false.
 bool holds(const view::View& view, const facet::Geometry& geometry, std::uint32_t primitive, const Block& block,
            const Counted& counted = {});
 

@@ -27,16 +27,17 @@ class PairTable {
   void begin_frame();
   [[nodiscard]] bool is_in_first_frame() const { return is_in_first_frame_; }
 
-  /// Begins another Program: from here on price() returns what it would for a new table, so that earlier frames change
-  /// no decision.
+  /// Begins another Program: from now on price() returns the estimate of a new table, so that earlier frames do not
+  /// change decisions.
   void begin_program() { ++program_; }
 
   /// Whether the pair's plane still separates the primitives in a view, where rounding moves their surfaces. `counted`
   /// counts the view's part of the work.
-  [[nodiscard]] bool are_apart(std::uint32_t one, std::uint32_t other, const view::View& view, const Counted& counted);
+  [[nodiscard]] bool are_apart(std::uint32_t first, std::uint32_t second, const view::View& view,
+                               const Counted& counted);
 
   /// Estimated nanoseconds of are_apart(); searches for earlier Programs do not lower the estimate.
-  [[nodiscard]] double price(std::uint32_t one, std::uint32_t other, const Prices& prices) const;
+  [[nodiscard]] double price(std::uint32_t first, std::uint32_t second, const Prices& prices) const;
 
   /// The work of this frame's searches.
   [[nodiscard]] const isa::Preparation& work() const { return work_; }
@@ -44,7 +45,7 @@ class PairTable {
  private:
   struct Result {
     std::optional<Gap> gap;
-    std::uint64_t program = 0;  ///< the last Program that asked for the pair
+    std::uint64_t program = 0;  ///< the last Program that needed the pair
   };
   Hull& hull(std::uint32_t primitive);
 

@@ -90,21 +90,21 @@ std::optional<Gap> find_gap(Hull& first, Hull& second, const Counted& counted) {
   return widest;
 }
 
-bool disjoint(const facet::Box& a, const facet::Box& b) {
+bool disjoint(const facet::Box& first, const facet::Box& second) {
   for (int axis = 0; axis < 3; ++axis) {
-    if (a.low[axis] > b.high[axis] || b.low[axis] > a.high[axis]) return true;
+    if (first.low[axis] > second.high[axis] || second.low[axis] > first.high[axis]) return true;
   }
   return false;
 }
 
-bool disjoint(const view::View& view, std::uint32_t a, std::uint32_t b, const Pruning& pruning,
+bool disjoint(const view::View& view, std::uint32_t first, std::uint32_t second, const Pruning& pruning,
               const Counted& counted) {
-  const view::Extent& first = view.extents[a];
-  const view::Extent& second = view.extents[b];
+  const view::Extent& first_extent = view.extents[first];
+  const view::Extent& second_extent = view.extents[second];
   counted.add(&isa::Preparation::boxes, (pruning.picture ? 1U : 0U) + (pruning.space ? 1U : 0U));
-  const bool in_picture =
-      common(first.pixels, second.pixels).empty() || first.z_low > second.z_high || first.z_high < second.z_low;
-  return (pruning.picture && in_picture) || (pruning.space && disjoint(first.box, second.box));
+  const bool in_picture = common(first_extent.pixels, second_extent.pixels).empty() ||
+                          first_extent.z_low > second_extent.z_high || first_extent.z_high < second_extent.z_low;
+  return (pruning.picture && in_picture) || (pruning.space && disjoint(first_extent.box, second_extent.box));
 }
 
 }  // namespace csgsim::csg

@@ -18,7 +18,7 @@ namespace csgsim::csg {
 /// units, and the gap may be as small as 1e-9 of the larger hull. True is certain; false includes hulls that nearly
 /// touch. Empty sets are not separated from anything.
 ///
-/// Gilbert's algorithm (1966) walks towards the point of the Minkowski difference nearest to the origin; a support
+/// Gilbert's algorithm (1966) iterates towards the point of the Minkowski difference nearest to the origin; a support
 /// plane that excludes the origin proves separation.
 bool separated(std::span<const glm::dvec3> first, std::span<const glm::dvec3> second, const Counted& counted = {});
 bool separated(Hull& first, Hull& second, const Counted& counted = {});
@@ -38,11 +38,11 @@ struct Gap {
 std::optional<Gap> find_gap(Hull& first, Hull& second, const Counted& counted = {});
 
 /// Whether the boxes have no point in common.
-bool disjoint(const facet::Box& a, const facet::Box& b);
+bool disjoint(const facet::Box& first, const facet::Box& second);
 
 /// Whether the prunings `picture` and `space`, as far as they are enabled, prove that two primitives have no point of
 /// the picture and depth range in common.
-bool disjoint(const view::View& view, std::uint32_t a, std::uint32_t b, const Pruning& pruning,
+bool disjoint(const view::View& view, std::uint32_t first, std::uint32_t second, const Pruning& pruning,
               const Counted& counted = {});
 
 }  // namespace csgsim::csg

@@ -54,13 +54,13 @@ void TreePaths::note_above(std::uint32_t index, bool is_heavy) {
   note.top = above.top != model::no_index || !is_operand ? above.top : parent;
 }
 
-std::uint32_t TreePaths::common_ancestor(std::uint32_t one, std::uint32_t other) const {
+std::uint32_t TreePaths::common_ancestor(std::uint32_t first_node, std::uint32_t second_node) const {
   // Children precede parents, so the path whose top has the lower index has no node above the other path.
-  while (notes_[one].path != notes_[other].path) {
-    std::uint32_t& lower = notes_[one].path < notes_[other].path ? one : other;
+  while (notes_[first_node].path != notes_[second_node].path) {
+    std::uint32_t& lower = notes_[first_node].path < notes_[second_node].path ? first_node : second_node;
     lower = tree_.nodes[notes_[lower].path].parent;
   }
-  return std::max(one, other);
+  return std::max(first_node, second_node);
 }
 
 std::uint32_t TreePaths::child_towards(std::uint32_t node, std::uint32_t primitive) const {

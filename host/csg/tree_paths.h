@@ -9,15 +9,15 @@
 
 namespace csgsim::csg {
 
-/// Queries about the paths between the nodes of a tree, prepared so that none has to walk along a path: the lowest
-/// common ancestor (along heavy paths: Harel and Tarjan 1984), the primitives below a node, and the value of a part of
-/// the tree at places outside all its primitives. Keeps a reference to the tree.
+/// Queries about the paths between the nodes of a tree, precomputed so that no query visits all nodes of a path: the
+/// lowest common ancestor (along heavy paths: Harel and Tarjan 1984), the primitives below a node, and the value of a
+/// part of the tree at places outside all its primitives. Keeps a reference to the tree.
 class TreePaths {
  public:
   explicit TreePaths(const PositiveTree& tree);
 
   /// The lowest node that has both nodes at or below it.
-  [[nodiscard]] std::uint32_t common_ancestor(std::uint32_t one, std::uint32_t other) const;
+  [[nodiscard]] std::uint32_t common_ancestor(std::uint32_t first_node, std::uint32_t second_node) const;
 
   /// The child of `node` at or above the primitive's leaf, which must be below `node`.
   [[nodiscard]] std::uint32_t child_towards(std::uint32_t node, std::uint32_t primitive) const;

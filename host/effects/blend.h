@@ -17,8 +17,8 @@ using emit::subfield;
 /// target += constant * source, where E is 1. The constant must be below `full_weight`.
 void emit_multiply_add(emit::Broadcast& out, isa::Field target, unsigned constant, isa::Field source);
 
-/// Where E is 1: colour := (part * over + (256 - part) * colour) / 256, rounded half up. `product` is 16 bits of
-/// scratch.
-void emit_blend(emit::Broadcast& out, isa::Field colour, isa::Field over, unsigned part, isa::Field product);
+/// Where E is 1: colour := (weight * overlay + (256 - weight) * colour) / 256, rounded half up. `product` is a scratch
+/// field of 16 bits.
+void emit_blend(emit::Broadcast& out, isa::Field colour, isa::Field overlay, unsigned weight, isa::Field product);
 
 }  // namespace csgsim::effects

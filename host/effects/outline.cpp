@@ -78,13 +78,13 @@ bool Outline::clip(const view::FixedLinear& fixed, Outline& spare) {
   return true;
 }
 
-Outline::Position Outline::position(const view::FixedLinear& fixed, double least) const {
+Outline::Position Outline::position(const view::FixedLinear& fixed, double minimum) const {
   const Line line(fixed);
   bool is_beyond = true;
   bool is_within = true;
   for (const glm::dvec2& corner : corners_) {
     is_beyond = is_beyond && !(line.at(corner) >= 0);
-    is_within = is_within && line.min_at(corner) >= least;
+    is_within = is_within && line.min_at(corner) >= minimum;
     if (!is_beyond && !is_within) return Position::across;
   }
   return is_beyond ? Position::beyond : Position::within;

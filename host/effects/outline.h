@@ -31,7 +31,7 @@ class Outline {
     across,
     within,  ///< the line is certainly at least `least` in the whole outline
   };
-  [[nodiscard]] Position position(const view::FixedLinear& line, double least) const;
+  [[nodiscard]] Position position(const view::FixedLinear& line, double minimum) const;
 
   /// Bounding rectangle of its pixels, with a margin.
   [[nodiscard]] view::PixelRect pixels() const;

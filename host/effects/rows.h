@@ -10,7 +10,7 @@
 #include "host/model/tree.h"
 #include "host/scene/scene.h"
 
-/// Each effect is a file that defines its row.
+// Each effect is a file that defines its row.
 namespace csgsim::effects {
 
 /// The rows of all effects in the order of execution; flat shading is first.

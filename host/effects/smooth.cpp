@@ -42,8 +42,8 @@ glm::dvec3 top_levels(unsigned colour_bits) {
   return {(1U << widths[0]) - 1, (1U << widths[1]) - 1, (1U << widths[2]) - 1};
 }
 
-/// The lit levels of the true surface at the facet's vertices. Empty if the facet is the surface itself or reaches
-/// behind the eye.
+/// The levels of the illuminated true surface at the facet's vertices. Empty if the facet is the surface itself or
+/// reaches behind the eye.
 std::vector<Sample> take_samples(const emit::Context& context, const emit::Facet& facet) {
   std::vector<Sample> samples;
   const model::Primitive& primitive = context.tree.primitives[facet.primitive];

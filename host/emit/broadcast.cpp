@@ -83,8 +83,8 @@ void Broadcast::constant(isa::Field field, std::uint64_t value) {
   }
 }
 
-void Broadcast::shifted(isa::Field source, isa::Field target, unsigned up) {
-  const unsigned low = std::min<unsigned>(up, target.width);
+void Broadcast::shifted(isa::Field source, isa::Field target, unsigned left_shift) {
+  const unsigned low = std::min<unsigned>(left_shift, target.width);
   const unsigned width = std::min<unsigned>(source.width, target.width - low);
   constant(subfield(target, 0, low), 0);
   const isa::Field to = subfield(target, low, width);
@@ -106,11 +106,11 @@ void Broadcast::append(const isa::Instruction& instruction) {
   equal_ = equal_after(instruction, equal_);
 }
 
-void Broadcast::insert(std::size_t place, const isa::Instruction& instruction) {
+void Broadcast::insert(std::size_t index, const isa::Instruction& instruction) {
   // A skip may end here, so nothing is known about E at this point.
   equal_ = {};
   const auto inserted =
-      segment_.instructions.insert(segment_.instructions.begin() + static_cast<std::ptrdiff_t>(place), instruction);
+      segment_.instructions.insert(segment_.instructions.begin() + static_cast<std::ptrdiff_t>(index), instruction);
   inserted->origin.effect = effect;
 }
 

@@ -41,15 +41,15 @@ class Broadcast {
   /// Appends an instruction without a linear expression.
   void plain(isa::Opcode opcode, isa::Field first = {}, isa::Field second = {}, std::uint64_t constant = 0);
 
-  /// Appends a bitwise instruction on three fields.
+  /// Appends an instruction that combines three fields bit by bit.
   void bitwise(isa::Opcode opcode, isa::Field target, isa::Field left, isa::Field right);
 
   /// field := constant where E is 1. The field may have any width.
   void constant(isa::Field field, std::uint64_t value);
 
-  /// target := source * 2^up where E is 1, truncated to the target, which may have any width. Source and target may be
-  /// the same bits if `up` is 0.
-  void shifted(isa::Field source, isa::Field target, unsigned up);
+  /// target := source * 2^left_shift where E is 1, truncated to the target, which may have any width. Source and target
+  /// may be the same bits if `left_shift` is 0.
+  void shifted(isa::Field source, isa::Field target, unsigned left_shift);
 
   /// E := 0.
   void disable_all();
@@ -62,8 +62,9 @@ class Broadcast {
     return std::span<const isa::Instruction>(segment_.instructions).subspan(begin);
   }
 
-  /// Inserts an instruction that changes neither E nor memory before index `place`. No skip may span that index.
-  void insert(std::size_t place, const isa::Instruction& instruction);
+  /// Inserts an instruction that changes neither E nor memory before the instruction at `index`. No skip may span that
+  /// position.
+  void insert(std::size_t index, const isa::Instruction& instruction);
 
   /// Compares or combines a surface plane with a depth field. The operand is as wide as the plane's values over
   /// `pixels` require; E must be 0 outside `pixels`.
@@ -74,7 +75,8 @@ class Broadcast {
   void expression(isa::Opcode opcode, isa::Field field, const view::FixedLinear& linear, unsigned shift,
                   const view::PixelRect& pixels);
 
-  /// E stays 1 where the line's value is not negative (or is negative); E must be 0 outside `pixels`.
+  /// E stays 1 where the line's value is not negative or, for Opcode::edge_negative, negative. E must be 0 outside
+  /// `pixels`.
   void edge(isa::Opcode opcode, const view::FixedLinear& line, const view::PixelRect& pixels);
 
   /// Compares or combines a quadratic expression, whose low `shift` bits are its fraction, with a field, or with none

@@ -195,9 +195,9 @@ isa::Preparation count_preparation(const std::vector<const Drawing*>& drawings) 
   return all;
 }
 
-/// Host work for the model, whatever the camera: its positive form and sets, what its half-spaces have in common, and
-/// searches of pairs. Drawings of one model share all of it. In a sequence of frames, those after the first only search
-/// pairs that no frame before has searched.
+/// Host work for the model, independent of the camera: its positive form and sets, the planes and numbers that its
+/// half-spaces share, and searches of pairs. Drawings of one model share all of it. In a sequence of frames, those
+/// after the first only search pairs that no frame before has searched.
 isa::Preparation count_model_preparation(const std::vector<const Drawing*>& drawings) {
   isa::Preparation all;
   std::set<const csg::PairTable*> counted;
@@ -211,7 +211,7 @@ isa::Preparation count_model_preparation(const std::vector<const Drawing*>& draw
   return all;
 }
 
-/// What the prunings did in all drawings; without those that considered nothing.
+/// Statistics of the prunings over all drawings, without prunings that considered no item.
 std::vector<isa::PruningFacts> list_prunings(const std::vector<const Drawing*>& drawings) {
   constexpr std::pair<const char*, csg::Tally csg::Tallies::*> named[] = {{"space", &csg::Tallies::space},
                                                                           {"separation", &csg::Tallies::separation},

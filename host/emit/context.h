@@ -32,9 +32,9 @@ struct EffectRequest {
   std::shared_ptr<const Effect> effect;
 };
 
-/// What an effect prepares for a drawing; effects derive from it to store more.
+/// State that an effect prepares for a drawing; effects derive their own states from it.
 struct EffectState {
-  std::vector<bool> apart;  ///< by primitive: whether the effect draws its surfaces itself; empty: no primitive
+  std::vector<bool> apart;  ///< by primitive: whether the effect itself draws its surfaces; empty: for none
   std::vector<std::shared_ptr<const Drawing>> drawings;  ///< inner drawings that the effect makes, if any
 
   virtual ~EffectState() = default;
@@ -60,7 +60,7 @@ struct Shadows {
 /// Returns the value written for a facet in place of its colour.
 using Paint = std::function<std::uint32_t(const Facet& facet)>;
 
-/// What every part of the emitter reads while it works on one segment.
+/// Inputs of all parts of the emitter while they work on one segment.
 struct Context {
   const model::Tree& tree;
   const facet::Geometry& geometry;

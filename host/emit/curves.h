@@ -27,11 +27,12 @@ inline constexpr std::array curve_choices{Curves::facets, Curves::fast, Curves::
 /// The choice's name on the command line and in the stats.
 std::string_view name_of(Curves curves);
 
-/// Why the machine or the scene's effects do not support quadrics, and what to do; empty if they do.
+/// Error text: the reason why the machine or the scene's effects do not support quadrics, and what to do. Empty if they
+/// do.
 std::optional<std::string> why_no_quadrics(const machines::Machine& machine, const Options& options, const Look& look);
 
-/// Why only facets can be drawn even on a machine that evaluates quadrics, and what to do; empty if curves can be
-/// drawn.
+/// Error text: the reason why only facets can be drawn, even on a machine that evaluates quadrics, and what to do.
+/// Empty if curves can be drawn.
 std::optional<std::string> why_no_curves(const machines::Machine& machine, const Options& options, const Look& look);
 
 }  // namespace csgsim::emit

@@ -67,6 +67,6 @@ std::size_t additions(const Digits& digits) {
   return digits.plus.size() + digits.minus.size() + (digits.minus.empty() ? 0 : 1);
 }
 
-Digits fewest_digits(double number, double error) { return Search(number, error).best; }
+Digits fewest_digits(double number, double max_error) { return Search(number, max_error).best; }
 
 }  // namespace csgsim::emit

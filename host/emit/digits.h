@@ -18,8 +18,8 @@ struct Digits {
 /// sum if it subtracts.
 std::size_t additions(const Digits& digits);
 
-/// The digits of `number` within `error` that take the fewest additions; ties are broken by the smallest rest. The
+/// The digits of `number` within `max_error` that take the fewest additions; ties are broken by the smallest rest. The
 /// number must not be negative, and the error must be positive.
-Digits fewest_digits(double number, double error);
+Digits fewest_digits(double number, double max_error);
 
 }  // namespace csgsim::emit

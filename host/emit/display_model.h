@@ -1,4 +1,4 @@
-// The display model: what the host sends to a machine that divides the model itself.
+// The display model, which the host sends to a machine that divides the model itself.
 // Used by divided.cpp, division counts and tests.
 #pragma once
 
@@ -15,7 +15,8 @@ namespace csgsim::emit {
 /// strategy and prunings, with the colouring, colours and shading of `options`.
 Options divider_options(Options options);
 
-/// What the host sends to the divider: the transformed model, and the positions of the fields in pixel memory. The
+/// Makes the data that the host sends to the divider: the transformed model, and the positions of the fields in pixel
+/// memory. The
 /// stack gets all memory bits that other fields leave. Throws InputError if the other fields do not fit, if the
 /// colouring is automatic, or, naming the primitive, if coefficients of a face do not fit and the face may matter
 /// somewhere in the primitive's rectangle of pixels.

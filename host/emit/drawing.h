@@ -15,7 +15,7 @@
 
 namespace csgsim::emit {
 
-/// A mirror image: only the part of the reflected model that is behind the mirror is visible.
+/// A mirror image, which shows only the part of the reflected model behind the mirror.
 struct Reflection {
   unsigned count = 1;           ///< number of mirrors on the light's path
   std::uint32_t plane = 0;      ///< the mirror's plane, an index into the canonical planes of the reflected model
@@ -63,7 +63,7 @@ std::vector<const Drawing*> with_inner_drawings(const Drawing& drawing);
 /// A context for another drawing with the same region, fields and settings.
 Context context_for(const Drawing& drawing, const Context& outer);
 
-/// Whether emit_surfaces draws the surface.
+/// Whether emit_surfaces() draws the surface.
 bool is_drawn(const Context& context, const PlannedSurface& planned);
 
 /// Numbers of half-spaces and primitives in the drawn surfaces.

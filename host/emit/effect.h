@@ -36,7 +36,7 @@ class Effect {
  public:
   virtual ~Effect() = default;
 
-  /// Whether the effect is used for a model with this look although the scene does not mention it.
+  /// Whether a model with this look requires the effect although the scene does not mention it.
   [[nodiscard]] virtual bool called_by(const Look& /*look*/) const { return false; }
   /// Returns the model to draw in place of the file's. Throws InputError if the settings do not fit it.
   virtual model::Tree reshape(model::Tree&& tree) const { return std::move(tree); }

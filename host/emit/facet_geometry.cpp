@@ -21,9 +21,9 @@ glm::dvec3 in_own_axes(const model::Primitive& primitive, const glm::dvec3& norm
 
 }  // namespace
 
-glm::dvec3 in_camera_axes(const view::Camera& camera, const glm::dvec3& v) {
+glm::dvec3 in_camera_axes(const view::Camera& camera, const glm::dvec3& vector) {
   const view::Basis axes = view::basis(camera);
-  return {glm::dot(v, axes.right), glm::dot(v, axes.up), glm::dot(v, axes.forward)};
+  return {glm::dot(vector, axes.right), glm::dot(vector, axes.up), glm::dot(vector, axes.forward)};
 }
 
 glm::dvec3 outward_normal(const Context& context, const Facet& facet) {

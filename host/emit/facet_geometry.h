@@ -10,7 +10,7 @@
 namespace csgsim::emit {
 
 /// A vector in camera space: right, up, forward.
-glm::dvec3 in_camera_axes(const view::Camera& camera, const glm::dvec3& v);
+glm::dvec3 in_camera_axes(const view::Camera& camera, const glm::dvec3& vector);
 
 /// The unit normal in model space that points out of the visible solid. Undefined for a cap, which has no half-space.
 glm::dvec3 outward_normal(const Context& context, const Facet& facet);

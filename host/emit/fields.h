@@ -10,9 +10,9 @@
 
 namespace csgsim::emit {
 
-/// The `width` bits of a field from bit `from` on.
-constexpr isa::Field subfield(isa::Field field, unsigned from, unsigned width) {
-  return {static_cast<std::uint16_t>(field.base + from), static_cast<std::uint16_t>(width)};
+/// The `width` bits of a field from bit `first_bit` on.
+constexpr isa::Field subfield(isa::Field field, unsigned first_bit, unsigned width) {
+  return {static_cast<std::uint16_t>(field.base + first_bit), static_cast<std::uint16_t>(width)};
 }
 
 /// The red, green and blue parts of a colour field.

@@ -56,8 +56,8 @@ DecidingFacets cutting_facets(const Context& context, std::span<const std::uint3
 DecidingFacets deciding_facets(const Context& context, std::span<const std::uint32_t> set, view::Side side,
                                const csg::Block& block);
 
-/// What must be broadcast to draw a solid's surface in a block's pixels. The half-spaces are tested over all depths,
-/// because Z1 is unknown before.
+/// The half-spaces and quadrics that must be broadcast to draw a solid's surface in a block's pixels. The half-spaces
+/// are tested over all depths, because Z1 is unknown before.
 struct Sides {
   csg::Block column;  ///< the pixels, all depths
   DecidingFacets fronts;
@@ -72,7 +72,7 @@ struct Sides {
 
 Sides deciding_sides(const Context& context, const PlannedSurface& planned);
 
-/// Whether emit_edges appends any instruction.
+/// Whether emit_edges() would append any instruction.
 bool has_edges(const Context& context, std::uint32_t primitive, const csg::Block& block);
 
 /// Appends the edge tests of a primitive, and of its quadrics, that cut the block: E stays 1 inside them.

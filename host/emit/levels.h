@@ -19,7 +19,7 @@ ClassificationBits bits_for_levels(const csg::ActiveTree& active, unsigned level
 /// Clears the mask where Z1 is outside the active tree. Returns the number of primitives compared with Z1.
 std::uint64_t emit_by_levels(const Context& context, Broadcast& out, const PlannedSurface& planned, unsigned levels);
 
-/// The two functions above for all levels of the tree, with the signatures of StrategyRow.
+/// bits_for_levels() and emit_by_levels() for all levels of the tree, with the signatures of StrategyRow.
 ClassificationBits bits_for_all_levels(const csg::ActiveTree& active, const Options& options);
 std::uint64_t emit_by_all_levels(const Context& context, Broadcast& out, const PlannedSurface& planned);
 

@@ -1,4 +1,4 @@
-// What a solid shows at depth 0, where it meets the near plane.
+// The facet of a solid at depth 0, where it meets the near plane.
 // Used by surface.cpp, halfspaces.cpp and display_model.cpp.
 #pragma once
 

@@ -16,7 +16,7 @@
 
 namespace csgsim::emit {
 
-/// What is drawn as one surface in a segment: a primitive, or several that form one convex solid.
+/// A surface of a segment: that of a primitive, or of several primitives that form one convex solid.
 struct PlannedSurface {
   csg::ConvexSet set;
   csg::Block block;
@@ -44,13 +44,13 @@ struct Plan {
   csg::PositiveTree positive;
   std::vector<SegmentPlan> segments;
   std::shared_ptr<csg::PairTable> pairs;
-  csg::Tallies tallies;  ///< what the prunings did
+  csg::Tallies tallies;  ///< statistics of the prunings
 
   /// Number of levels of the deepest active tree.
   [[nodiscard]] std::uint32_t depth() const;
 };
 
-/// How to prune a plan.
+/// Settings for pruning a plan.
 struct PlanSettings {
   csg::Pruning pruning;
   csg::Prices prices{};

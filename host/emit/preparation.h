@@ -11,8 +11,8 @@
 
 namespace csgsim::emit {
 
-/// How many different numbers of a model the host has to multiply by the camera's matrix. Numbers are compared as
-/// integers of 32 bits, scaled to the model's size. The host finds them once per model.
+/// Counts of the distinct numbers of a model that the host has to multiply by the camera's matrix. Numbers are compared
+/// as integers of 32 bits, scaled to the model's size. The host finds them once per model.
 struct DistinctNumbers {
   std::uint64_t coordinates = 0;  ///< distinct coordinates of corners, along x, y and z
   std::uint64_t components = 0;   ///< distinct components of normals, without their signs
@@ -21,8 +21,8 @@ struct DistinctNumbers {
 
 DistinctNumbers count_distinct(const facet::Geometry& geometry);
 
-/// The host work of finding what half-spaces and corners of a model have in common, for any camera: a plane in a table
-/// for each half-space, and a number in a table for each coordinate, component and direction.
+/// The host work of finding the planes and numbers that half-spaces and corners of a model share, for any camera: a
+/// table look-up of the plane for each half-space, and of the number for each coordinate, component and direction.
 isa::Preparation count_sharing(const facet::Geometry& geometry);
 
 /// The host work of transforming a model for a camera (docs/host.md): its planes and quadrics, and the points of its

@@ -207,11 +207,11 @@ void emit_outline(const Context& context, Broadcast& out, const QuadricBound& bo
 }
 
 bool is_met_within(const Context& context, const QuadricBound& bound, const view::PixelRect& pixels,
-                   const view::PixelRect& rect) {
-  const std::array<view::PixelRect, 4> around{{{rect.x0, rect.y0, rect.x1, pixels.y0 - 1},
-                                               {rect.x0, pixels.y1 + 1, rect.x1, rect.y1},
-                                               {rect.x0, pixels.y0, pixels.x0 - 1, pixels.y1},
-                                               {pixels.x1 + 1, pixels.y0, rect.x1, pixels.y1}}};
+                   const view::PixelRect& enclosing) {
+  const std::array<view::PixelRect, 4> around{{{enclosing.x0, enclosing.y0, enclosing.x1, pixels.y0 - 1},
+                                               {enclosing.x0, pixels.y1 + 1, enclosing.x1, enclosing.y1},
+                                               {enclosing.x0, pixels.y0, pixels.x0 - 1, pixels.y1},
+                                               {pixels.x1 + 1, pixels.y0, enclosing.x1, pixels.y1}}};
   return std::all_of(around.begin(), around.end(), [&](const view::PixelRect& strip) {
     return strip.empty() || root_ranges(context, bound, strip).discriminant.high < 0;
   });

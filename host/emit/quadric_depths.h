@@ -60,9 +60,9 @@ void emit_outline(const Context& context, Broadcast& out, const QuadricBound& bo
 void emit_root(const Context& context, Broadcast& out, const QuadricBound& bound, const view::PixelRect& pixels,
                const view::PixelRect& enabled);
 
-/// Whether bounds prove that no ray of `rect` outside `pixels` meets the quadric.
+/// Whether bounds prove that no ray of `enclosing` outside `pixels` meets the quadric.
 bool is_met_within(const Context& context, const QuadricBound& bound, const view::PixelRect& pixels,
-                   const view::PixelRect& rect);
+                   const view::PixelRect& enclosing);
 
 /// Computes a depth of the quadric where E is 1, after emit_root. Returns the field that holds it, as wide as Z1:
 /// `into` if given and writable, else the low part of the layout's sum. Depths are clamped to the depth range.

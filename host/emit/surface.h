@@ -28,7 +28,7 @@ bool fits_depth(const Context& context, const Facet& facet, const csg::Block& bl
 isa::Field emit_facet_depth(const Context& context, Broadcast& out, const Facet& facet, const view::PixelRect& pixels,
                             const view::PixelRect& enabled, isa::Field into = {});
 
-/// What emit_surface would draw; appends nothing.
+/// Determines the surface that emit_surface() would draw. Appends no instructions.
 Surface plan_surface(const Context& context, const PlannedSurface& planned, const Sides& sides);
 
 /// Draws the surface into Z1, and its colour if there is a field for it. E is 1 where there is a surface.

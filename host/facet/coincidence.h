@@ -57,9 +57,9 @@ std::uint64_t hash_of(const Key<size>& cell) {
 }
 
 template <std::size_t size>
-bool are_near(const Key<size>& one, const Key<size>& other) {
+bool are_near(const Key<size>& first, const Key<size>& second) {
   for (std::size_t i = 0; i < size; ++i) {
-    const bool is_near = other[i] >= one[i] - coincidence_tolerance && other[i] <= one[i] + coincidence_tolerance;
+    const bool is_near = second[i] >= first[i] - coincidence_tolerance && second[i] <= first[i] + coincidence_tolerance;
     if (!is_near) return false;
   }
   return true;

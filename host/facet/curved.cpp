@@ -139,10 +139,10 @@ constexpr std::uint32_t max_cached_sides = 4096;
 
 }  // namespace
 
-std::vector<glm::dvec2> directions(std::uint32_t sides, double turn) {
-  if (sides > max_cached_sides) return compute_directions(sides, turn);
+std::vector<glm::dvec2> directions(std::uint32_t side_count, double turn) {
+  if (side_count > max_cached_sides) return compute_directions(side_count, turn);
   thread_local DirectionCache last;
-  return last.find(sides, turn);
+  return last.find(side_count, turn);
 }
 
 std::vector<std::uint32_t> add_ring(Solid& solid, const Ring& ring, std::span<const glm::dvec2> around) {

@@ -34,9 +34,9 @@ struct Ring {
   double z = 0;
 };
 
-/// Cosine and sine of `sides` equally spaced directions around the z axis. The first is at the angle of `turn` sides
-/// from the x axis.
-std::vector<glm::dvec2> directions(std::uint32_t sides, double turn);
+/// Cosine and sine of `side_count` equally spaced directions around the z axis. The first is at the angle of `turn`
+/// sides from the x axis.
+std::vector<glm::dvec2> directions(std::uint32_t side_count, double turn);
 
 /// Adds the vertices of a ring, one per direction. Returns their indices, one per direction.
 std::vector<std::uint32_t> add_ring(Solid& solid, const Ring& ring, std::span<const glm::dvec2> around);

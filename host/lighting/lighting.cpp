@@ -40,10 +40,10 @@ bool Lighting::is_local(const scene::Material& material) const {
   return has_points || (material.specular > 0 && is_perspective);
 }
 
-bool is_chosen(const scene::PrimitiveSelection& chosen, const model::Primitive& primitive) {
-  if (chosen.of_colour && !(primitive.colour && same_colour(*chosen.of_colour, *primitive.colour))) return false;
-  return !chosen.from_line || (primitive.location.line >= *chosen.from_line &&
-                               primitive.location.line <= chosen.to_line.value_or(*chosen.from_line));
+bool is_chosen(const scene::PrimitiveSelection& selection, const model::Primitive& primitive) {
+  if (selection.of_colour && !(primitive.colour && same_colour(*selection.of_colour, *primitive.colour))) return false;
+  return !selection.from_line || (primitive.location.line >= *selection.from_line &&
+                                  primitive.location.line <= selection.to_line.value_or(*selection.from_line));
 }
 
 Lighting make_lighting(const scene::Scene& scene, const view::Camera& camera) {
@@ -56,17 +56,17 @@ Lighting make_lighting(const scene::Scene& scene, const view::Camera& camera) {
 }
 
 glm::dvec3 lit(const Lighting& lighting, const scene::Material& material, const glm::dvec3& colour,
-               const SurfacePoint& at) {
+               const SurfacePoint& point) {
   glm::dvec3 light = lighting.ambient * material.ambient;
   glm::dvec3 highlights{0};
   for (const SeenLight& one : lighting.lights) {
-    const glm::dvec3 to_light = one.is_point ? glm::normalize(one.where - at.place) : one.where;
-    const double cosine = glm::dot(to_light, at.normal);
+    const glm::dvec3 to_light = one.is_point ? glm::normalize(one.where - point.place) : one.where;
+    const double cosine = glm::dot(to_light, point.normal);
     if (!(cosine > 0)) continue;
     light += one.colour * (material.diffuse * cosine);
     if (material.specular == 0) continue;
-    const glm::dvec3 to_eye = lighting.is_perspective ? -glm::normalize(at.place) : glm::dvec3(0, 0, -1);
-    const double highlight = std::max(0.0, glm::dot(glm::normalize(to_light + to_eye), at.normal));
+    const glm::dvec3 to_eye = lighting.is_perspective ? -glm::normalize(point.place) : glm::dvec3(0, 0, -1);
+    const double highlight = std::max(0.0, glm::dot(glm::normalize(to_light + to_eye), point.normal));
     highlights += one.colour * (material.specular * std::pow(highlight, material.shininess));
   }
   return colour * light + highlights;

@@ -1,4 +1,4 @@
-// Lights, finishes and the colour of lit surfaces.
+// Lights, finishes and the colours of illuminated surfaces.
 // Used by host/effects, host/emit and sim/studies.
 #pragma once
 
@@ -44,10 +44,10 @@ struct SurfacePoint {
 
 /// The visible colour: ambient light, Lambert's law and Blinn's highlight. Components may exceed 1.
 glm::dvec3 lit(const Lighting& lighting, const scene::Material& material, const glm::dvec3& colour,
-               const SurfacePoint& at);
+               const SurfacePoint& point);
 
 /// Whether the selection contains the primitive.
-bool is_chosen(const scene::PrimitiveSelection& chosen, const model::Primitive& primitive);
+bool is_chosen(const scene::PrimitiveSelection& selection, const model::Primitive& primitive);
 
 /// The appearance of a primitive: from the scene if it has settings, otherwise from the model if it has any, otherwise
 /// the defaults.

@@ -15,7 +15,7 @@ namespace {
 /// A facet of a cylinder is one of the ends if the cosine of the angle between its normal and the z axis is greater.
 constexpr double end_cosine = 1 - 1e-9;
 
-/// Default answers, for a shape without a curved surface.
+/// Results of the queries for a shape without a curved surface.
 struct Flat {
   std::string_view name;
 
@@ -94,16 +94,17 @@ bool is_flat(const Shape& shape, const glm::dvec3& normal) {
   return visit_surface(shape, [&](const auto& surface) { return surface.is_flat(normal); });
 }
 
-double angle_between(const Shape& shape, std::size_t facets) {
-  return visit_surface(shape, [&](const auto& surface) { return surface.angle_between(static_cast<double>(facets)); });
+double angle_between(const Shape& shape, std::size_t facet_count) {
+  return visit_surface(shape,
+                       [&](const auto& surface) { return surface.angle_between(static_cast<double>(facet_count)); });
 }
 
-std::optional<glm::dvec3> normal_at(const Shape& shape, const glm::dvec3& vertex, const glm::dvec3& of_facet) {
-  return visit_surface(shape, [&](const auto& surface) { return surface.normal_at(vertex, of_facet); });
+std::optional<glm::dvec3> normal_at(const Shape& shape, const glm::dvec3& vertex, const glm::dvec3& facet_normal) {
+  return visit_surface(shape, [&](const auto& surface) { return surface.normal_at(vertex, facet_normal); });
 }
 
-std::optional<SurfacePlace> place_at(const Shape& shape, const glm::dvec2& direction, double part) {
-  return visit_surface(shape, [&](const auto& surface) { return surface.place_at(direction, part); });
+std::optional<SurfacePlace> place_at(const Shape& shape, const glm::dvec2& direction, double height_fraction) {
+  return visit_surface(shape, [&](const auto& surface) { return surface.place_at(direction, height_fraction); });
 }
 
 }  // namespace csgsim::model

@@ -20,12 +20,12 @@ bool has_flat_faces(const Shape& shape);
 /// Whether a facet with the given normal is part of the surface itself and does not approximate a curved surface.
 bool is_flat(const Shape& shape, const glm::dvec3& normal);
 
-/// Angle in radians between neighbouring facets, if `facets` facets approximate the curved surface.
-double angle_between(const Shape& shape, std::size_t facets);
+/// Angle in radians between neighbouring facets, if `facet_count` facets approximate the curved surface.
+double angle_between(const Shape& shape, std::size_t facet_count);
 
-/// The normal at `vertex` of the curved surface that a facet with the normal `of_facet` approximates; empty if there is
+/// The normal at `vertex` of the curved surface that a facet with the given normal approximates; empty if there is
 /// none.
-std::optional<glm::dvec3> normal_at(const Shape& shape, const glm::dvec3& vertex, const glm::dvec3& of_facet);
+std::optional<glm::dvec3> normal_at(const Shape& shape, const glm::dvec3& vertex, const glm::dvec3& facet_normal);
 
 /// A point of a surface and the unit normal there.
 struct SurfacePlace {
@@ -33,8 +33,8 @@ struct SurfacePlace {
   glm::dvec3 normal;
 };
 
-/// The point of the curved surface in the direction `direction` (a unit vector) from the z axis, at the fraction `part`
-/// of the height; empty if the shape has no curved surface.
-std::optional<SurfacePlace> place_at(const Shape& shape, const glm::dvec2& direction, double part);
+/// The point of the curved surface in a direction (a unit vector) from the z axis, at a fraction, from 0 to 1, of the
+/// height or, for a sphere, of the latitudes from pole to pole; empty if the shape has no curved surface.
+std::optional<SurfacePlace> place_at(const Shape& shape, const glm::dvec2& direction, double height_fraction);
 
 }  // namespace csgsim::model

@@ -4,19 +4,19 @@
 
 namespace csgsim::model {
 
-Tree subtree(const Tree& tree, std::uint32_t root, std::uint32_t node, std::uint32_t primitive) {
+Tree subtree(const Tree& tree, std::uint32_t root, std::uint32_t first_node, std::uint32_t first_primitive) {
   Tree part;
   part.file = tree.file;
-  for (std::uint32_t i = node; i <= root; ++i) {
+  for (std::uint32_t i = first_node; i <= root; ++i) {
     Node copy = tree.nodes[i];
-    for (std::uint32_t& child : copy.children) child -= node;
+    for (std::uint32_t& child : copy.children) child -= first_node;
     if (copy.is_leaf) {
       part.primitives.push_back(tree.primitives[copy.primitive]);
-      copy.primitive -= primitive;
+      copy.primitive -= first_primitive;
     }
     part.nodes.push_back(std::move(copy));
   }
-  part.root = root - node;
+  part.root = root - first_node;
   return part;
 }
 

@@ -8,8 +8,8 @@
 
 namespace csgsim::model {
 
-/// Copies the subtree at `root` to a separate tree. `node` and `primitive` are the indices of its first node and first
-/// primitive.
-Tree subtree(const Tree& tree, std::uint32_t root, std::uint32_t node, std::uint32_t primitive);
+/// Copies the subtree at `root` to a separate tree. `first_node` and `first_primitive` are the lowest indices of its
+/// nodes and primitives.
+Tree subtree(const Tree& tree, std::uint32_t root, std::uint32_t first_node, std::uint32_t first_primitive);
 
 }  // namespace csgsim::model

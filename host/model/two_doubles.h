@@ -42,9 +42,9 @@ inline TwoDoubles operator*(const TwoDoubles& a, const TwoDoubles& b) {
   return exact_sum(product.high, product.low + (a.high * b.low + a.low * b.high));
 }
 
-inline TwoDoubles operator/(const TwoDoubles& a, double by) {
-  const double quotient = a.high / by;
-  return exact_sum(quotient, (std::fma(-quotient, by, a.high) + a.low) / by);
+inline TwoDoubles operator/(const TwoDoubles& a, double divisor) {
+  const double quotient = a.high / divisor;
+  return exact_sum(quotient, (std::fma(-quotient, divisor, a.high) + a.low) / divisor);
 }
 
 }  // namespace csgsim::model

@@ -16,7 +16,7 @@ namespace csgsim::read {
 
 namespace {
 
-/// Returns a maker for a node without children.
+/// Returns the maker of a node without children.
 Maker leaf(flat::Area area) {
   return [area = std::move(area)](const Operands& /*none*/) { return Made{{}, area, {}, 2}; };
 }
@@ -46,7 +46,7 @@ void warn_of_replacement(const Arguments& arguments, const flat::Text& text) {
           printable(shown(text.font)), printable(*family));
     }
   } catch (const InputError&) {
-    // There is no text module; making the text reports this.
+    // The text module is missing; flat::text() reports this.
   }
 }
 

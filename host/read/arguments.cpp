@@ -91,8 +91,8 @@ ValueView Arguments::required(std::string_view name, std::string_view form) cons
   return *value;
 }
 
-double Arguments::read_number(ValueView value, std::string_view what) const {
-  if (!value.is(ValueKind::number)) fail(value, "{} of {}() must be a number", what, node_->name);
+double Arguments::read_number(ValueView value, std::string_view description) const {
+  if (!value.is(ValueKind::number)) fail(value, "{} of {}() must be a number", description, node_->name);
   return value.value().number;
 }
 

@@ -76,29 +76,32 @@ class Arguments {
   /// The argument `name`. Throws InputError if it is absent; `form`, as in `size = [x, y, z]`, is part of the message.
   [[nodiscard]] ValueView required(std::string_view name, std::string_view form) const;
 
-  /// Reads at least `min_count` and at most N numbers from a vector; the other elements of `into` keep their values.
+  /// Reads at least `min_count` and at most N numbers from a vector; the other elements of `numbers` keep their values.
   template <std::size_t N>
-  void read_numbers(ValueView vector, std::size_t min_count, std::array<double, N>& into, std::string_view what) const {
+  void read_numbers(ValueView vector, std::size_t min_count, std::array<double, N>& numbers,
+                    std::string_view description) const {
     if (!vector.is(ValueKind::vector) || vector.size() < min_count || vector.size() > N) {
-      fail(vector, "{} of {}() must be a vector of {} numbers", what, node_->name,
+      fail(vector, "{} of {}() must be a vector of {} numbers", description, node_->name,
            min_count == N ? fmt::to_string(N) : fmt::format("{} or {}", min_count, N));
     }
-    auto out = into.begin();
-    vector.for_each([&](ValueView element) { *out++ = read_number(element, what); });
+    auto out = numbers.begin();
+    vector.for_each([&](ValueView element) { *out++ = read_number(element, description); });
   }
 
-  [[nodiscard]] double read_number(ValueView value, std::string_view what) const;
+  [[nodiscard]] double read_number(ValueView value, std::string_view description) const;
 
   /// Prints a message to standard error, with the position of a value.
-  void report(ValueView at, std::string_view message) const { source_->print_message(at.value().offset, message); }
+  void report(ValueView value, std::string_view message) const {
+    source_->print_message(value.value().offset, message);
+  }
 
   /// Prints a message to standard error, with the position of the node's name.
   void report(std::string_view message) const { source_->print_message(statement_->offset, message); }
 
   /// Throws InputError at the position of a value.
   template <typename... Parts>
-  [[noreturn]] void fail(ValueView at, fmt::format_string<Parts...> message, Parts&&... parts) const {
-    source_->fail(at.value().offset, fmt::format(message, std::forward<Parts>(parts)...));
+  [[noreturn]] void fail(ValueView value, fmt::format_string<Parts...> message, Parts&&... parts) const {
+    source_->fail(value.value().offset, fmt::format(message, std::forward<Parts>(parts)...));
   }
 
   /// Throws InputError at the position of the node's name.

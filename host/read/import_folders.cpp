@@ -27,9 +27,9 @@ bool is_in(const fs::path& path, const fs::path& folder) {
 
 }  // namespace
 
-ImportFolders::ImportFolders(const fs::path& model_folder, const fs::path& named)
+ImportFolders::ImportFolders(const fs::path& model_folder, const fs::path& additional_folder)
     : folders_{model_folder.empty() ? fs::path(".") : model_folder} {
-  if (!named.empty()) folders_.push_back(named);
+  if (!additional_folder.empty()) folders_.push_back(additional_folder);
 }
 
 bool ImportPlace::exists() const {

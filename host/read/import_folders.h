@@ -22,8 +22,8 @@ struct ImportPlace {
 /// The folders from which a model may import files: the model's folder, an additional one, and their subfolders.
 class ImportFolders {
  public:
-  /// `named` is the additional folder; see read::Options.
-  ImportFolders(const std::filesystem::path& model_folder, const std::filesystem::path& named);
+  /// `additional_folder` may be empty; see read::Options::imports_from.
+  ImportFolders(const std::filesystem::path& model_folder, const std::filesystem::path& additional_folder);
 
   /// The paths at which a file with the given name is searched, in order.
   [[nodiscard]] std::vector<ImportPlace> candidate_places(std::string_view name) const;

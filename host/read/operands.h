@@ -41,7 +41,7 @@ bool has_area(const Operands& operands);
 /// The union of the children that are solids; the tree has no nodes if there are none.
 model::Tree union_of_solids(Operands operands);
 
-/// Makes the result when the node ends. Throws InputError without a position.
+/// Makes the result of a node from its operands, when the node ends. Throws InputError without a position.
 using Maker = std::function<Made(Operands)>;
 
 }  // namespace csgsim::read

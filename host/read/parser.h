@@ -38,8 +38,8 @@ class Parser {
   void close_braces(std::string_view text);
   void finish_file();
 
-  [[nodiscard]] std::size_t offset_of(const char* at) const {
-    return static_cast<std::size_t>(at - source_.text().data());
+  [[nodiscard]] std::size_t offset_of(const char* position) const {
+    return static_cast<std::size_t>(position - source_.text().data());
   }
   [[nodiscard]] std::string statement_name() const { return shown(statement_.name); }
 

@@ -14,7 +14,7 @@ namespace csgsim::read {
 /// not finite or the last row is 0 0 0 0. A projective part is ignored with a warning, as in OpenSCAD.
 glm::dmat4 read_matrix(const Arguments& arguments);
 
-/// Whether the matrix leaves nothing of a solid, because it is singular or not finite.
+/// Whether a transformation by the matrix makes every solid empty: it is singular or not finite.
 bool empties(const glm::dmat4& matrix);
 
 /// The colour of a `color` node, each component in [0, 1].

@@ -22,7 +22,7 @@ bool is_along_axes(const glm::dmat4& matrix);
 /// translation column stays as written. Empty if no such matrix is found.
 std::optional<glm::dmat4> restored(const glm::dmat4& written);
 
-/// Numbers of a file's matrices that were restored and that were not; matrices along the axes are not counted.
+/// Counts of a file's matrices with and without a restored rotation; matrices along the axes are not counted.
 struct RestoredCount {
   std::uint32_t restored = 0;
   std::uint32_t as_written = 0;

@@ -30,8 +30,8 @@ std::optional<double> read_radius(const Arguments& arguments, std::string_view r
 /// warning.
 class IndexReader {
  public:
-  /// `points`: number of points of the node.
-  IndexReader(const Arguments& arguments, std::size_t points) : arguments_(arguments), points_(points) {}
+  /// `point_count`: number of points of the node; indices must be below it.
+  IndexReader(const Arguments& arguments, std::size_t point_count) : arguments_(arguments), points_(point_count) {}
 
   /// The indices of one face or path.
   std::vector<std::uint32_t> read(ValueView list);
@@ -62,13 +62,13 @@ std::optional<glm::vec<N, double>> finite_numbers(ValueView vector) {
   return all_finite ? std::optional(numbers) : std::nullopt;
 }
 
-/// The points of a node. Empty if a value is not a point; in this case a warning reports the value and the `outcome`.
+/// The points of a node. Empty if a value is not a point; a warning then names the value and the `consequence`.
 template <int N>
-std::optional<std::vector<glm::vec<N, double>>> read_points(const Arguments& arguments, std::string_view node,
-                                                            std::string_view outcome) {
+std::optional<std::vector<glm::vec<N, double>>> read_points(const Arguments& arguments, std::string_view node_name,
+                                                            std::string_view consequence) {
   constexpr std::string_view form = N == 2 ? "[x, y]" : "[x, y, z]";
   const ValueView list = arguments.required("points", fmt::format("points = [{}, ...]", form));
-  if (!list.is(ValueKind::vector)) arguments.fail(list, "points of {}() must be a vector of {}", node, form);
+  if (!list.is(ValueKind::vector)) arguments.fail(list, "points of {}() must be a vector of {}", node_name, form);
   std::vector<glm::vec<N, double>> points;
   std::optional<ValueView> bad;
   list.for_each([&](ValueView value) {
@@ -77,8 +77,8 @@ std::optional<std::vector<glm::vec<N, double>>> read_points(const Arguments& arg
     if (!point && !bad) bad = value;
   });
   if (!bad) return points;
-  arguments.report(*bad, fmt::format("warning: a point of {}() is not {} of finite numbers; {}, as in OpenSCAD", node,
-                                     form, outcome));
+  arguments.report(*bad, fmt::format("warning: a point of {}() is not {} of finite numbers; {}, as in OpenSCAD",
+                                     node_name, form, consequence));
   return std::nullopt;
 }
 

@@ -251,10 +251,10 @@ class Reader {
 
 }  // namespace
 
-Scene read_scene(std::string_view text, std::string_view file, std::span<const std::string> sets,
+Scene read_scene(std::string_view text, std::string_view file, std::span<const std::string> assignments,
                  std::span<const Section> effects, std::vector<SectionValues>* values) {
   toml::table root = parse_toml(text, file);
-  for (const std::string& one : sets) set(root, one);
+  for (const std::string& one : assignments) set(root, one);
   return Reader(file, effects, values).read(root);
 }
 

@@ -36,14 +36,14 @@ constexpr Key boolean_key(std::string_view name, std::string_view meaning) {
   return {name, ValueKind::boolean, "", 0, 0, meaning};
 }
 
-constexpr Key integer_key(std::string_view name, std::string_view unit, double least, double most,
+constexpr Key integer_key(std::string_view name, std::string_view unit, double minimum, double maximum,
                           std::string_view meaning) {
-  return {name, ValueKind::integer, unit, least, most, meaning};
+  return {name, ValueKind::integer, unit, minimum, maximum, meaning};
 }
 
-constexpr Key number_key(std::string_view name, std::string_view unit, double least, double most,
+constexpr Key number_key(std::string_view name, std::string_view unit, double minimum, double maximum,
                          std::string_view meaning) {
-  return {name, ValueKind::number, unit, least, most, meaning};
+  return {name, ValueKind::number, unit, minimum, maximum, meaning};
 }
 
 constexpr Key vector_key(std::string_view name, std::string_view unit, std::string_view meaning) {
@@ -141,11 +141,11 @@ Table table_of(const Values& values) {
 template <class Settings>
 Settings settings_of(const std::vector<Values>& tables) {
   Settings settings;
-  for (const Values& one : tables) {
+  for (const Values& table : tables) {
     if constexpr (detail::TableOf<Settings>::is_list) {
-      settings.push_back(table_of<typename Settings::value_type>(one));
+      settings.push_back(table_of<typename Settings::value_type>(table));
     } else {
-      settings = table_of<Settings>(one);
+      settings = table_of<Settings>(table);
     }
   }
   return settings;

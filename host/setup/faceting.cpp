@@ -26,7 +26,7 @@ namespace {
 using emit::Curves;
 
 /// A model, and the machine and camera for which it is faceted.
-struct Seen {
+struct FacetingInput {
   const Choices& choices;
   const machines::Machine& machine;
   const model::Tree& tree;
@@ -44,19 +44,19 @@ facet::Faceting planar(const FacetingChoice& choice) {
   return choice.tolerance ? facet::Faceting{.tolerance = choice.tolerance->value} : facet::Faceting{};
 }
 
-facet::Faceting planar(const Seen& seen) {
-  if (!is_tolerance_in_pixels(seen.choices.faceting)) return planar(seen.choices.faceting);
-  const facet::Geometry scene = facet::make_geometry(seen.tree);
-  const double nearest = view::make_view(scene, seen.tree, seen.camera, seen.choices.sampling).depth.near;
-  return {.tolerance = seen.choices.faceting.tolerance->value *
-                       view::pixel_size(seen.camera, seen.machine.picture.height, nearest)};
+facet::Faceting planar(const FacetingInput& input) {
+  if (!is_tolerance_in_pixels(input.choices.faceting)) return planar(input.choices.faceting);
+  const facet::Geometry scene = facet::make_geometry(input.tree);
+  const double nearest = view::make_view(scene, input.tree, input.camera, input.choices.sampling).depth.near;
+  return {.tolerance = input.choices.faceting.tolerance->value *
+                       view::pixel_size(input.camera, input.machine.picture.height, nearest)};
 }
 
 /// Marks the primitives whose quadrics, as seen by the camera, exceed the number range of the machine; empty if none
 /// does.
-std::vector<bool> unfit_primitives(const Seen& seen, const facet::Faceting& faceting) {
-  const facet::Geometry scene = facet::make_geometry(seen.tree, faceting);
-  const view::View view = view::make_view(scene, seen.tree, seen.camera, seen.choices.sampling);
+std::vector<bool> unfit_primitives(const FacetingInput& input, const facet::Faceting& faceting) {
+  const facet::Geometry scene = facet::make_geometry(input.tree, faceting);
+  const view::View view = view::make_view(scene, input.tree, input.camera, input.choices.sampling);
   std::vector<bool> unfit(scene.solids.size());
   bool any = false;
   for (std::size_t i = 0; i < unfit.size(); ++i) {
@@ -96,11 +96,11 @@ std::string others_text(std::size_t count) {
   return count == 1 ? ", as is 1 more curved solid" : fmt::format(", as are {} more curved solids", count);
 }
 
-void report_faceted(const std::vector<std::uint32_t>& left, const Seen& seen) {
+void report_faceted(const std::vector<std::uint32_t>& left, const FacetingInput& input) {
   if (left.empty()) return;
-  const std::string place = model::place_of(seen.tree, left.front());
-  const bool is_perspective = seen.camera.projection == view::Projection::perspective;
-  const std::string reason = why_faceted(seen.tree.primitives[left.front()], is_perspective);
+  const std::string place = model::place_of(input.tree, left.front());
+  const bool is_perspective = input.camera.projection == view::Projection::perspective;
+  const std::string reason = why_faceted(input.tree.primitives[left.front()], is_perspective);
   report_line(
       fmt::format("{}: warning: --curves fast draws spheres in orthographic pictures; this solid is {} and is drawn as "
                   "facets{}",
@@ -108,35 +108,35 @@ void report_faceted(const std::vector<std::uint32_t>& left, const Seen& seen) {
 }
 
 /// Those spheres that can be drawn as fast spheres, beside planar facets.
-facet::Faceting with_fast_spheres(facet::Faceting faceting, const Seen& seen, const emit::Look& look) {
-  if (const auto reason = emit::why_no_curves(seen.machine, seen.choices.options, look))
+facet::Faceting with_fast_spheres(facet::Faceting faceting, const FacetingInput& input, const emit::Look& look) {
+  if (const auto reason = emit::why_no_curves(input.machine, input.choices.options, look))
     throw InputError(*reason + ", or draw facets with --curves facets");
-  if (seen.camera.projection != view::Projection::perspective) {
+  if (input.camera.projection != view::Projection::perspective) {
     faceting.exact_curves = true;
     faceting.fast_spheres = true;
-    faceting.faceted = unfit_primitives(seen, faceting);
+    faceting.faceted = unfit_primitives(input, faceting);
   }
-  report_faceted(faceted_solids(seen.tree, faceting), seen);
+  report_faceted(faceted_solids(input.tree, faceting), input);
   return faceting;
 }
 
-facet::Faceting with_quadrics(facet::Faceting faceting, const Seen& seen, const emit::Look& look) {
-  const bool is_exact = seen.choices.faceting.curves == Curves::exact;
-  const std::optional<std::string> reason = emit::why_no_quadrics(seen.machine, seen.choices.options, look);
+facet::Faceting with_quadrics(facet::Faceting faceting, const FacetingInput& input, const emit::Look& look) {
+  const bool is_exact = input.choices.faceting.curves == Curves::exact;
+  const std::optional<std::string> reason = emit::why_no_quadrics(input.machine, input.choices.options, look);
   if (reason && is_exact) throw InputError(*reason + ", or allow facets with --curves auto");
   if (reason) return faceting;
   faceting.exact_curves = true;
-  if (!is_exact) faceting.faceted = unfit_primitives(seen, faceting);
+  if (!is_exact) faceting.faceted = unfit_primitives(input, faceting);
   return faceting;
 }
 
-facet::Faceting with_curves(facet::Faceting faceting, const Seen& seen) {
-  const FacetingChoice& choice = seen.choices.faceting;
-  if (!has_curves(choice, seen.machine)) return faceting;
+facet::Faceting with_curves(facet::Faceting faceting, const FacetingInput& input) {
+  const FacetingChoice& choice = input.choices.faceting;
+  if (!has_curves(choice, input.machine)) return faceting;
   const emit::Look look =
-      emit::make_look(seen.choices.options.scene, seen.tree, csg::make_positive(seen.tree), seen.camera);
-  return choice.curves == Curves::fast ? with_fast_spheres(std::move(faceting), seen, look)
-                                       : with_quadrics(std::move(faceting), seen, look);
+      emit::make_look(input.choices.options.scene, input.tree, csg::make_positive(input.tree), input.camera);
+  return choice.curves == Curves::fast ? with_fast_spheres(std::move(faceting), input, look)
+                                       : with_quadrics(std::move(faceting), input, look);
 }
 
 void print_tolerance(const Tolerance& asked, double tolerance) {
@@ -148,18 +148,18 @@ void print_tolerance(const Tolerance& asked, double tolerance) {
 
 facet::Faceting faceting_at(const view::Camera& camera, const Choices& choices, const machines::Machine& machine,
                             const model::Tree& tree) {
-  const Seen seen{choices, machine, tree, camera};
-  return with_curves(planar(seen), seen);
+  const FacetingInput input{choices, machine, tree, camera};
+  return with_curves(planar(input), input);
 }
 
 facet::Faceting faceting_for(const Choices& choices, const machines::Machine& machine, const model::Tree& tree) {
   const FacetingChoice& choice = choices.faceting;
   if (!is_tolerance_in_pixels(choice) && !has_curves(choice, machine)) return planar(choice);
   const view::Camera camera = camera_for(choices.camera, machine.picture, tree, facet::make_geometry(tree));
-  const Seen seen{choices, machine, tree, camera};
-  facet::Faceting faceting = planar(seen);
+  const FacetingInput input{choices, machine, tree, camera};
+  facet::Faceting faceting = planar(input);
   if (is_tolerance_in_pixels(choice)) print_tolerance(*choice.tolerance, *faceting.tolerance);
-  return with_curves(std::move(faceting), seen);
+  return with_curves(std::move(faceting), input);
 }
 
 bool depends_on_camera(const FacetingChoice& choice, const machines::Machine& machine) {

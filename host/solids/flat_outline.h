@@ -18,8 +18,8 @@ struct ProjectedPoint {
 };
 
 /// Sweep order, from left to right; reflexive.
-inline bool precedes(const ProjectedPoint& one, const ProjectedPoint& other) {
-  return one.s < other.s || (one.s == other.s && one.t <= other.t);
+inline bool precedes(const ProjectedPoint& first, const ProjectedPoint& second) {
+  return first.s < second.s || (first.s == second.s && first.t <= second.t);
 }
 
 /// 1 if a triangle runs counter-clockwise, -1 if clockwise, 0 if it has no area; exact.

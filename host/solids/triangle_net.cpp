@@ -81,12 +81,12 @@ void TriangleNet::cut_parts() {
 }
 
 /// Cuts off the triangle of two consecutive halves. Returns the half of the closing edge that remains in the part.
-TriangleNet::Half TriangleNet::cut_off(Half one, Half two, std::list<Half>::iterator part) {
-  const Half before = previous(one);
-  const Half after = next(two);
-  const Half closing = add_edge({edges_[other(two)].from, edges_[one].from}, true);
-  join(two, closing);
-  join(closing, one);
+TriangleNet::Half TriangleNet::cut_off(Half first, Half second, std::list<Half>::iterator part) {
+  const Half before = previous(first);
+  const Half after = next(second);
+  const Half closing = add_edge({edges_[other(second)].from, edges_[first].from}, true);
+  join(second, closing);
+  join(closing, first);
   join(before, other(closing));
   join(other(closing), after);
   parts_.insert(part, closing);

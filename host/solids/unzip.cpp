@@ -172,8 +172,8 @@ class Archive {
 
 bool is_zip(std::string_view bytes) { return bytes.starts_with(local_header); }
 
-std::string unzip(std::string_view archive, std::string_view name, const std::string& part) {
-  return Archive(archive, name).part(part);
+std::string unzip(std::string_view archive, std::string_view archive_name, const std::string& member_name) {
+  return Archive(archive, archive_name).part(member_name);
 }
 
 }  // namespace csgsim::solids

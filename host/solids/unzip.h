@@ -12,9 +12,9 @@ inline constexpr std::size_t max_unzipped_bytes = std::size_t{1} << 28U;
 
 bool is_zip(std::string_view bytes);
 
-/// Extracts a member of a zip archive; an empty name selects the first member. `part` is the member's name. Throws
-/// InputError with the archive's name if there is no such member, if it is damaged, or if it is larger than
+/// Extracts a member of a zip archive; an empty `member_name` selects the first member. Throws InputError with the
+/// archive's name if there is no such member, if it is damaged, or if it is larger than
 /// `max_unzipped_bytes`.
-std::string unzip(std::string_view archive, std::string_view name, const std::string& part);
+std::string unzip(std::string_view archive, std::string_view archive_name, const std::string& member_name);
 
 }  // namespace csgsim::solids

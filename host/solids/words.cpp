@@ -62,7 +62,7 @@ std::string_view Words::next_on_line() {
 
 void Words::skip_line() { at_ = std::min(text_.find('\n', at_), text_.size()); }
 
-double Words::number_of(std::string_view word, std::string_view what) const {
+double Words::number_of(std::string_view word, std::string_view description) const {
   std::string_view digits = word;
   if (digits.starts_with('+')) digits.remove_prefix(1);
   double value = 0;
@@ -70,17 +70,18 @@ double Words::number_of(std::string_view word, std::string_view what) const {
   const bool is_number = !digits.empty() && result.ptr == digits.data() + digits.size();
   // Numbers too small for a double are also out of range: a coordinate is never intentionally that small.
   if (!is_number || result.ec != std::errc{} || !std::isfinite(value)) {
-    fail(fmt::format("{} must be a finite number, not {}; correct it", what, quote_word(word)));
+    fail(fmt::format("{} must be a finite number, not {}; correct it", description, quote_word(word)));
   }
   return value;
 }
 
-std::uint32_t Words::count(std::string_view what, std::uint32_t max) {
+std::uint32_t Words::count(std::string_view description, std::uint32_t maximum) {
   const std::string_view word = next();
   std::uint64_t value = 0;
   const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (word.empty() || result.ec != std::errc{} || result.ptr != word.data() + word.size() || value > max) {
-    fail(fmt::format("{} must be a whole number from 0 to {}, not {}; correct it", what, max, quote_word(word)));
+  if (word.empty() || result.ec != std::errc{} || result.ptr != word.data() + word.size() || value > maximum) {
+    fail(fmt::format("{} must be a whole number from 0 to {}, not {}; correct it", description, maximum,
+                     quote_word(word)));
   }
   return static_cast<std::uint32_t>(value);
 }

@@ -23,14 +23,14 @@ class Words {
   /// Skips the rest of the last word's line.
   void skip_line();
 
-  /// Reads the next word as a finite number.
-  double number(std::string_view what) { return number_of(next(), what); }
+  /// Reads the next word as a finite number; `description` names it in messages.
+  double number(std::string_view description) { return number_of(next(), description); }
 
   /// Parses a word that next() or next_on_line() returned as a finite number.
-  [[nodiscard]] double number_of(std::string_view word, std::string_view what) const;
+  [[nodiscard]] double number_of(std::string_view word, std::string_view description) const;
 
-  /// Reads the next word as an integer from 0 to `max`.
-  std::uint32_t count(std::string_view what, std::uint32_t max);
+  /// Reads the next word as an integer from 0 to `maximum`.
+  std::uint32_t count(std::string_view description, std::uint32_t maximum);
 
   /// Throws InputError at the last word: `name:line:column: message`.
   [[noreturn]] void fail(std::string_view message) const;

@@ -33,10 +33,10 @@ std::uint32_t HeldVertices::add_known(std::uint32_t number, const glm::dvec3& po
   return vertex;
 }
 
-void HeldVertices::place_on_line(std::uint32_t vertex, std::uint32_t from, std::uint32_t to, double part) {
+void HeldVertices::place_on_line(std::uint32_t vertex, std::uint32_t from, std::uint32_t to, double fraction) {
   ++counts_.snaps;
   slots_[vertex].is_on_line = true;
-  slots_[vertex].part = part;
+  slots_[vertex].part = fraction;
   std::uint32_t missing = 0;
   for (std::uint32_t end = 0; end < 2; ++end) {
     const std::uint32_t other = end == 0 ? from : to;

@@ -24,8 +24,8 @@ class HeldVertices {
   /// Adds a vertex of a wire frame, which has already been sent to the output.
   std::uint32_t add_known(std::uint32_t number, const glm::dvec3& point);
 
-  /// Places a vertex on the line between two others, at the fraction `part`.
-  void place_on_line(std::uint32_t vertex, std::uint32_t from, std::uint32_t to, double part);
+  /// Places a vertex on the line between two others, at a fraction from 0 (`from`) to 1 (`to`).
+  void place_on_line(std::uint32_t vertex, std::uint32_t from, std::uint32_t to, double fraction);
 
   void hold_by_edge(std::uint32_t vertex) { ++slots_[vertex].edges; }
   /// Releases the vertex for one edge. A vertex that no border edge holds is never placed on a line again.

@@ -61,12 +61,12 @@ glm::dvec3 Path::arriving(std::size_t segment) const {
   fail_stationary(segment);
 }
 
-glm::dvec3 Path::tangent(double place) const {
+glm::dvec3 Path::tangent(double position) const {
   const std::size_t count = segments.size();
-  const double whole = std::floor(place);
+  const double whole = std::floor(position);
   const auto segment = static_cast<std::size_t>(whole);
-  if (place != whole) {
-    const glm::dvec3 step = slope(segments[segment % count], place - whole);
+  if (position != whole) {
+    const glm::dvec3 step = slope(segments[segment % count], position - whole);
     if (const double length = glm::length(step); length > 0) return step / length;
     return leaving(segment % count);
   }
@@ -103,8 +103,8 @@ Orientation::Orientation(const Path& path) {
   }
 }
 
-/// Finds the boundary of a gap by bisection, between a position outside it (`upright`) and one inside it (`along`,
-/// along the y axis). Corners have no positions in between.
+/// Finds the boundary of a gap by bisection, between a position outside the gap (`upright`) and one inside (`along`,
+/// where the trajectory runs along the y axis). At corners there are no positions in between.
 double Orientation::edge(const Path& path, double upright, double along) {
   if (path.has_corners) return upright;
   constexpr int halvings = 40;
@@ -115,18 +115,19 @@ double Orientation::edge(const Path& path, double upright, double along) {
   return upright;
 }
 
-void Orientation::add_gap(const Path& path, double before, double first, double last, double behind) {
+void Orientation::add_gap(const Path& path, double upright_before, double first_along, double last_along,
+                          double upright_after) {
   Gap gap;
-  gap.from = before == nowhere ? first : edge(path, before, first);
-  gap.to = behind == nowhere ? last : edge(path, behind, last);
-  gap.tangent = path.tangent(before == nowhere && behind != nowhere ? gap.to : gap.from);
-  if (before == nowhere && behind == nowhere) {
+  gap.from = upright_before == nowhere ? first_along : edge(path, upright_before, first_along);
+  gap.to = upright_after == nowhere ? last_along : edge(path, upright_after, last_along);
+  gap.tangent = path.tangent(upright_before == nowhere && upright_after != nowhere ? gap.to : gap.from);
+  if (upright_before == nowhere && upright_after == nowhere) {
     const glm::dvec3 z_axis{0, 0, gap.tangent.y > 0 ? -1 : 1};
     gap.v = glm::normalize(z_axis - glm::dot(z_axis, gap.tangent) * gap.tangent);
   } else {
     gap.v = projected(gap.tangent);
   }
-  if (before != nowhere && behind != nowhere) {
+  if (upright_before != nowhere && upright_after != nowhere) {
     const glm::dvec3 end = path.tangent(gap.to);
     const glm::dvec3 there = carried(gap.v, gap.tangent, end);
     const glm::dvec3 meant = projected(end);
@@ -135,9 +136,9 @@ void Orientation::add_gap(const Path& path, double before, double first, double 
   gaps_.push_back(gap);
 }
 
-glm::dvec3 Orientation::upward(double place, const glm::dvec3& tangent) const {
+glm::dvec3 Orientation::upward(double position, const glm::dvec3& tangent) const {
   // Gaps are sorted by start; the last gap of a closed path may extend past the path's end.
-  for (const double there : {place, place + length_}) {
+  for (const double there : {position, position + length_}) {
     const auto behind = std::ranges::upper_bound(gaps_, there, {}, &Gap::from);
     if (behind == gaps_.begin()) continue;
     const Gap& gap = *std::prev(behind);

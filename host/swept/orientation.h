@@ -28,7 +28,7 @@ struct Path {
   [[nodiscard]] glm::dvec3 arriving(std::size_t segment) const;
 
   /// Unit tangent; at a joint, the bisector of the two directions. Throws InputError if these are opposite.
-  [[nodiscard]] glm::dvec3 tangent(double place) const;
+  [[nodiscard]] glm::dvec3 tangent(double position) const;
 };
 
 /// Direction of the contour's v axis: along the projection of the y axis onto the contour's plane. In a gap where the
@@ -39,7 +39,7 @@ class Orientation {
   explicit Orientation(const Path& path);
 
   /// The direction of v at a position with the given tangent.
-  [[nodiscard]] glm::dvec3 upward(double place, const glm::dvec3& tangent) const;
+  [[nodiscard]] glm::dvec3 upward(double position, const glm::dvec3& tangent) const;
 
  private:
   /// An interval of the trajectory that runs along the y axis.
@@ -51,7 +51,9 @@ class Orientation {
     double turn = 0;  ///< rotation about the tangent over the whole gap, in radians
   };
 
-  void add_gap(const Path& path, double before, double first, double last, double behind);
+  /// Adds a gap, given the first and last sampled position in it and the sampled positions before and after it, which
+  /// are `nowhere` if there are none.
+  void add_gap(const Path& path, double upright_before, double first_along, double last_along, double upright_after);
   [[nodiscard]] static double edge(const Path& path, double upright, double along);
 
   std::vector<Gap> gaps_;

@@ -156,9 +156,9 @@ Plane Spine::joint_plane(std::size_t number) const {
   return plane;
 }
 
-Section Spine::placed(const glm::dvec3& origin, const Plane& plane, double part) const {
-  const double angle = glm::radians(value(rotation_, part).x);
-  const glm::dvec3 scale = value(scale_, part);
+Section Spine::placed(const glm::dvec3& origin, const Plane& plane, double fraction) const {
+  const double angle = glm::radians(value(rotation_, fraction).x);
+  const glm::dvec3 scale = value(scale_, fraction);
   return {origin, scale.x * (std::cos(angle) * plane.u + std::sin(angle) * plane.v),
           scale.y * (std::cos(angle) * plane.v - std::sin(angle) * plane.u)};
 }

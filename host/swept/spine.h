@@ -49,7 +49,7 @@ class Spine {
 
  private:
   [[nodiscard]] Plane joint_plane(std::size_t number) const;
-  [[nodiscard]] Section placed(const glm::dvec3& origin, const Plane& plane, double part) const;
+  [[nodiscard]] Section placed(const glm::dvec3& origin, const Plane& plane, double fraction) const;
   void measure();
 
   Path path_;

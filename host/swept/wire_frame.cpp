@@ -65,14 +65,16 @@ WireFrame::WireFrame(Surface& surface, const Accuracy& accuracy, SubdivisionCoun
 }
 
 /// Merges the marks of both sides. Each list is sorted, since a patch's elements along a side arrive in order.
-void WireFrame::join(WireEdge& edge, const Marks& one, const Marks& other) {
+void WireFrame::join(WireEdge& edge, const Marks& first_marks, const Marks& second_marks) {
   std::size_t i = 0;
   std::size_t k = 0;
-  while (i < one.size() || k < other.size()) {
-    const bool has_one = i < one.size() && (k >= other.size() || one[i].place <= other[k].place);
-    const bool has_other = k < other.size() && (i >= one.size() || other[k].place <= one[i].place);
-    const Mark& mark = has_one ? one[i] : other[k];
-    edge.push_back({mark.place, 0, mark.point, (has_one && has_other) || one.empty() || other.empty()});
+  while (i < first_marks.size() || k < second_marks.size()) {
+    const bool has_one =
+        i < first_marks.size() && (k >= second_marks.size() || first_marks[i].place <= second_marks[k].place);
+    const bool has_other =
+        k < second_marks.size() && (i >= first_marks.size() || second_marks[k].place <= first_marks[i].place);
+    const Mark& mark = has_one ? first_marks[i] : second_marks[k];
+    edge.push_back({mark.place, 0, mark.point, (has_one && has_other) || first_marks.empty() || second_marks.empty()});
     i += has_one ? 1 : 0;
     k += has_other ? 1 : 0;
   }

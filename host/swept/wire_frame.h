@@ -57,7 +57,7 @@ class WireFrame {
 
   [[nodiscard]] std::size_t u_edge(std::size_t column, std::size_t joint) const;
   [[nodiscard]] std::size_t v_edge(std::size_t joint, std::size_t row) const;
-  void join(WireEdge& edge, const Marks& one, const Marks& other);
+  void join(WireEdge& edge, const Marks& first_marks, const Marks& second_marks);
   void number_corners(Output& output);
 
   std::size_t columns_;

@@ -33,9 +33,9 @@ struct EyeSpace {
     const double unit = unit_at(in_eye.z);
     return {middle_x + in_eye.x / unit, middle_y - in_eye.y / unit, in_eye.z};
   }
-  [[nodiscard]] glm::dvec3 from_picture(const glm::dvec3& place) const {
-    const double unit = unit_at(place.z);
-    return {(place.x - middle_x) * unit, (middle_y - place.y) * unit, place.z};
+  [[nodiscard]] glm::dvec3 from_picture(const glm::dvec3& point) const {
+    const double unit = unit_at(point.z);
+    return {(point.x - middle_x) * unit, (middle_y - point.y) * unit, point.z};
   }
 
  private:

@@ -32,9 +32,9 @@ constexpr std::int64_t value_at(const FixedLinear& linear, std::int32_t column, 
   return linear.a * column + linear.b * row + linear.c;
 }
 
-/// The function a - b + more.
-constexpr FixedLinear difference(const FixedLinear& a, const FixedLinear& b, std::int64_t more = 0) {
-  return {a.a - b.a, a.b - b.b, a.c - b.c + more};
+/// The function a - b + offset.
+constexpr FixedLinear difference(const FixedLinear& a, const FixedLinear& b, std::int64_t offset = 0) {
+  return {a.a - b.a, a.b - b.b, a.c - b.c + offset};
 }
 
 /// Rounds each coefficient once. C is chosen after A and B, so that the error is at most 2^-(fraction_bits + 1) at the

@@ -29,8 +29,8 @@ Region::Region(const PixelRect& pixels) {
   reach_ = 1.0 + std::max({std::abs(pixels.x0), std::abs(pixels.x1), std::abs(pixels.y0), std::abs(pixels.y1)});
 }
 
-bool Region::is_certainly_at_least(const FixedLinear& linear, double least) const {
-  const double sure = least + error_bound(linear, reach_);
+bool Region::is_certainly_at_least(const FixedLinear& linear, double minimum) const {
+  const double sure = minimum + error_bound(linear, reach_);
   return std::ranges::all_of(corners_, [&](const glm::dvec2& corner) { return value(linear, corner) >= sure; });
 }
 
@@ -43,8 +43,8 @@ std::pair<double, double> Region::range(const FixedLinear& linear) const {
   return range;
 }
 
-bool Region::clip(const FixedLinear& linear, double least) {
-  if (is_certainly_at_least(linear, least)) return true;
+bool Region::clip(const FixedLinear& linear, double minimum) {
+  if (is_certainly_at_least(linear, minimum)) return true;
   const double low = -error_bound(linear, reach_);
   clipped_.clear();
   for (std::size_t i = 0; i < corners_.size(); ++i) {

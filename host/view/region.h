@@ -18,10 +18,10 @@ class Region {
   explicit Region(const PixelRect& pixels);
 
   /// Removes the part in which the function is certainly negative. Returns whether the function is certainly at least
-  /// `least` (0 or more) at all pixels of the region, so that nothing was removed.
-  bool clip(const FixedLinear& linear, double least = 0);
-  /// Whether the function is certainly at least `least` everywhere in the region.
-  [[nodiscard]] bool is_certainly_at_least(const FixedLinear& linear, double least) const;
+  /// `minimum` (0 or more) at all pixels of the region, so that nothing was removed.
+  bool clip(const FixedLinear& linear, double minimum = 0);
+  /// Whether the function is certainly at least `minimum` everywhere in the region.
+  [[nodiscard]] bool is_certainly_at_least(const FixedLinear& linear, double minimum) const;
 
   /// Minimum and maximum of the function in the region, in double precision. The region must not be empty.
   [[nodiscard]] std::pair<double, double> range(const FixedLinear& linear) const;

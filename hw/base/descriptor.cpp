@@ -36,9 +36,9 @@ std::error_code sync(const Descriptor& descriptor) {
   return {};
 }
 
-std::error_code read_to_end(const Descriptor& descriptor, std::string& bytes, std::size_t most) {
+std::error_code read_to_end(const Descriptor& descriptor, std::string& bytes, std::size_t max_bytes) {
   constexpr std::size_t block = std::size_t{1} << 16U;
-  std::size_t left = most;
+  std::size_t left = max_bytes;
   while (left > 0) {
     const std::size_t known = bytes.size();
     bytes.resize(known + std::min(block, left));

@@ -42,7 +42,7 @@ std::error_code write_all(const Descriptor& descriptor, std::string_view bytes);
 /// Flushes everything written to the disk. Succeeds on files that have no disk, such as pipes.
 std::error_code sync(const Descriptor& descriptor);
 
-/// Appends the rest of the file, but at most `most` bytes, to `bytes`.
-std::error_code read_to_end(const Descriptor& descriptor, std::string& bytes, std::size_t most);
+/// Appends the rest of the file, but at most `max_bytes` bytes, to `bytes`.
+std::error_code read_to_end(const Descriptor& descriptor, std::string& bytes, std::size_t max_bytes);
 
 }  // namespace csgsim

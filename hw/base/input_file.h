@@ -32,7 +32,7 @@ std::string read_regular_file(const std::filesystem::path& path, const InputKind
 Descriptor open_regular_file(const std::filesystem::path& path, const InputKind& kind);
 std::string read_file(const Descriptor& file, const std::filesystem::path& path, const InputKind& kind);
 
-/// Throws the InputError of read_file() if `bytes` exceeds the limit of the kind.
-void check_length(std::string_view name, std::size_t bytes, const InputKind& kind);
+/// Throws the InputError of read_file() if `byte_count` exceeds the limit of the kind.
+void check_length(std::string_view name, std::size_t byte_count, const InputKind& kind);
 
 }  // namespace csgsim

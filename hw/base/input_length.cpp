@@ -6,8 +6,8 @@
 
 namespace csgsim {
 
-void check_length(std::string_view name, std::size_t bytes, const InputKind& kind) {
-  if (bytes <= kind.most_bytes) return;
+void check_length(std::string_view name, std::size_t byte_count, const InputKind& kind) {
+  if (byte_count <= kind.most_bytes) return;
   throw InputError(fmt::format("{}: longer than {}; {}", name, binary_size(kind.most_bytes), kind.advice));
 }
 

@@ -41,8 +41,8 @@ void report_line(std::string_view line) noexcept {
 void keep_standard_numbers() {
   for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(number, F_GETFD) >= 0) continue;
-    // open() returns the lowest free number, which is this one. Reading from the stream yields nothing, and writing to
-    // it fails.
+    // open() returns the lowest free number, which is `number` here. Reads from the stream return no data, and writes
+    // fail.
     static_cast<void>(::open("/dev/null", O_RDONLY));
   }
 }

@@ -31,7 +31,7 @@ class CollectedLines {
   CollectedLines* before_;
 };
 
-/// Opens any closed standard stream on an unusable file, so that a file opened later does not get its number.
+/// Opens /dev/null for each closed standard stream, so that no file opened later gets the stream's descriptor number.
 void keep_standard_numbers();
 
 }  // namespace csgsim

@@ -22,10 +22,10 @@ constexpr std::uintptr_t large_page = std::uintptr_t{1} << 21U;
 
 }  // namespace
 
-void prefault_pages(void* memory, std::size_t bytes) {
+void prefault_pages(void* memory, std::size_t byte_count) {
   const auto address = reinterpret_cast<std::uintptr_t>(memory);
   const std::uintptr_t first = (address + page - 1) / page * page;
-  const std::uintptr_t end = (address + bytes) / page * page;
+  const std::uintptr_t end = (address + byte_count) / page * page;
   if (end < first + few_pages * page) return;
   auto* const pages = reinterpret_cast<void*>(first);  // NOLINT(performance-no-int-to-ptr)
   // Both calls are hints: if the system ignores them, it maps the pages later.
@@ -35,7 +35,7 @@ void prefault_pages(void* memory, std::size_t bytes) {
 
 #else
 
-void prefault_pages(void* /*memory*/, std::size_t /*bytes*/) {}
+void prefault_pages(void* /*memory*/, std::size_t /*byte_count*/) {}
 
 #endif
 

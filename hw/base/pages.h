@@ -9,7 +9,7 @@ namespace csgsim {
 
 /// Requests all pages of memory that is about to be written from the system at once, as huge pages if available:
 /// faulting them in one by one is several times slower. Pages that are not granted are mapped on first access.
-void prefault_pages(void* memory, std::size_t bytes);
+void prefault_pages(void* memory, std::size_t byte_count);
 
 /// Returns freed memory to the system, even between blocks in use. Called after work that leaves few allocations.
 void release_free_memory();

@@ -45,7 +45,7 @@ constexpr auto ending_signals =
     std::to_array({SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGALRM, SIGTERM, SIGUSR1, SIGUSR2, SIGIO, SIGPROF, SIGVTALRM,
                    SIGXCPU, SIGXFSZ, SIGSTKFLT, SIGPWR, SIGSYS, SIGABRT});
 
-/// Async-signal-safe.
+/// Signal handler: deletes the registered files, then ends the process by the signal. Async-signal-safe.
 extern "C" void delete_partial_files(int signal) {
   for (const Slot& slot : slots()) {
     if (slot.valid) ::unlink(slot.path.data());

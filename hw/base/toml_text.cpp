@@ -45,9 +45,9 @@ std::string_view type_name(const toml::node& node) {
   return "unknown";
 }
 
-std::string show(const toml::source_position& place, std::string_view file) {
-  return fmt::format("{}:{}:{}", file, std::max(place.line, toml::source_index{1}),
-                     std::max(place.column, toml::source_index{1}));
+std::string show(const toml::source_position& position, std::string_view file) {
+  return fmt::format("{}:{}:{}", file, std::max(position.line, toml::source_index{1}),
+                     std::max(position.column, toml::source_index{1}));
 }
 
 toml::table parse_toml(std::string_view text, std::string_view file) {

@@ -14,7 +14,7 @@ constexpr std::uint64_t million = 1'000'000;
 
 Work::Work(std::uint64_t limit) : count_(std::make_shared<Count>(Count{0, limit})) {}
 
-void Work::charge(std::uint64_t steps, std::string_view doing) const {
+void Work::charge(std::uint64_t steps, std::string_view activity) const {
   end_if_interrupted();
   if (count_ == nullptr) return;
   Count& count = *count_;
@@ -26,7 +26,7 @@ void Work::charge(std::uint64_t steps, std::string_view doing) const {
   throw WorkError(
       fmt::format("{} needs more work than the limit of {} million steps; use fewer or coarser parts in the model, or "
                   "raise --limit",
-                  doing, static_cast<double>(count.limit) / static_cast<double>(million)));
+                  activity, static_cast<double>(count.limit) / static_cast<double>(million)));
 }
 
 Work Work::with_zero_count() const { return count_ == nullptr ? Work() : Work(count_->limit); }

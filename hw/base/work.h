@@ -25,9 +25,9 @@ class Work {
   Work() = default;  ///< unlimited
   explicit Work(std::uint64_t limit);
 
-  /// Throws WorkError if the limit is exceeded. `doing` names the activity for the message, as in "cutting a solid into
-  /// convex pieces".
-  void charge(std::uint64_t steps, std::string_view doing) const;
+  /// Throws WorkError if the limit is exceeded. `activity` completes the message, as in "cutting a solid into convex
+  /// pieces".
+  void charge(std::uint64_t steps, std::string_view activity) const;
 
   /// A Work object with the same limit and its own count of 0.
   [[nodiscard]] Work with_zero_count() const;

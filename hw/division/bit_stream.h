@@ -20,7 +20,9 @@ struct Bits {
 };
 
 /// Number of link words of `word_bits` bits for the stream; the last is padded.
-constexpr std::uint64_t link_words(std::uint64_t bits, std::uint32_t word_bits) { return quotient_up(bits, word_bits); }
+constexpr std::uint64_t link_words(std::uint64_t bit_count, std::uint32_t word_bits) {
+  return quotient_up(bit_count, word_bits);
+}
 
 class BitWriter {
  public:

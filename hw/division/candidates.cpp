@@ -62,15 +62,15 @@ Candidates all_of(const DisplayModel& model) {
   return all;
 }
 
-Candidates survivors(Datapath& path, const Candidates& all, const Rectangle& group) {
+Candidates survivors(Datapath& path, const Candidates& candidates, const Rectangle& group) {
   Candidates kept;
-  kept.halfspaces.resize(all.halfspaces.size());
-  kept.listed.assign(all.halfspaces.size(), false);
-  for (const std::uint32_t i : all.primitives) {
+  kept.halfspaces.resize(candidates.halfspaces.size());
+  kept.listed.assign(candidates.halfspaces.size(), false);
+  for (const std::uint32_t i : candidates.primitives) {
     const PrimitiveHead primitive = path.visit_primitive(i);
     const Rectangle shared = overlap(primitive.box.pixels, group);
     if (primitive.box.empty() || shared.empty()) continue;
-    std::vector<std::uint32_t> halfspaces = all.halfspaces[i];
+    std::vector<std::uint32_t> halfspaces = candidates.halfspaces[i];
     if (!prune_halfspaces(path, i, shared, halfspaces)) continue;
     kept.listed[i] = true;
     kept.primitives.push_back(i);

@@ -31,6 +31,6 @@ Candidates all_of(const DisplayModel& model);
 /// be the extreme of their side, because a leader (cells.h) exceeds them everywhere.
 ///
 /// Squares of the group get the same instructions as from the whole model.
-Candidates survivors(Datapath& path, const Candidates& all, const Rectangle& group);
+Candidates survivors(Datapath& path, const Candidates& candidates, const Rectangle& group);
 
 }  // namespace csgsim::division

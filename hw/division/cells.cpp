@@ -129,12 +129,12 @@ void keep(std::vector<Tested>& side, const std::vector<bool>& kept) {
 
 }  // namespace
 
-void keep_by_leaders(Datapath& path, std::vector<Tested>& side, const Rectangle& pixels) {
-  if (!side.empty()) keep(side, Sieve(path, side, pixels).filter_by_leaders());
+void keep_by_leaders(Datapath& path, std::vector<Tested>& halfspaces, const Rectangle& pixels) {
+  if (!halfspaces.empty()) keep(halfspaces, Sieve(path, halfspaces, pixels).filter_by_leaders());
 }
 
-void keep_extremes(Datapath& path, std::vector<Tested>& side, const Rectangle& pixels) {
-  if (!side.empty()) keep(side, Sieve(path, side, pixels).filter_by_cells());
+void keep_extremes(Datapath& path, std::vector<Tested>& halfspaces, const Rectangle& pixels) {
+  if (!halfspaces.empty()) keep(halfspaces, Sieve(path, halfspaces, pixels).filter_by_cells());
 }
 
 }  // namespace csgsim::division

@@ -24,9 +24,9 @@ struct PeakUsage {
 /// Peak memory over the given surfaces.
 inline PeakUsage peak_usage_of(std::span<const Counts> surfaces) {
   PeakUsage peak;
-  for (const Counts& one : surfaces) {
-    peak.halfspaces = std::max(peak.halfspaces, one.halfspaces);
-    peak.nodes = std::max(peak.nodes, one.nodes);
+  for (const Counts& surface : surfaces) {
+    peak.halfspaces = std::max(peak.halfspaces, surface.halfspaces);
+    peak.nodes = std::max(peak.nodes, surface.nodes);
   }
   return peak;
 }

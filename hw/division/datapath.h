@@ -64,7 +64,7 @@ class Datapath {
   Counts counts_;
 };
 
-/// Reads directly from a model, in no time. The model must outlive it.
+/// Reads directly from a model without accounting for clocks. The model must outlive this object.
 class PlainDatapath final : public Datapath {
  public:
   explicit PlainDatapath(const DisplayModel& model) : Datapath(model), model_(model) {}

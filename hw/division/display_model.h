@@ -11,7 +11,7 @@
 
 namespace csgsim::division {
 
-// The host sends one display model per frame: the model as seen by the camera, in integers. Widths on a link are
+// The host sends one display model per frame: the model in the camera's view, in integers. Widths on a link are
 // defined in hw/division/encoding.h, semantics in docs/machines/pixel-square.md.
 
 inline constexpr unsigned min_z_bits = 4;

@@ -53,7 +53,7 @@ Divider::Divider(const DisplayModel& model) : header_(model.header()), tree_(mak
   for (const Primitive& one : model.primitives) joined_.push_back(one.joined);
 }
 
-Divided Divider::divide(const isa::Region& square, const Candidates& from, Datapath& path) const {
+Divided Divider::divide(const isa::Region& square, const Candidates& candidates, Datapath& path) const {
   Divided divided;
   const Rectangle pixels = rectangle_of(square);
   Writer out(header_, square);
@@ -63,10 +63,10 @@ Divided Divider::divide(const isa::Region& square, const Candidates& from, Datap
   for (std::uint32_t first = 0, next = 0; first < joined_.size(); first = next) {
     next = first + 1;
     while (next < joined_.size() && joined_[next]) ++next;
-    Surface surface = intersect_boxes(path, from, first, next - first, pixels);
+    Surface surface = intersect_boxes(path, candidates, first, next - first, pixels);
     if (surface.box.empty()) continue;
-    if (test(path, from, surface)) {
-      const ActiveTree active = find_active_tree(path, tree_, from, surface);
+    if (test(path, candidates, surface)) {
+      const ActiveTree active = find_active_tree(path, tree_, candidates, surface);
       if (!active.is_empty) write_visible(out, path, surface, active, pixels);
     }
     if (out.written().size() > setup) {

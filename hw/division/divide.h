@@ -34,7 +34,7 @@ class Divider {
   explicit Divider(const DisplayModel& model);
 
   /// Divides the square from the whole model, or from the survivors of the group that contains it.
-  Divided divide(const isa::Region& square, const Candidates& from, Datapath& path) const;
+  Divided divide(const isa::Region& square, const Candidates& candidates, Datapath& path) const;
   Divided divide(const isa::Region& square, Datapath& path) const { return divide(square, all_, path); }
 
   /// Performs the first of two levels: selects the candidates for the squares of a group.
@@ -51,7 +51,7 @@ class Divider {
   Candidates all_;
 };
 
-/// Divided squares of a group, in the order of their division, and the operations for the group.
+/// The divisions of a group's squares, in the order in which they were made, and the operations for the whole group.
 struct DividedGroup {
   std::vector<Divided> squares;
   Counts group;

@@ -181,12 +181,12 @@ DisplayModel decode(const Bits& bits) {
   return model;
 }
 
-std::vector<isa::LinkWord> to_link(const Bits& bits, unsigned width) {
-  std::vector<isa::LinkWord> words(static_cast<std::size_t>(link_words(bits.count, width)));
+std::vector<isa::LinkWord> to_link(const Bits& bits, unsigned link_width) {
+  std::vector<isa::LinkWord> words(static_cast<std::size_t>(link_words(bits.count, link_width)));
   BitReader in(bits);
   for (isa::LinkWord& word : words) {
-    for (unsigned at = 0; at < width && in.left() > 0;) {
-      const auto count = static_cast<unsigned>(std::min<std::uint64_t>({64, width - at, in.left()}));
+    for (unsigned at = 0; at < link_width && in.left() > 0;) {
+      const auto count = static_cast<unsigned>(std::min<std::uint64_t>({64, link_width - at, in.left()}));
       word.put(at, count, in.take(count));
       at += count;
     }
@@ -194,18 +194,18 @@ std::vector<isa::LinkWord> to_link(const Bits& bits, unsigned width) {
   return words;
 }
 
-DisplayModel from_link(std::span<const isa::LinkWord> words, unsigned width) {
+DisplayModel from_link(std::span<const isa::LinkWord> words, unsigned link_width) {
   BitWriter out;
   for (const isa::LinkWord& word : words) {
-    for (unsigned at = 0; at < width; at += 64) {
-      const unsigned count = std::min(64U, width - at);
+    for (unsigned at = 0; at < link_width; at += 64) {
+      const unsigned count = std::min(64U, link_width - at);
       out.put(word.number(at, count), count);
     }
   }
   const Bits bits = out.take();
   BitReader in(bits);
   DisplayModel model = read(in);
-  require_canonical(std::ranges::equal(to_link(encode(model), width), words));
+  require_canonical(std::ranges::equal(to_link(encode(model), link_width), words));
   return model;
 }
 

@@ -48,9 +48,9 @@ Bits encode(const DisplayModel& model);
 DisplayModel decode(const Bits& bits);
 
 /// Splits the stream into link_words() words of a link of 1 to 256 bits. The last is padded with 0.
-std::vector<isa::LinkWord> to_link(const Bits& bits, unsigned width);
+std::vector<isa::LinkWord> to_link(const Bits& bits, unsigned link_width);
 
 /// Decodes the words of a whole model. Throws InputError unless they equal to_link() of an encoded model.
-DisplayModel from_link(std::span<const isa::LinkWord> words, unsigned width);
+DisplayModel from_link(std::span<const isa::LinkWord> words, unsigned link_width);
 
 }  // namespace csgsim::division

@@ -32,9 +32,9 @@ Plane beyond_range(const ModelHeader& header, const Plane& plane) {
   return {true, plane.a, plane.b, plane.c - ((header.farthest() + 1) << header.fraction_bits)};
 }
 
-isa::Linear linear_of(const Expression& expression, const isa::Region& square, unsigned width) {
+isa::Linear linear_of(const Expression& expression, const isa::Region& square, unsigned width_bits) {
   const Plane& plane = expression.plane;
-  return {plane.a, plane.b, plane.c + plane.a * square.x + plane.b * square.y, static_cast<std::uint16_t>(width),
+  return {plane.a, plane.b, plane.c + plane.a * square.x + plane.b * square.y, static_cast<std::uint16_t>(width_bits),
           static_cast<std::uint16_t>(expression.shift)};
 }
 

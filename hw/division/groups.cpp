@@ -6,10 +6,11 @@
 
 namespace csgsim::division {
 
-std::vector<Group> groups_of(std::span<const isa::Region> squares, const isa::ArrayShape& picture,
-                             const isa::ArrayShape& square, std::uint32_t columns, std::uint32_t rows) {
-  const std::uint32_t width = columns * square.width;
-  const std::uint32_t height = rows * square.height;
+std::vector<Group> groups_of(std::span<const isa::Region> squares, const isa::ArrayShape& picture_shape,
+                             const isa::ArrayShape& square_shape, std::uint32_t group_columns,
+                             std::uint32_t group_rows) {
+  const std::uint32_t width = group_columns * square_shape.width;
+  const std::uint32_t height = group_rows * square_shape.height;
   std::vector<Group> groups;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> index;
   for (std::size_t i = 0; i < squares.size(); ++i) {
@@ -17,7 +18,8 @@ std::vector<Group> groups_of(std::span<const isa::Region> squares, const isa::Ar
     const std::uint32_t y = squares[i].y / height * height;
     const auto [found, is_new] = index.emplace(std::pair(x, y), groups.size());
     if (is_new)
-      groups.push_back({{x, y, std::min(width, picture.width - x), std::min(height, picture.height - y)}, {}});
+      groups.push_back(
+          {{x, y, std::min(width, picture_shape.width - x), std::min(height, picture_shape.height - y)}, {}});
     groups[found->second].squares.push_back(i);
   }
   return groups;

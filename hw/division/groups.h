@@ -15,9 +15,10 @@ struct Group {
   std::vector<std::size_t> squares;  ///< indices of the squares
 };
 
-/// Divides the squares into groups of `columns` x `rows` squares. `picture` and `square` are the shapes of the picture
-/// and of a square. Groups are ordered by their first squares; the squares of a group keep their order.
-std::vector<Group> groups_of(std::span<const isa::Region> squares, const isa::ArrayShape& picture,
-                             const isa::ArrayShape& square, std::uint32_t columns, std::uint32_t rows);
+/// Divides the squares into groups of `group_columns` x `group_rows` squares. Groups are ordered by their first
+/// squares; the squares of a group keep their order.
+std::vector<Group> groups_of(std::span<const isa::Region> squares, const isa::ArrayShape& picture_shape,
+                             const isa::ArrayShape& square_shape, std::uint32_t group_columns,
+                             std::uint32_t group_rows);
 
 }  // namespace csgsim::division

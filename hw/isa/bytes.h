@@ -78,11 +78,11 @@ class ByteReader {
     throw MalformedBytes("holds a number of more than 64 bits");
   }
 
-  /// A varint that is at most `most`.
+  /// Reads a varint. Throws MalformedBytes also if it exceeds `maximum`.
   template <class Unsigned>
-  Unsigned varint_to(std::uint64_t most) {
+  Unsigned varint_to(std::uint64_t maximum) {
     const std::uint64_t value = varint();
-    if (value > most) throw MalformedBytes("holds a number out of range");
+    if (value > maximum) throw MalformedBytes("holds a number out of range");
     return static_cast<Unsigned>(value);
   }
 

@@ -6,9 +6,9 @@
 
 namespace csgsim::isa {
 
-std::vector<RowExtent> extents_of(std::span<const Segment> lines) {
+std::vector<RowExtent> extents_of(std::span<const Segment> segments) {
   std::map<std::uint32_t, RowExtent> found;
-  for (const Segment& line : lines) {
+  for (const Segment& line : segments) {
     const auto row = static_cast<std::uint16_t>(line.region.y);
     for (const Instruction& instruction : line.instructions) {
       for (const std::uint32_t piece : {instruction.origin.primitive, instruction.origin.node}) {

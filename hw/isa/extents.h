@@ -9,7 +9,8 @@
 
 namespace csgsim::isa {
 
-/// The row extent of each piece that occurs in the lines' instructions, in the order of the pieces.
-std::vector<RowExtent> extents_of(std::span<const Segment> lines);
+/// The row extent of each piece that occurs in the instructions of the segments, in the order of the pieces. Each
+/// segment is one row of the picture.
+std::vector<RowExtent> extents_of(std::span<const Segment> segments);
 
 }  // namespace csgsim::isa

@@ -41,8 +41,8 @@ struct CompileFacts {
   bool operator==(const CompileFacts&) const = default;
 };
 
-/// What a pruning did while a Program was compiled. An item is a pair of primitives for `space` and `separation`, a
-/// primitive at a place for `halfspaces`, and a surface for `hidden`.
+/// Statistics of a pruning during compilation. An item is a pair of primitives for `space` and `separation`, a
+/// primitive in a block for `halfspaces`, and a surface for `hidden`.
 struct PruningFacts {
   std::string name;               ///< as in --pruning
   std::uint64_t tried = 0;        ///< items to which it was applied

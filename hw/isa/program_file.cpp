@@ -33,9 +33,9 @@ std::string_view first_statement(std::string_view text) {
 
 }  // namespace
 
-bool begins_as_program(std::span<const std::byte> bytes) {
-  if (is_binary(bytes)) return true;
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+bool begins_as_program(std::span<const std::byte> first_bytes) {
+  if (is_binary(first_bytes)) return true;
+  const std::string_view text(reinterpret_cast<const char*>(first_bytes.data()), first_bytes.size());
   return first_statement(text).starts_with('.');
 }
 
