@@ -80,11 +80,11 @@ std::filesystem::path default_folder(const std::filesystem::path& model, std::st
   return fmt::format("{}-{}", plot_stem(named), study);
 }
 
-std::string study_title(const session::OptionList& command, const std::set<std::string>& but) {
+std::string study_title(const session::OptionList& command, const std::set<std::string>& excluded_options) {
   std::string title = "csgsim " + command.name();
   for (const session::GivenOption& option : command.given()) {
     const bool has_effect = std::ranges::find(options_without_effect, option.name) == options_without_effect.end();
-    if (!has_effect || option.is_default || but.contains(option.name)) continue;
+    if (!has_effect || option.is_default || excluded_options.contains(option.name)) continue;
     title += fmt::format(" --{} {}", option.name, escaped(option.value));
   }
   return title;
@@ -94,24 +94,24 @@ std::string with_model_name(const std::string& model, const std::string& reason)
   return reason.starts_with(model) ? reason : model + ": " + reason;
 }
 
-std::string failed_models(std::span<const std::string> failed, std::size_t models, const std::string& table) {
+std::string failed_models(std::span<const std::string> failed, std::size_t model_count, const std::string& table_name) {
   constexpr std::size_t max_named = 5;
   const std::span<const std::string> named = failed.first(std::min(failed.size(), max_named));
-  return fmt::format("{} of {} models could not be drawn: {}{}; see {} for the reasons", failed.size(), models,
-                     fmt::join(named, ", "), named.size() < failed.size() ? " and others" : "", table);
+  return fmt::format("{} of {} models could not be drawn: {}{}; see {} for the reasons", failed.size(), model_count,
+                     fmt::join(named, ", "), named.size() < failed.size() ? " and others" : "", table_name);
 }
 
-void fail_inconsistent(const std::string& what, bool has_read_rows) {
-  if (!has_read_rows) throw std::logic_error(what);
-  throw InputError(what +
+void fail_inconsistent(const std::string& fault, bool has_read_rows) {
+  if (!has_read_rows) throw std::logic_error(fault);
+  throw InputError(fault +
                    "; rows read from the table may have been changed: measure everything again in another folder "
                    "(-o), and if the error remains, report it");
 }
 
-void warn_stale(const std::filesystem::path& table, const std::set<std::string>& changed) {
-  if (changed.empty()) return;
+void warn_stale(const std::filesystem::path& table, const std::set<std::string>& changed_inputs) {
+  if (changed_inputs.empty()) return;
   report_line(fmt::format("{}: {} {} changed since some points were measured; they are measured again", table.native(),
-                          fmt::join(changed, " and "), changed.size() == 1 ? "has" : "have"));
+                          fmt::join(changed_inputs, " and "), changed_inputs.size() == 1 ? "has" : "have"));
 }
 
 }  // namespace csgsim::studies

@@ -75,8 +75,10 @@ class GatheredStudy {
     list_.check_and_apply();
   }
 
-  /// The words as csgsim writes them into a shard, without the options in `but`.
-  [[nodiscard]] std::vector<std::string> words(std::span<const std::string_view> but) const { return list_.words(but); }
+  /// The words of the command line as this csgsim writes them into a shard's file, without the options `excluded_keys`.
+  [[nodiscard]] std::vector<std::string> words(std::span<const std::string_view> excluded_keys) const {
+    return list_.words(excluded_keys);
+  }
   [[nodiscard]] StudyCommand& command() const { return *command_; }
 
  private:
@@ -92,10 +94,11 @@ class GatheredStudy {
   bool is_quiet_ = false;
 };
 
-/// A shard's command as csgsim writes it, without the options in `but`. Throws UsageError if it is not a study's.
+/// A shard's command as csgsim writes it, without the options `excluded_keys`. Throws UsageError if it is not a
+/// study's.
 std::vector<std::string> rewritten(std::span<const StudyRow* const> studies, const std::vector<std::string>& words,
-                                   std::span<const std::string_view> but) {
-  return GatheredStudy(studies, words).words(but);
+                                   std::span<const std::string_view> excluded_keys) {
+  return GatheredStudy(studies, words).words(excluded_keys);
 }
 
 /// Throws InputError unless `words` equal what csgsim writes, which `write` returns.

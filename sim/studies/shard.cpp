@@ -48,24 +48,24 @@ Shard parse_shard(std::string_view text) {
 
 std::string to_text(const Shard& shard) { return fmt::format("{}/{}", shard.number, shard.count); }
 
-std::string to_ranges(const std::vector<unsigned>& ascending) {
+std::string to_ranges(const std::vector<unsigned>& ascending_numbers) {
   std::string text;
-  for (std::size_t first = 0; first < ascending.size();) {
+  for (std::size_t first = 0; first < ascending_numbers.size();) {
     std::size_t last = first;
-    while (last + 1 < ascending.size() && ascending[last + 1] == ascending[last] + 1) ++last;
-    text += fmt::format("{}{}", text.empty() ? "" : ",", ascending[first]);
-    if (last > first) text += fmt::format("-{}", ascending[last]);
+    while (last + 1 < ascending_numbers.size() && ascending_numbers[last + 1] == ascending_numbers[last] + 1) ++last;
+    text += fmt::format("{}{}", text.empty() ? "" : ",", ascending_numbers[first]);
+    if (last > first) text += fmt::format("-{}", ascending_numbers[last]);
     first = last + 1;
   }
   return text;
 }
 
-std::vector<unsigned> shard_of_each(std::size_t points, unsigned shards) {
-  std::vector<std::size_t> order(points);
+std::vector<unsigned> shard_of_each(std::size_t point_count, unsigned shard_count) {
+  std::vector<std::size_t> order(point_count);
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [](std::size_t a, std::size_t b) { return scattered(a) < scattered(b); });
-  std::vector<unsigned> shard_of(points);
-  for (std::size_t i = 0; i < points; ++i) shard_of[order[i]] = static_cast<unsigned>(i % shards) + 1;
+  std::vector<unsigned> shard_of(point_count);
+  for (std::size_t i = 0; i < point_count; ++i) shard_of[order[i]] = static_cast<unsigned>(i % shard_count) + 1;
   return shard_of;
 }
 

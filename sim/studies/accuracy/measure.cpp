@@ -197,7 +197,8 @@ Measurement Meter::measure_anew(const Settings& settings) {
   return sum;
 }
 
-std::optional<Settings> cheapest(Meter& meter, const std::vector<Settings>& candidates, std::uint64_t max_wrong) {
+std::optional<Settings> cheapest(Meter& meter, const std::vector<Settings>& candidates,
+                                 std::uint64_t max_wrong_pixels) {
   std::vector<std::pair<std::uint64_t, const Settings*>> by_clocks;
   for (const Settings& candidate : candidates) {
     try {
@@ -208,7 +209,7 @@ std::optional<Settings> cheapest(Meter& meter, const std::vector<Settings>& cand
   }
   std::stable_sort(by_clocks.begin(), by_clocks.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (const auto& [clocks, candidate] : by_clocks) {
-    if (meter.measure(*candidate).wrong <= max_wrong) return *candidate;
+    if (meter.measure(*candidate).wrong <= max_wrong_pixels) return *candidate;
   }
   return std::nullopt;
 }

@@ -127,17 +127,17 @@ std::vector<std::string> axis_keys() {
   return keys;
 }
 
-void put(ModelRequest& options, const std::string& key, const std::string& value) {
-  if (const Axis* const axis = find_axis(key)) return axis->put(options, value);
-  options.machine += fmt::format("+{}={}", key, value);
+void put(ModelRequest& request, const std::string& key, const std::string& value) {
+  if (const Axis* const axis = find_axis(key)) return axis->put(request, value);
+  request.machine += fmt::format("+{}={}", key, value);
 }
 
-void vary(ModelRequest& options, const std::string& key, const std::string& value) {
+void vary(ModelRequest& request, const std::string& key, const std::string& value) {
   const Axis* const axis = find_axis(key);
-  if (axis == nullptr) return put(options, key, value);
+  if (axis == nullptr) return put(request, key, value);
   const Texts values = axis->values(value);
   if (axis->is_number && values.size() != 1) throw InputError("'" + value + "' is not a single number; give one value");
-  axis->put(options, values.front());
+  axis->put(request, values.front());
 }
 
 DesignPoint point_of(const ModelRequest& design, const machines::Size& size) {
@@ -171,12 +171,14 @@ std::string shell_words(const std::string& name, const std::string& value) {
   return text;
 }
 
-std::string axis_words(const DesignPoint& point, std::span<const std::string_view> but) {
+std::string axis_words(const DesignPoint& point, std::span<const std::string_view> excluded_keys) {
   std::string words;
   std::size_t strategy = std::string::npos;
   for (const Axis& axis : all_axes) {
     const std::string value = axis.text(point);
-    if (value.empty() || value == axis.default_value || std::ranges::find(but, axis.key) != but.end()) continue;
+    if (value.empty() || value == axis.default_value ||
+        std::ranges::find(excluded_keys, axis.key) != excluded_keys.end())
+      continue;
     if (axis.key == "strategy") strategy = words.size();
     // The strategy precedes the colouring in a point's list, but follows it in a command.
     words.insert(axis.key == "colouring" ? std::min(strategy, words.size()) : words.size(),
@@ -185,14 +187,14 @@ std::string axis_words(const DesignPoint& point, std::span<const std::string_vie
   return words;
 }
 
-std::string given_words(const session::OptionList& command, const std::vector<std::string>& own,
-                        const std::vector<std::string>& sets) {
+std::string given_words(const session::OptionList& command, const std::vector<std::string>& command_options,
+                        const std::vector<std::string>& set_values) {
   std::string words;
   for (const session::GivenOption& option : command.given()) {
-    if (option.is_default || std::ranges::find(own, option.name) != own.end()) continue;
+    if (option.is_default || std::ranges::find(command_options, option.name) != command_options.end()) continue;
     words += option.value == "true" ? " --" + option.name : shell_words(option.name, option.value);
   }
-  for (const std::string& set : sets) words += shell_words("set", set);
+  for (const std::string& set : set_values) words += shell_words("set", set);
   return words;
 }
 
