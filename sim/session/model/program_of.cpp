@@ -118,10 +118,11 @@ machines::Machine machine_for(const isa::Program& program, const std::string& fi
   return machine;
 }
 
-void refuse_model_options(const OptionList& options, const std::set<std::string>& own, const std::string& why) {
+void refuse_model_options(const OptionList& options, const std::set<std::string>& accepted_options,
+                          const std::string& advice) {
   for (const GivenOption& option : options.given()) {
-    if (option.name != "quiet" && !own.contains(option.name))
-      throw UsageError("--" + option.name, "is for models; " + why);
+    if (option.name != "quiet" && !accepted_options.contains(option.name))
+      throw UsageError("--" + option.name, "is for models; " + advice);
   }
 }
 
