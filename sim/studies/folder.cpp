@@ -26,7 +26,7 @@ namespace {
 /// Extensions of the files that studies write.
 constexpr auto written_endings = std::to_array<std::string_view>({".csv", ".study", ".json", ".png", ".svg"});
 
-std::filesystem::path made_folder(const std::filesystem::path& folder) {
+std::filesystem::path create_output_folder(const std::filesystem::path& folder) {
   if (folder.empty()) throw session::UsageError("--output", "the name is empty; specify a folder");
   if (is_standard_output(folder))
     throw session::UsageError("--output", "the study writes several files; specify a folder");
@@ -35,7 +35,7 @@ std::filesystem::path made_folder(const std::filesystem::path& folder) {
 }
 
 /// Files in the folder whose names a study may use for output.
-std::vector<std::filesystem::path> replaceable(const std::filesystem::path& folder) {
+std::vector<std::filesystem::path> find_study_files(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   std::error_code error;
   for (auto entry = std::filesystem::directory_iterator(folder, error);
@@ -50,7 +50,7 @@ std::vector<std::filesystem::path> replaceable(const std::filesystem::path& fold
 }
 
 /// Rejects files that a study must not write to: a link would redirect the output, a pipe or device would block.
-void refuse_foreign(const std::filesystem::path& file) {
+void refuse_special_file(const std::filesystem::path& file) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::symlink_status(file, error);
   if (std::filesystem::is_regular_file(status) || std::filesystem::is_directory(status) ||
@@ -65,10 +65,10 @@ void refuse_foreign(const std::filesystem::path& file) {
 
 StudyFolder::StudyFolder(const std::filesystem::path& folder, const std::string& study,
                          std::span<const std::filesystem::path> inputs)
-    : path_(made_folder(folder)), lock_(path_, study) {
-  for (const std::filesystem::path& file : replaceable(path_)) {
+    : path_(create_output_folder(folder)), lock_(path_, study) {
+  for (const std::filesystem::path& file : find_study_files(path_)) {
     session::refuse_clashes(inputs, std::span(&file, 1));
-    refuse_foreign(file);
+    refuse_special_file(file);
   }
 }
 

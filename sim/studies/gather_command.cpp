@@ -96,8 +96,9 @@ class GatheredStudy {
 
 /// A shard's command as csgsim writes it, without the options `excluded_keys`. Throws UsageError if it is not a
 /// study's.
-std::vector<std::string> rewritten(std::span<const StudyRow* const> studies, const std::vector<std::string>& words,
-                                   std::span<const std::string_view> excluded_keys) {
+std::vector<std::string> rewrite_command(std::span<const StudyRow* const> studies,
+                                         const std::vector<std::string>& words,
+                                         std::span<const std::string_view> excluded_keys) {
   return GatheredStudy(studies, words).words(excluded_keys);
 }
 
@@ -122,13 +123,13 @@ void refuse_other_words(const Gathered& gathered, const std::filesystem::path& f
 /// affect results, and the same with other options. They therefore cannot name further files to be read or written.
 void refuse_other_words(std::span<const StudyRow* const> studies, const Gathered& gathered) {
   refuse_other_words(gathered, gathered.first, gathered.words,
-                     [&] { return rewritten(studies, gathered.words, options_without_effect); });
+                     [&] { return rewrite_command(studies, gathered.words, options_without_effect); });
   for (const auto& entry : gathered.commands) {
     const ShardFile& file = entry.second;
     refuse_other_words(gathered, file.path, file.command,
-                       [&] { return rewritten(studies, file.command, options_of_shard); });
+                       [&] { return rewrite_command(studies, file.command, options_of_shard); });
     refuse_other_words(gathered, file.path, gathered.words,
-                       [&] { return rewritten(studies, file.command, options_without_effect); });
+                       [&] { return rewrite_command(studies, file.command, options_without_effect); });
   }
 }
 

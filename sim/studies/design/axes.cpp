@@ -51,7 +51,7 @@ constexpr Axis axis(const Words& words, Texts (*values)(const std::string& list)
 }
 
 template <unsigned minimum, unsigned maximum>
-Texts numbers(const std::string& list) {
+Texts parse_number_list(const std::string& list) {
   Texts texts;
   for (const unsigned number : session::parse_numbers(list, minimum, maximum)) texts.push_back(std::to_string(number));
   return texts;
@@ -76,7 +76,7 @@ constexpr Axis stack_bits_axis{
     "m = ",
     true,
     "",
-    numbers<emit::min_stack_bits, session::max_stack_bits>,
+    parse_number_list<emit::min_stack_bits, session::max_stack_bits>,
     [](ModelRequest& options, const std::string& value) { from_cell(value, options.stack_bits); },
     [](const ModelRequest& options, DesignPoint& point) {
       point.stack_bits = has_stack_bits(options.strategy) ? options.stack_bits : 0;
@@ -87,13 +87,14 @@ constexpr Axis stack_bits_axis{
 constexpr std::array all_axes{
     size_axis,
     axis<&ModelRequest::memory_bits, &DesignPoint::memory_bits>({"memory-bits", "memory bits per pixel", "memory "},
-                                                                numbers<1, isa::max_memory_bits>),
+                                                                parse_number_list<1, isa::max_memory_bits>),
     axis<&ModelRequest::z_bits, &DesignPoint::z_bits>({"z-bits", "depth bits", "z "},
-                                                      numbers<view::min_z_bits, view::max_z_bits>),
+                                                      parse_number_list<view::min_z_bits, view::max_z_bits>),
     axis<&ModelRequest::fraction_bits, &DesignPoint::fraction_bits>(
-        {"fraction-bits", "fraction bits of the coefficients", "fraction "}, numbers<0, view::max_fraction_bits>),
+        {"fraction-bits", "fraction bits of the coefficients", "fraction "},
+        parse_number_list<0, view::max_fraction_bits>),
     axis<&ModelRequest::colour_bits, &DesignPoint::colour_bits>(
-        {"colour-bits", "colour bits", "colour "}, numbers<isa::minimum_colour_bits, isa::max_colour_bits>),
+        {"colour-bits", "colour bits", "colour "}, parse_number_list<isa::minimum_colour_bits, isa::max_colour_bits>),
     axis<&ModelRequest::strategy, &DesignPoint::strategy>({"strategy", "strategy", ""},
                                                           [](const std::string& list) {
                                                             return session::parse_names(
