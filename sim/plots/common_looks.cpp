@@ -45,13 +45,13 @@ std::size_t first_not_in(const std::set<std::size_t>& taken) {
 
 }  // namespace
 
-Looks common_looks(std::span<const Names> plots, std::size_t apart, std::size_t looks) {
+Looks common_looks(std::span<const Names> names_by_plot, std::size_t distinct_looks, std::size_t look_count) {
   Looks result;
   std::set<std::size_t> used;
-  for (const std::string& name : all_of(plots)) {
+  for (const std::string& name : all_of(names_by_plot)) {
     std::size_t look = first_not_in(used);
-    if (look >= apart) look = first_not_in(taken_beside(name, plots, result));
-    if (look >= looks) continue;
+    if (look >= distinct_looks) look = first_not_in(taken_beside(name, names_by_plot, result));
+    if (look >= look_count) continue;
     result[name] = look;
     used.insert(look);
   }

@@ -18,14 +18,14 @@ struct Context {
   std::string explain{};  ///< result of explain_command (sim/session/run/explain.h); empty for studies
 };
 
-/// The leaves of the data at the pointer `at` as rows named by their keys, as in `array.width`, without nulls. A long
+/// The leaves of the data at a JSON pointer as rows named by their keys, as in `array.width`, without nulls. A long
 /// list appears as its length.
-Table leaves(const Json& data, const std::string& at, const std::string& caption);
+Table leaves(const Json& data, const std::string& pointer, const std::string& caption);
 
 /// The section on the inputs of the data: `configuration` of the data if present, otherwise the command's options.
 Section configuration_section(const Json& data, const Context& context);
 
-/// The sentences at the pointer `at` of the data: a list whose elements are strings or objects with `sentence`.
-std::vector<Part> sentences(const Json& data, const std::string& at);
+/// The sentences at a JSON pointer into the data: a list whose elements are strings or objects with `sentence`.
+std::vector<Part> sentences(const Json& data, const std::string& pointer);
 
 }  // namespace csgsim::report

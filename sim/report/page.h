@@ -28,11 +28,11 @@ struct Cell {
   Show show = Show::plain;
 };
 
-/// A cell with the value of `data` at the JSON pointer `at`; an empty cell if there is none.
-Cell cell(const Json& data, const std::string& at, Show show = Show::plain);
+/// A cell with the value of `data` at a JSON pointer; an empty cell if there is none.
+Cell cell(const Json& data, const std::string& pointer, Show show = Show::plain);
 
-/// The JSON pointer of the member `key` of the value at the pointer `at`.
-std::string child(const std::string& at, const std::string& key);
+/// The JSON pointer of the member `key` of the value at `pointer`.
+std::string child(const std::string& pointer, const std::string& key);
 
 /// The quotient of two numbers as a share; 0 if the whole is 0.
 Cell share(const Json& part, double whole);

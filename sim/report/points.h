@@ -15,10 +15,10 @@ struct PointColumn {
   Show show = Show::plain;
 };
 
-/// The points of a study, one row each, from the list of objects at the pointer `at` of the data. Keys may be nested,
+/// The points of a study, one row each, from the list of objects at a JSON pointer into the data. Keys may be nested,
 /// as in `segments/clocks`; columns whose key no point has are omitted. The last column has the `reason` of points that
 /// could not be measured.
-Table points_table(const Json& data, const std::string& at, const std::string& caption,
+Table points_table(const Json& data, const std::string& pointer, const std::string& caption,
                    std::span<const PointColumn> columns);
 
 /// Whether a study measured the point.

@@ -172,7 +172,8 @@ void CommandLine::print_help(std::span<const std::string> words) const {
   fmt::print("{}", help_text(make_help(*found)));
 }
 
-/// Handles the options of the program itself. The first argument is the program's name.
+/// Executes --help, --version or --describe if it is the first argument after the program's name; returns whether it
+/// is.
 bool CommandLine::handle_program_options(std::span<const std::string> arguments) const {
   if (arguments.size() < 2) return false;
   const std::string_view first = arguments[1];

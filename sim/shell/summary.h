@@ -13,8 +13,8 @@ namespace csgsim::shell {
 
 using namespace session;
 
-/// Prints the answer to a run: the picture's file, the model, the machine, the times, the host, the memory, the judge's
-/// verdict and advice; at most 12 lines. `is_verbose`: print_details follows.
+/// Prints the summary of a run: the picture's file, the model, the machine, the times, the host, the memory, the
+/// judge's verdict and advice; at most 12 lines. `is_verbose`: print_details follows.
 void print_first_lines(const observe::Report& report, const std::string& picture, const Advice& advice,
                        std::string_view verdict, bool is_verbose);
 

@@ -32,7 +32,7 @@ std::string text_of(const std::filesystem::path& path, const InputKind& kind) {
 
 }  // namespace
 
-CsvFile::CsvFile(std::filesystem::path path, std::string begin) : path_(std::move(path)), begin_(std::move(begin)) {
+CsvFile::CsvFile(std::filesystem::path path, std::string header) : path_(std::move(path)), begin_(std::move(header)) {
   const std::string text = text_of(path_, table_file);
   if (begin_.starts_with(text)) {
     if (text != begin_) write_file(path_, begin_);
@@ -45,8 +45,8 @@ CsvFile::CsvFile(std::filesystem::path path, std::string begin) : path_(std::mov
   for (std::string line; std::getline(lines, line);) found_.push_back(std::move(line));
 }
 
-CsvFile study_table(const std::filesystem::path& path, const std::string& title, const std::string& header) {
-  const std::string begin = header + "\n";
+CsvFile study_table(const std::filesystem::path& path, const std::string& title, const std::string& header_line) {
+  const std::string begin = header_line + "\n";
   const std::string comment = "# " + title + "\n";
   const std::filesystem::path beside = std::filesystem::path(path).replace_extension(".study");
   const std::string text = text_of(path, table_file);
@@ -59,10 +59,10 @@ CsvFile study_table(const std::filesystem::path& path, const std::string& title,
   return {path, begin};
 }
 
-void CsvFile::refuse(std::size_t found, std::string_view why) const {
+void CsvFile::refuse(std::size_t line_index, std::string_view reason) const {
   const auto above = static_cast<std::size_t>(std::ranges::count(begin_, '\n'));
   throw InputError(
-      fmt::format("{}:{}:1: {}; delete the line to measure it again", path_.native(), above + found + 1, why));
+      fmt::format("{}:{}:1: {}; delete the line to measure it again", path_.native(), above + line_index + 1, reason));
 }
 
 void CsvFile::append(const std::string& line) const {
@@ -104,11 +104,11 @@ std::vector<std::string> split_cells(std::string_view line) {
   return cells;
 }
 
-std::string_view first_cells(std::string_view line, std::size_t cells) {
+std::string_view first_cells(std::string_view line, std::size_t cell_count) {
   bool quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (line[i] == '"') quoted = !quoted;
-    if (line[i] == ',' && !quoted && --cells == 0) return line.substr(0, i);
+    if (line[i] == ',' && !quoted && --cell_count == 0) return line.substr(0, i);
   }
   return line;
 }

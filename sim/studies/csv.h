@@ -24,21 +24,21 @@ namespace csgsim::studies {
 /// existing rows.
 class CsvFile {
  public:
-  /// Opens the file, or creates it with the lines `begin`. Removes a partial last line left by an interrupted write.
+  /// Opens the file, or creates it with these header lines. Removes a partial last line left by an interrupted write.
   /// Throws InputError if the file begins differently, is too long, or cannot be read or written.
-  CsvFile(std::filesystem::path path, std::string begin);
+  CsvFile(std::filesystem::path path, std::string header);
 
-  /// The lines below `begin` that the file had when it was opened.
+  /// The lines below the header that the file had when it was opened.
   [[nodiscard]] const std::vector<std::string>& found() const { return found_; }
 
-  /// Throws InputError that names the line with index `found` in found(), and the reason why it cannot be used.
-  [[noreturn]] void refuse(std::size_t found, std::string_view why) const;
+  /// Throws InputError with the place of the line found()[line_index], and the reason why it cannot be used.
+  [[noreturn]] void refuse(std::size_t line_index, std::string_view reason) const;
 
   /// Appends a line (or several separated by line breaks) and syncs the file. On failure it removes the partial line,
   /// if the file can be truncated, and throws InputError.
   void append(const std::string& line) const;
 
-  /// Atomically replaces all lines below `begin`.
+  /// Atomically replaces all lines below the header.
   void replace(const std::vector<std::string>& lines) const;
 
  private:
@@ -51,13 +51,13 @@ class CsvFile {
 /// the only line of a file with the same name and the extension .study. Tables written by csgsim 0.1.0 before December
 /// 2026 start with the title as a comment; they are converted. Throws InputError as CsvFile does, and if the title
 /// differs.
-CsvFile study_table(const std::filesystem::path& path, const std::string& title, const std::string& header);
+CsvFile study_table(const std::filesystem::path& path, const std::string& title, const std::string& header_line);
 
 /// The cells of a line. Throws InputError if a quote is not closed or the text contains a line break.
 std::vector<std::string> split_cells(std::string_view line);
 
-/// The part of the line that holds the first `cells` cells.
-std::string_view first_cells(std::string_view line, std::size_t cells);
+/// The part of the line that holds the first `cell_count` cells.
+std::string_view first_cells(std::string_view line, std::size_t cell_count);
 
 /// Text as a cell, quoted if necessary. Throws InputError if the text contains a line break.
 std::string to_cell(const std::string& text);

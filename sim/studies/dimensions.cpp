@@ -8,9 +8,9 @@
 
 namespace csgsim::studies {
 
-bool has_stack_bits(std::string_view name) {
+bool has_stack_bits(std::string_view strategy_name) {
   return std::ranges::any_of(emit::strategies, [&](emit::Strategy one) {
-    return one != emit::Strategy::automatic && name == emit::name_of(one) && emit::row_of(one).has_stack_bits;
+    return one != emit::Strategy::automatic && strategy_name == emit::name_of(one) && emit::row_of(one).has_stack_bits;
   });
 }
 

@@ -38,6 +38,6 @@ std::vector<std::string> without_duplicates(const std::vector<std::string>& name
 std::vector<double> parse_tolerances(const std::string& text);
 
 /// Whether --stack-bits affects the strategy with this name.
-bool has_stack_bits(std::string_view name);
+bool has_stack_bits(std::string_view strategy_name);
 
 }  // namespace csgsim::studies

@@ -12,14 +12,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string place(const ShardFile& file) {
+std::string describe_shard(const ShardFile& file) {
   return fmt::format("shard {} ({})", to_text(file.header.shard), file.path.native());
 }
 
 /// Throws InputError if the file's header differs from that of the first file.
 void refuse_other_study(const ShardFile& first, const ShardFile& file) {
   const auto refuse = [&](const std::string& why, const std::string& fix) {
-    throw InputError(fmt::format("{} and {} are {}; {}", place(file), place(first), why, fix));
+    throw InputError(fmt::format("{} and {} are {}; {}", describe_shard(file), describe_shard(first), why, fix));
   };
   const ShardHeader& a = first.header;
   const ShardHeader& b = file.header;

@@ -19,7 +19,7 @@ struct Gathered {
   unsigned shards = 0;
   Inputs inputs;
   std::vector<std::string> words;          ///< the study's command without options that do not affect results
-  std::map<unsigned, ShardFile> commands;  ///< by shard number: a file with the shard's command, without its lines
+  std::map<unsigned, ShardFile> commands;  ///< by shard number, a file of the shard without its lines
   std::string columns;
   std::vector<std::string> rows;                ///< one per point; empty if not measured
   std::vector<std::filesystem::path> measured;  ///< file with the row of each point

@@ -75,8 +75,10 @@ class GatheredStudy {
     list_.check_and_apply();
   }
 
-  /// The words as csgsim writes them into a shard, without the options in `but`.
-  [[nodiscard]] std::vector<std::string> words(std::span<const std::string_view> but) const { return list_.words(but); }
+  /// The words of the command line as this csgsim writes them into a shard's file, without the options `excluded_keys`.
+  [[nodiscard]] std::vector<std::string> words(std::span<const std::string_view> excluded_keys) const {
+    return list_.words(excluded_keys);
+  }
   [[nodiscard]] StudyCommand& command() const { return *command_; }
 
  private:
@@ -92,10 +94,12 @@ class GatheredStudy {
   bool is_quiet_ = false;
 };
 
-/// A shard's command as csgsim writes it, without the options in `but`. Throws UsageError if it is not a study's.
-std::vector<std::string> rewritten(std::span<const StudyRow* const> studies, const std::vector<std::string>& words,
-                                   std::span<const std::string_view> but) {
-  return GatheredStudy(studies, words).words(but);
+/// A shard's command as csgsim writes it, without the options `excluded_keys`. Throws UsageError if it is not a
+/// study's.
+std::vector<std::string> rewrite_command(std::span<const StudyRow* const> studies,
+                                         const std::vector<std::string>& words,
+                                         std::span<const std::string_view> excluded_keys) {
+  return GatheredStudy(studies, words).words(excluded_keys);
 }
 
 /// Throws InputError unless `words` equal what csgsim writes, which `write` returns.
@@ -119,13 +123,13 @@ void refuse_other_words(const Gathered& gathered, const std::filesystem::path& f
 /// affect results, and the same with other options. They therefore cannot name further files to be read or written.
 void refuse_other_words(std::span<const StudyRow* const> studies, const Gathered& gathered) {
   refuse_other_words(gathered, gathered.first, gathered.words,
-                     [&] { return rewritten(studies, gathered.words, options_without_effect); });
+                     [&] { return rewrite_command(studies, gathered.words, options_without_effect); });
   for (const auto& entry : gathered.commands) {
     const ShardFile& file = entry.second;
     refuse_other_words(gathered, file.path, file.command,
-                       [&] { return rewritten(studies, file.command, options_of_shard); });
+                       [&] { return rewrite_command(studies, file.command, options_of_shard); });
     refuse_other_words(gathered, file.path, gathered.words,
-                       [&] { return rewritten(studies, file.command, options_without_effect); });
+                       [&] { return rewrite_command(studies, file.command, options_without_effect); });
   }
 }
 

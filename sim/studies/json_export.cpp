@@ -16,16 +16,16 @@ void JsonExport::add_to(session::OptionList& command, const std::string& action)
 }
 
 void JsonExport::write(std::span<const std::filesystem::path> inputs,
-                       const std::function<nlohmann::ordered_json()>& facts, std::string_view list,
-                       const std::function<void(const Put& put)>& items) const {
+                       const std::function<nlohmann::ordered_json()>& make_facts, std::string_view list_name,
+                       const std::function<void(const Put& put)>& write_items) const {
   if (file_.empty()) return;
   session::refuse_clashes(inputs, std::to_array<std::filesystem::path>({file_}));
   OutputFile file(file_);
-  std::string begin = facts().dump();
+  std::string begin = make_facts().dump();
   begin.back() = ',';
-  file.write(fmt::format("{}\"{}\":[", begin, list));
+  file.write(fmt::format("{}\"{}\":[", begin, list_name));
   const char* between = "\n";
-  items([&](const nlohmann::ordered_json& item) {
+  write_items([&](const nlohmann::ordered_json& item) {
     file.write(between + item.dump());
     between = ",\n";
   });

@@ -24,10 +24,10 @@ class JsonExport {
   /// Called with each item of the list.
   using Put = std::function<void(const nlohmann::ordered_json& item)>;
 
-  /// Writes the file if it was requested: the facts, followed by a list named `list` with one item per line. Throws
-  /// UsageError if the file is also an input, InputError if it cannot be written.
-  void write(std::span<const std::filesystem::path> inputs, const std::function<nlohmann::ordered_json()>& facts,
-             std::string_view list, const std::function<void(const Put& put)>& items) const;
+  /// Writes the file if it was requested: the facts, followed by a list named `list_name` with one item per line.
+  /// Throws UsageError if the file is also an input, InputError if it cannot be written.
+  void write(std::span<const std::filesystem::path> inputs, const std::function<nlohmann::ordered_json()>& make_facts,
+             std::string_view list_name, const std::function<void(const Put& put)>& write_items) const;
 
  private:
   std::string file_;

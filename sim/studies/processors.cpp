@@ -12,15 +12,16 @@
 
 namespace csgsim::studies {
 
-std::vector<software::Priced> parse_processors(const std::string& list) {
+std::vector<software::Priced> parse_processors(const std::string& processor_names) {
   std::vector<software::Priced> processors;
-  for (const std::string& name : session::parse_words(list)) processors.push_back(software::load_priced(name));
+  for (const std::string& name : session::parse_words(processor_names))
+    processors.push_back(software::load_priced(name));
   return processors;
 }
 
-void add_processors(session::OptionList& command, std::string& list) {
+void add_processors(session::OptionList& command, std::string& processor_names) {
   command
-      .option("--processors", list,
+      .option("--processors", processor_names,
               "Processors for which seconds are computed: names or .toml files, separated by commas; this-computer is "
               "measured")
       .check(session::check_by_parsing(parse_processors));
@@ -38,9 +39,10 @@ std::string seconds_text(double seconds) {
                                 : grouped(static_cast<std::uint64_t>(std::llround(seconds)));
 }
 
-std::vector<std::filesystem::path> inputs_with_processors(const session::ModelRequest& model, const std::string& list) {
+std::vector<std::filesystem::path> inputs_with_processors(const session::ModelRequest& model,
+                                                          const std::string& processor_names) {
   std::vector<std::filesystem::path> files = model.inputs();
-  const std::vector<std::filesystem::path> more = session::input_files({}, session::parse_words(list));
+  const std::vector<std::filesystem::path> more = session::input_files({}, session::parse_words(processor_names));
   files.insert(files.end(), more.begin(), more.end());
   return files;
 }

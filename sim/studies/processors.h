@@ -13,10 +13,10 @@
 namespace csgsim::studies {
 
 /// Parses names and files separated by commas. Throws as software::load_priced does.
-std::vector<software::Priced> parse_processors(const std::string& list);
+std::vector<software::Priced> parse_processors(const std::string& processor_names);
 
 /// Adds the option --processors.
-void add_processors(session::OptionList& command, std::string& list);
+void add_processors(session::OptionList& command, std::string& processor_names);
 
 /// Adds the model options except those that only affect machines.
 void add_model_without_machine(session::ModelRequest& model, session::OptionList& command);
@@ -25,6 +25,7 @@ void add_model_without_machine(session::ModelRequest& model, session::OptionList
 std::string seconds_text(double seconds);
 
 /// The files of a model and of the listed processors.
-std::vector<std::filesystem::path> inputs_with_processors(const session::ModelRequest& model, const std::string& list);
+std::vector<std::filesystem::path> inputs_with_processors(const session::ModelRequest& model,
+                                                          const std::string& processor_names);
 
 }  // namespace csgsim::studies

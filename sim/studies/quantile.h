@@ -9,13 +9,14 @@
 
 namespace csgsim::studies {
 
-/// The number at position part * (count - 1) of the sorted numbers, counted from 0 and interpolated linearly. `part`
-/// from 0 to 1; there must be a number.
-inline double quantile(std::span<const double> sorted, double part) {
-  const double place = part * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(std::floor(place));
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+/// Quantile of a non-empty set of numbers: the number at position fraction * (count - 1), from 0, of the sorted
+/// numbers, interpolated linearly. `fraction` is from 0 to 1.
+inline double quantile(std::span<const double> sorted_numbers, double fraction) {
+  const double position = fraction * static_cast<double>(sorted_numbers.size() - 1);
+  const auto below = static_cast<std::size_t>(std::floor(position));
+  const std::size_t above = std::min(below + 1, sorted_numbers.size() - 1);
+  return sorted_numbers[below] +
+         (position - static_cast<double>(below)) * (sorted_numbers[above] - sorted_numbers[below]);
 }
 
 }  // namespace csgsim::studies

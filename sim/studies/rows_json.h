@@ -16,7 +16,7 @@
 
 namespace csgsim::studies {
 
-/// Sets a column of a row. Types of other columns provide their own overloads.
+/// Sets a member of a row's JSON object. Other cell types have overloads in their own headers.
 void set_json(nlohmann::ordered_json& row, const char* name, std::uint64_t value);
 void set_json(nlohmann::ordered_json& row, const char* name, double value);
 void set_json(nlohmann::ordered_json& row, const char* name, const std::string& value);
@@ -46,9 +46,9 @@ void set_columns(nlohmann::ordered_json& json, const Row& row) {
 /// Calls set(json, point) for each point of a study.
 using SetPoint = std::function<void(nlohmann::ordered_json& json, std::size_t point)>;
 
-/// The JSON of a study with `points` points.
-nlohmann::ordered_json points_json(const std::string& title, std::size_t points, const SetPoint& set);
-std::string points_text(const std::string& title, std::size_t points, const SetPoint& set);
+/// The JSON of a study with `point_count` points.
+nlohmann::ordered_json points_json(const std::string& title, std::size_t point_count, const SetPoint& set_point);
+std::string points_text(const std::string& title, std::size_t point_count, const SetPoint& set_point);
 
 /// The JSON formatted as in a file.
 std::string file_text(const nlohmann::ordered_json& json);

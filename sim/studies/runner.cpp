@@ -285,9 +285,10 @@ void show_gathered(StudyCommand& request, const Gathered& gathered) {
   show(request, places);
 }
 
-std::vector<std::string> with_words(const std::vector<std::string>& command, const std::vector<std::string>& more) {
+std::vector<std::string> with_words(const std::vector<std::string>& command,
+                                    const std::vector<std::string>& added_words) {
   std::vector<std::string> words = command;
-  words.insert(words.begin() + 1, more.begin(), more.end());
+  words.insert(words.begin() + 1, added_words.begin(), added_words.end());
   return words;
 }
 

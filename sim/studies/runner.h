@@ -52,7 +52,8 @@ void run_study(StudyCommand& request);
 /// Shows the results of shards. The study's options must have been read.
 void show_gathered(StudyCommand& request, const Gathered& gathered);
 
-/// Inserts the words `more` after the command's name, before its other words.
-std::vector<std::string> with_words(const std::vector<std::string>& command, const std::vector<std::string>& more);
+/// A command line with further arguments inserted after the command's name.
+std::vector<std::string> with_words(const std::vector<std::string>& command,
+                                    const std::vector<std::string>& added_words);
 
 }  // namespace csgsim::studies

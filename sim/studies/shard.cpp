@@ -15,7 +15,7 @@ namespace csgsim::studies {
 
 namespace {
 
-std::optional<unsigned> number_in(std::string_view text) {
+std::optional<unsigned> parse_shard_number(std::string_view text) {
   unsigned number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
@@ -23,7 +23,7 @@ std::optional<unsigned> number_in(std::string_view text) {
 }
 
 /// The finaliser of SplitMix64 (Steele, Lea, Flood 2014), a bijection.
-std::uint64_t scattered(std::uint64_t number) {
+std::uint64_t scramble(std::uint64_t number) {
   std::uint64_t z = (number + 1) * 0x9e3779b97f4a7c15ULL;
   z = (z ^ z >> 30U) * 0xbf58476d1ce4e5b9ULL;
   z = (z ^ z >> 27U) * 0x94d049bb133111ebULL;
@@ -34,8 +34,8 @@ std::uint64_t scattered(std::uint64_t number) {
 
 Shard parse_shard(std::string_view text) {
   const std::size_t slash = text.find('/');
-  const std::optional<unsigned> number = number_in(text.substr(0, slash));
-  const std::optional<unsigned> count = slash < text.size() ? number_in(text.substr(slash + 1)) : std::nullopt;
+  const std::optional<unsigned> number = parse_shard_number(text.substr(0, slash));
+  const std::optional<unsigned> count = slash < text.size() ? parse_shard_number(text.substr(slash + 1)) : std::nullopt;
   if (!number || !count)
     throw InputError(fmt::format("'{}' is not a shard; use k/n, such as 3/16 for the third of sixteen", text));
   if (*count < 1 || *count > max_shards)
@@ -48,24 +48,24 @@ Shard parse_shard(std::string_view text) {
 
 std::string to_text(const Shard& shard) { return fmt::format("{}/{}", shard.number, shard.count); }
 
-std::string to_ranges(const std::vector<unsigned>& ascending) {
+std::string to_ranges(const std::vector<unsigned>& ascending_numbers) {
   std::string text;
-  for (std::size_t first = 0; first < ascending.size();) {
+  for (std::size_t first = 0; first < ascending_numbers.size();) {
     std::size_t last = first;
-    while (last + 1 < ascending.size() && ascending[last + 1] == ascending[last] + 1) ++last;
-    text += fmt::format("{}{}", text.empty() ? "" : ",", ascending[first]);
-    if (last > first) text += fmt::format("-{}", ascending[last]);
+    while (last + 1 < ascending_numbers.size() && ascending_numbers[last + 1] == ascending_numbers[last] + 1) ++last;
+    text += fmt::format("{}{}", text.empty() ? "" : ",", ascending_numbers[first]);
+    if (last > first) text += fmt::format("-{}", ascending_numbers[last]);
     first = last + 1;
   }
   return text;
 }
 
-std::vector<unsigned> shard_of_each(std::size_t points, unsigned shards) {
-  std::vector<std::size_t> order(points);
+std::vector<unsigned> shard_of_each(std::size_t point_count, unsigned shard_count) {
+  std::vector<std::size_t> order(point_count);
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [](std::size_t a, std::size_t b) { return scattered(a) < scattered(b); });
-  std::vector<unsigned> shard_of(points);
-  for (std::size_t i = 0; i < points; ++i) shard_of[order[i]] = static_cast<unsigned>(i % shards) + 1;
+  std::sort(order.begin(), order.end(), [](std::size_t a, std::size_t b) { return scramble(a) < scramble(b); });
+  std::vector<unsigned> shard_of(point_count);
+  for (std::size_t i = 0; i < point_count; ++i) shard_of[order[i]] = static_cast<unsigned>(i % shard_count) + 1;
   return shard_of;
 }
 

@@ -47,7 +47,7 @@ std::string command_line(const std::vector<std::string>& words) {
   return fmt::format("{}{}\n", command_mark, fmt::join(cells, ","));
 }
 
-ShardHeader header_from(std::string_view title) {
+ShardHeader parse_header(std::string_view title) {
   const std::vector<std::string> cells = split_cells(title);
   if (cells.size() <= cells_before_words || cells[0] != mark) throw InputError("this is not a shard of a study");
   ShardHeader header;
@@ -62,7 +62,7 @@ ShardHeader header_from(std::string_view title) {
   return header;
 }
 
-ShardLine line_from(const std::string& text, std::size_t points) {
+ShardLine parse_shard_line(const std::string& text, std::size_t points) {
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos) throw InputError("the row is missing");
   ShardLine line;
@@ -112,7 +112,7 @@ ShardFile read_shard_file(const fs::path& path) {
   try {
     for (std::string line; std::getline(lines, line);) {
       if (++number == 1) {
-        file.header = header_from(std::string_view(line).substr(line.starts_with("# ") ? 2 : 0));
+        file.header = parse_header(std::string_view(line).substr(line.starts_with("# ") ? 2 : 0));
       } else if (number == 2 && line.starts_with(command_mark)) {
         file.command = split_cells(std::string_view(line).substr(command_mark.size()));
       } else if (!has_columns) {
@@ -120,7 +120,7 @@ ShardFile read_shard_file(const fs::path& path) {
         file.columns = line.substr(point_column.size());
         has_columns = true;
       } else {
-        file.lines.push_back(line_from(line, file.header.points));
+        file.lines.push_back(parse_shard_line(line, file.header.points));
       }
     }
     if (!has_columns) throw InputError("the file ends before the columns of its shard");

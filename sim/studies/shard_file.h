@@ -39,7 +39,7 @@ struct ShardLine {
 struct ShardFile {
   std::filesystem::path path;
   ShardHeader header;
-  std::vector<std::string> command;  ///< the words that repeat the run, except shard and outputs; empty in old files
+  std::vector<std::string> command;  ///< arguments that repeat the run, without shard and outputs; empty in old files
   std::string columns;               ///< column names of the rows
   std::vector<ShardLine> lines;
 };
@@ -60,7 +60,7 @@ ShardFile read_shard_file(const std::filesystem::path& path);
 /// computers, each write their own file and need no lock. The file is created with the first row.
 class ShardWriter {
  public:
-  /// The words of `command` repeat the run; they include options that do not affect results, such as --threads.
+  /// `command`: the command-line arguments that repeat the run, with options that do not affect results, as --threads.
   ShardWriter(std::filesystem::path study, ShardHeader header, std::vector<std::string> command, std::string columns);
 
   /// Appends a row and syncs the file. Throws InputError on failure.

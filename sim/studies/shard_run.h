@@ -15,7 +15,7 @@ namespace csgsim::studies {
 class ShardRun {
  public:
   /// Reads the points measured before. Points whose inputs have changed are reported and measured again. Throws
-  /// InputError if the folder holds another study. The words of `command` repeat the run (ShardFile::command).
+  /// InputError if the folder holds another study. `command`: see ShardFile::command.
   ShardRun(std::filesystem::path folder, ShardHeader header, std::vector<std::string> command, std::string columns);
 
   /// Numbers of the shard's points that remain to be measured.

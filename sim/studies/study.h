@@ -64,7 +64,8 @@ class Study {
   [[nodiscard]] virtual std::set<std::string> varied() const { return {}; }
   /// The model if a table holds points of one model only: its file name is part of the table's title.
   [[nodiscard]] virtual std::string table_model() const { return {}; }
-  /// Whether all points of the table belong to that model on one machine: if either changes, all rows are outdated.
+  /// Whether all points of the table belong to table_model() on one machine: if the model or the machine changes, all
+  /// rows are outdated.
   [[nodiscard]] virtual bool is_of_one_machine() const { return false; }
   /// The model, or folder of models, that the output folder is named after if -o is not given: the first input.
   [[nodiscard]] virtual std::filesystem::path named_after() const { return inputs().front(); }
@@ -75,7 +76,7 @@ class Study {
   using Finished = std::function<void(std::size_t point, std::string row)>;
   /// Measures the points with these numbers on `threads` threads; rows are passed on one at a time, in any order.
   virtual void measure(std::span<const std::size_t> points, unsigned threads, const Finished& finished) = 0;
-  /// Whether a row of the point, measured from the same inputs, has all results that are requested now.
+  /// Whether a row of the point, read from the table, has all requested results. Its inputs are unchanged.
   [[nodiscard]] virtual bool serves(std::size_t /*point*/, const std::string& /*row*/) const { return true; }
 
   [[nodiscard]] virtual RowFormat format() const = 0;
@@ -101,13 +102,13 @@ class Study {
   virtual void refuse() const {}
 };
 
-/// Where results are kept if -o is not given.
+/// Where results are written if -o is not given.
 enum class Folder : std::uint8_t {
   usual,     ///< in default_folder() (folder.h)
   optional,  ///< nowhere
 };
 
-/// A row of the table of studies.
+/// A row of the table of all studies.
 struct StudyRow {
   const char* name;
   const char* does;         ///< one-line summary that begins with a verb
@@ -120,9 +121,9 @@ struct StudyRow {
   std::string_view group = session::study_group;  ///< heading in `csgsim --help`
 };
 
-/// Holds the rows of a study, which have one type. The first `Row::point_columns` columns of Row::columns(row, visit)
-/// identify the point, and the next three are its `inputs`. If the type has a `reason`, it says why the point could not
-/// be measured.
+/// Stores the rows of a study, all of type `Row`. Of the columns that Row::columns() visits, the first
+/// `Row::point_columns` identify the point, and the next three are the hashes and the version in Row::inputs. A row
+/// with a non-empty `Row::reason`, if there is such a member, states why the point could not be measured.
 template <class Row>
 class RowsOf : public Study {
  public:

@@ -20,7 +20,7 @@
 
 namespace csgsim::studies {
 
-/// A requested point: the first cells of its row as in the table, and its inputs.
+/// A requested point: the leading cells of its row, which identify it, and its inputs.
 struct PointRequest {
   std::string cells;
   Inputs inputs;

@@ -18,7 +18,7 @@ namespace csgsim::session {
 namespace {
 
 /// Parses an index; nothing if the text is not one. An index out of range yields no_primitive.
-std::optional<std::uint32_t> index_in(std::string_view text) {
+std::optional<std::uint32_t> parse_index(std::string_view text) {
   if (text.starts_with('p')) text.remove_prefix(1);
   if (text.empty() || !std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; }))
     return std::nullopt;
@@ -62,7 +62,7 @@ std::vector<std::uint32_t> matching(const std::vector<std::string>& names, Is is
 
 std::uint32_t primitive_named(const isa::Program& program, const std::string& text, const std::string& option) {
   const std::vector<std::string>& names = program.facts->primitives;
-  if (const std::optional<std::uint32_t> index = index_in(text)) {
+  if (const std::optional<std::uint32_t> index = parse_index(text)) {
     if (*index < names.size()) return *index;
     throw UsageError(
         option,

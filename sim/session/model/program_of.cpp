@@ -73,7 +73,7 @@ machines::Machine named_machine(const isa::Program& program, const std::string& 
 }
 
 /// The machine that the Program names; nothing, with a warning, if it cannot be loaded.
-std::optional<machines::Machine> machine_named(const isa::Program& program, const std::string& file) {
+std::optional<machines::Machine> find_named_machine(const isa::Program& program, const std::string& file) {
   try {
     return load_machine(program.machine, {});
   } catch (const InputError& error) {
@@ -84,7 +84,7 @@ std::optional<machines::Machine> machine_named(const isa::Program& program, cons
 
 /// Checks whether a machine other than the one that the Program names can run it, and warns about differences.
 void check_fits(const isa::Program& program, const std::string& file, const machines::Machine& machine) {
-  const std::optional<machines::Machine> known = machine_named(program, file);
+  const std::optional<machines::Machine> known = find_named_machine(program, file);
   if (!known) return refuse_less_memory(program, file, machine);
   const machines::Machine& own = *known;
   if (machine.kind != own.kind) {
@@ -118,10 +118,11 @@ machines::Machine machine_for(const isa::Program& program, const std::string& fi
   return machine;
 }
 
-void refuse_model_options(const OptionList& options, const std::set<std::string>& own, const std::string& why) {
+void refuse_model_options(const OptionList& options, const std::set<std::string>& accepted_options,
+                          const std::string& advice) {
   for (const GivenOption& option : options.given()) {
-    if (option.name != "quiet" && !own.contains(option.name))
-      throw UsageError("--" + option.name, "is for models; " + why);
+    if (option.name != "quiet" && !accepted_options.contains(option.name))
+      throw UsageError("--" + option.name, "is for models; " + advice);
   }
 }
 

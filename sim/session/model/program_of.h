@@ -23,10 +23,10 @@ isa::Program read_program(const std::string& path);
 machines::Machine machine_for(const isa::Program& program, const std::string& file, const std::string& chosen_machine,
                               const std::vector<std::string>& sets);
 
-/// Used by commands that accept a model or a Program. Compile options do not apply to a Program. Throws UsageError for
-/// a given option that is not one of the command's `own` options (long names without dashes); `why` ends the message.
-void refuse_model_options(const OptionList& options, const std::set<std::string>& own,
-                          const std::string& why = "a Program has been compiled already; leave it out");
+/// For a Program given to a command that also accepts models: compile options do not apply to it. Throws UsageError for
+/// a given option that is not in `accepted_options` (long names without dashes); the message ends with `advice`.
+void refuse_model_options(const OptionList& options, const std::set<std::string>& accepted_options,
+                          const std::string& advice = "a Program has been compiled already; leave it out");
 
 /// A Program and the machine that runs it.
 struct ProgramOnMachine {

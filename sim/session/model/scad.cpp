@@ -54,8 +54,8 @@ void require_success(const system::ChildEnd& end, const system::ChildLimits& lim
 }
 
 /// Output of an OpenSCAD command line, given as words.
-std::string evaluated(std::span<const std::string> words, const system::MemoryFile& input, const std::string& file,
-                      const ScadOptions& options) {
+std::string run_openscad(std::span<const std::string> words, const system::MemoryFile& input, const std::string& file,
+                         const ScadOptions& options) {
   const system::ChildLimits limits{.time = options.time_limit,
                                    .output = read::max_file_bytes,
                                    .errors = std::size_t{16} << 20U,
@@ -107,7 +107,7 @@ std::string evaluate_scad(const std::string& file, const std::optional<std::stri
                   : openscad_words({}, file.starts_with('-') ? "./" + file : file, options);
   system::MemoryFile input(file);
   if (replacement) input.write(*replacement);
-  return evaluated(words, input, file, options);
+  return run_openscad(words, input, file, options);
 }
 
 }  // namespace csgsim::session

@@ -37,9 +37,9 @@ std::vector<Number> numbers(const std::string& text, char separator, std::size_t
   return values;
 }
 
-/// The count with the noun `what`, in the plural unless the count is 1: `1 bit`, `1,234 bits`.
-inline std::string count_text(std::uint64_t count, std::string_view what) {
-  return fmt::format("{} {}{}", grouped(count), what, count == 1 ? "" : "s");
+/// The count and the noun, in the plural unless the count is 1: `1 bit`, `1,234 bits`.
+inline std::string count_text(std::uint64_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", grouped(count), noun, count == 1 ? "" : "s");
 }
 
 /// Percentage of a whole; 0 if the whole is 0.

@@ -52,9 +52,9 @@ void refuse_form(const std::string& set) {
 
 }  // namespace
 
-Sets divide_sets(const std::vector<std::string>& sets) {
+Sets divide_sets(const std::vector<std::string>& settings) {
   Sets all;
-  for (const std::string& set : sets) {
+  for (const std::string& set : settings) {
     refuse_form(set);
     if (kinds::is_parameter(key_of(set))) {
       all.figures.push_back(set);
@@ -96,16 +96,17 @@ machines::Machine load_from(const Source& source, const std::string& name, const
 
 }  // namespace
 
-machines::Machine load_machine(const std::string& name, const std::vector<std::string>& sets) {
-  return load_from(name, name, sets);
+machines::Machine load_machine(const std::string& name, const std::vector<std::string>& settings) {
+  return load_from(name, name, settings);
 }
 
-machines::Machine load_machine(const isa::MachineRecord& record, const std::vector<std::string>& sets) {
-  return load_from(record, record.name, sets);
+machines::Machine load_machine(const isa::MachineRecord& record, const std::vector<std::string>& settings) {
+  return load_from(record, record.name, settings);
 }
 
-std::vector<std::string> with_parameters(const std::vector<std::string>& names, const std::vector<std::string>& sets) {
-  const std::vector<std::string> figures = divide_sets(sets).figures;
+std::vector<std::string> with_parameters(const std::vector<std::string>& names,
+                                         const std::vector<std::string>& settings) {
+  const std::vector<std::string> figures = divide_sets(settings).figures;
   if (figures.empty()) return names;
   std::vector<std::string> edited;
   std::set<std::string> taken;
@@ -129,12 +130,12 @@ std::vector<std::string> with_parameters(const std::vector<std::string>& names, 
   return edited;
 }
 
-void add_parameter_sets(OptionList& command, std::vector<std::string>& sets, const std::string& machine) {
-  command.option("--set", sets, "A parameter of " + machine + ", as in alu.bits=4; repeat for several");
+void add_parameter_sets(OptionList& command, std::vector<std::string>& settings, const std::string& machine) {
+  command.option("--set", settings, "A parameter of " + machine + ", as in alu.bits=4; repeat for several");
 }
 
-void refuse_scene_sets(const std::vector<std::string>& sets, const std::string& option) {
-  const std::vector<std::string> of_scene = divide_sets(sets).scene;
+void refuse_scene_sets(const std::vector<std::string>& settings, const std::string& option) {
+  const std::vector<std::string> of_scene = divide_sets(settings).scene;
   if (!of_scene.empty())
     throw UsageError(option, "'" + of_scene.front() +
                                  "' is a key of a scene, which has no effect here; only machine parameters can be set");

@@ -28,15 +28,15 @@ std::vector<std::size_t> widths_of(std::span<const std::vector<std::string>> row
 
 }  // namespace
 
-std::string in_columns(std::span<const std::vector<std::string>> rows, std::string_view sides) {
-  const std::vector<std::size_t> widths = widths_of(rows, sides.size());
+std::string in_columns(std::span<const std::vector<std::string>> rows, std::string_view alignments) {
+  const std::vector<std::size_t> widths = widths_of(rows, alignments.size());
   std::string text;
   for (const std::vector<std::string>& row : rows) {
     std::string line;
     for (std::size_t i = 0; i < row.size(); ++i) {
-      const bool is_free = extends_beyond(row, i, sides.size());
+      const bool is_free = extends_beyond(row, i, alignments.size());
       const std::string blanks(is_free ? 0 : widths[i] - width_of(row[i]), ' ');
-      line += (i == 0 ? "" : "  ") + (sides[i] == '>' ? blanks + row[i] : row[i] + blanks);
+      line += (i == 0 ? "" : "  ") + (alignments[i] == '>' ? blanks + row[i] : row[i] + blanks);
     }
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";

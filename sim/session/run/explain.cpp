@@ -116,7 +116,7 @@ story::Answer answer_of(const ExplainRequest& request, const Explained& subject)
 
 }  // namespace
 
-std::string explain_command(const OptionList& options, const std::string& subject, const GivenTexts& instead) {
+std::string explain_command(const OptionList& options, const std::string& subject, const GivenTexts& replacements) {
   ExplainRequest request;
   OptionList list("explain");
   request.add_to(list);
@@ -126,11 +126,11 @@ std::string explain_command(const OptionList& options, const std::string& subjec
     const std::string key = option.key();
     const bool is_taken = takes_all || key == "machine" || key == "set";
     const bool is_replaced = option.takes != Takes::texts &&
-                             std::ranges::any_of(instead, [&](const auto& given) { return given.first == key; });
+                             std::ranges::any_of(replacements, [&](const auto& given) { return given.first == key; });
     if (option.is_operand || !is_taken || is_replaced || list.find(key) == nullptr) continue;
     for (const std::string& text : option.given) list.give(key, text);
   }
-  for (const auto& [key, text] : instead) list.give(key, text);
+  for (const auto& [key, text] : replacements) list.give(key, text);
   return shell_command(list.words());
 }
 

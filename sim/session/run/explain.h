@@ -27,8 +27,8 @@ struct ExplainRequest {
 using GivenTexts = std::vector<std::pair<std::string, std::string>>;
 
 /// The `csgsim explain` command line, without --pixel, for that model or Program. It has those options of the request
-/// `options` that explain also accepts, and those in `instead`, which replace them (lists of texts are appended).
-std::string explain_command(const OptionList& options, const std::string& subject, const GivenTexts& instead);
+/// `options` that explain also accepts, and those in `replacements`, which replace them (lists of texts are appended).
+std::string explain_command(const OptionList& options, const std::string& subject, const GivenTexts& replacements);
 
 /// Throws UsageError if no pixel is given, or if an option does not apply to a Program.
 void refuse_misuse(const ExplainRequest& request, const OptionList& options, const InPlace& in_place = {});

@@ -48,7 +48,7 @@ FinishedRun run_simulation(const RunSubject& subject, const RunRequest& request,
   return run;
 }
 
-/// The bits chosen by --max-wrong-pixels.
+/// Depth and fraction bits that were chosen to meet --max-wrong-pixels; empty without that option.
 GivenTexts chosen_bits(const OptionList& options, const isa::Program& program) {
   if (!options.is_given("max-wrong-pixels")) return {};
   const isa::CompileFacts& compile = program.facts->compile;

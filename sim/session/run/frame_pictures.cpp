@@ -38,13 +38,13 @@ std::optional<NumberMark> number_mark(const std::string& name) {
 
 }  // namespace
 
-std::vector<fs::path> frame_paths(const fs::path& picture, std::uint32_t frames) {
+std::vector<fs::path> frame_paths(const fs::path& picture, std::uint32_t frame_count) {
   if (picture.empty()) return {};
   const std::string name = picture.filename().native();
   const std::optional<NumberMark> mark = number_mark(name);
   if (!mark && observe::is_animated(picture)) return {picture};
   std::vector<fs::path> paths;
-  for (std::uint32_t i = 0; i < frames; ++i) {
+  for (std::uint32_t i = 0; i < frame_count; ++i) {
     const std::string numbered =
         mark ? name.substr(0, mark->at) + fmt::format("{:0{}}", i, mark->digits) + name.substr(mark->at + mark->length)
              : fmt::format("{}_{:03}{}", picture.stem().native(), i, picture.extension().native());

@@ -20,7 +20,7 @@ inline constexpr unsigned animated_frames_per_second = 20;
 /// The path of each frame's picture: a number replaces `%d`, `%3d` or `%03d` in the name; a name without such a mark,
 /// NAME.png, becomes NAME_000.png and so on; all frames are in one .gif without a mark. Throws UsageError for other
 /// marks.
-std::vector<std::filesystem::path> frame_paths(const std::filesystem::path& picture, std::uint32_t frames);
+std::vector<std::filesystem::path> frame_paths(const std::filesystem::path& picture, std::uint32_t frame_count);
 
 /// Writes the pictures of frames. A numbered picture is complete when write() returns; an animated one takes its place
 /// in finish(). No frame is kept.

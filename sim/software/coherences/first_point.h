@@ -46,7 +46,7 @@ class Alone {
 /// Whether a point is the first of its ray and behind one surface only.
 constexpr bool is_first_alone(std::size_t begin, std::size_t end) { return begin == 0 && end == 1; }
 
-/// Looks up the first point of a ray in place of an evaluation.
+/// Looks up whether the first point of a ray is inside if it is behind one surface; evaluates all other points.
 template <class Count>
 class FirstPoint {
  public:

@@ -18,8 +18,8 @@ enum class Class : std::uint8_t { unknown, out, in };
 
 constexpr Class class_of(bool is_in) { return is_in ? Class::in : Class::out; }
 
-/// Whether a point is inside, given its stored class `kept`. If that is unknown, it is looked up for a point behind one
-/// surface only, and otherwise computed by `evaluate()`, and then stored.
+/// Whether a point is inside. If its stored class `kept` is unknown, the class is looked up for a point behind one
+/// surface only, or else computed by `evaluate()`, and stored.
 template <class Count, class Evaluate>
 bool is_in_kept(Class& kept, bool is_first, std::uint32_t primitive, const Alone<Count>& alone,
                 const Evaluate& evaluate, Count& count) {

@@ -106,9 +106,9 @@ class Crossings {
 
 }  // namespace
 
-bool split_at_crossings(std::span<const std::size_t> which, Outlines& outlines) {
+bool split_at_crossings(std::span<const std::size_t> outline_indices, Outlines& outlines) {
   Crossings crossings(outlines.points);
-  for (const std::size_t one : which) crossings.find(outlines.outlines[one]);
+  for (const std::size_t one : outline_indices) crossings.find(outlines.outlines[one]);
   const Ends ends = crossings.points_by_line();
   for (Outline& outline : outlines.outlines) split_at(ends, outline.sides);
   return !ends.empty();

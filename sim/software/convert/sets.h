@@ -15,15 +15,15 @@ class Sets {
  public:
   explicit Sets(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0U); }
 
-  std::uint32_t find(std::uint32_t one) {
-    while (parents_[one] != one) one = parents_[one] = parents_[parents_[one]];
-    return one;
+  std::uint32_t find(std::uint32_t number) {
+    while (parents_[number] != number) number = parents_[number] = parents_[parents_[number]];
+    return number;
   }
 
-  void join(std::uint32_t one, std::uint32_t other) {
-    one = find(one);
-    other = find(other);
-    parents_[std::max(one, other)] = std::min(one, other);
+  void join(std::uint32_t first, std::uint32_t second) {
+    first = find(first);
+    second = find(second);
+    parents_[std::max(first, second)] = std::min(first, second);
   }
 
  private:

@@ -28,14 +28,14 @@ std::vector<std::uint32_t> ends_of(std::span<const Side> sides) {
   return ends;
 }
 
-bool split_at(const Ends& ends, std::vector<Side>& sides) {
-  const auto is_ended = [&](const Side& side) { return ends.contains(key_of(side)); };
+bool split_at(const Ends& points_on_sides, std::vector<Side>& sides) {
+  const auto is_ended = [&](const Side& side) { return points_on_sides.contains(key_of(side)); };
   if (std::ranges::none_of(sides, is_ended)) return false;
   std::vector<Side> ended;
   ended.reserve(sides.size());
   for (const Side& side : sides) {
-    const auto found = ends.find(key_of(side));
-    split_at(side, found == ends.end() ? std::span<const std::uint32_t>{} : found->second, ended);
+    const auto found = points_on_sides.find(key_of(side));
+    split_at(side, found == points_on_sides.end() ? std::span<const std::uint32_t>{} : found->second, ended);
   }
   cancel(ended);
   sides = std::move(ended);

@@ -23,7 +23,8 @@ inline std::uint64_t key_of(const Side& side) {
   return static_cast<std::uint64_t>(std::min(side[0], side[1])) << 32U | std::max(side[0], side[1]);
 }
 
-/// Removes pairs of opposite sides and degenerate sides from elements with a side `side_of(one)`. Sorts the rest.
+/// Removes elements whose sides are degenerate, and pairs of elements whose sides are opposite. Sorts the rest.
+/// `side_of(element)` returns the side of an element.
 template <class One, class SideOf>
 void cancel(std::vector<One>& all, const SideOf& side_of) {
   std::erase_if(all, [&](const One& one) { return side_of(one)[0] == side_of(one)[1]; });
@@ -56,7 +57,7 @@ std::vector<std::uint32_t> ends_of(std::span<const Side> sides);
 /// Points on sides, by the sides' keys, sorted from the lower to the higher end point.
 using Ends = std::unordered_map<std::uint64_t, std::vector<std::uint32_t>>;
 
-/// Splits each side at the points that `ends` has for it. Returns whether any was split.
-bool split_at(const Ends& ends, std::vector<Side>& sides);
+/// Splits each side at its points in `points_on_sides`. Returns whether any was split.
+bool split_at(const Ends& points_on_sides, std::vector<Side>& sides);
 
 }  // namespace csgsim::software::convert

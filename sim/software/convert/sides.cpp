@@ -50,10 +50,10 @@ std::vector<Side> straight_neighbours(const Outlines& outlines, double tolerance
 
 }  // namespace
 
-std::vector<std::size_t> split_at_points(std::span<const std::size_t> which, const NearPoints& near, double tolerance,
-                                         Outlines& outlines) {
+std::vector<std::size_t> split_at_points(std::span<const std::size_t> outline_indices, const NearPoints& near,
+                                         double tolerance, Outlines& outlines) {
   std::vector<Side> lines;
-  for (const std::size_t one : which)
+  for (const std::size_t one : outline_indices)
     for (const Side& side : outlines.outlines[one].sides) lines.push_back(ordered(side));
   std::ranges::sort(lines);
   lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
@@ -63,7 +63,7 @@ std::vector<std::size_t> split_at_points(std::span<const std::size_t> which, con
       if (one.along > 0 && one.along < 1) ends[key_of(line)].push_back(one.point);
   std::vector<std::size_t> changed;
   if (ends.empty()) return changed;
-  for (const std::size_t one : which)
+  for (const std::size_t one : outline_indices)
     if (split_at(ends, outlines.outlines[one].sides)) changed.push_back(one);
   return changed;
 }

@@ -14,8 +14,8 @@ namespace csgsim::software::convert {
 
 /// Splits the sides of the outlines with these ascending indices at each point within the tolerance, in model units.
 /// Returns the indices of the outlines that changed.
-std::vector<std::size_t> split_at_points(std::span<const std::size_t> which, const NearPoints& near, double tolerance,
-                                         Outlines& outlines);
+std::vector<std::size_t> split_at_points(std::span<const std::size_t> outline_indices, const NearPoints& near,
+                                         double tolerance, Outlines& outlines);
 
 /// Joins sides at points with only two neighbours that are collinear with the point.
 void join_straight(Outlines& outlines, double tolerance);

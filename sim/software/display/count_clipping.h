@@ -31,8 +31,9 @@ void count_crossings(Count& count, std::size_t crossings) {
 
 /// Adds the operation counts of building a directory.
 template <class Count>
-void count_built(Count& count, const Operations& built) {
-  for (std::size_t kind = 0; kind < operation_kinds; ++kind) count(static_cast<Operation>(kind), built.counts[kind]);
+void count_built(Count& count, const Operations& operations) {
+  for (std::size_t kind = 0; kind < operation_kinds; ++kind)
+    count(static_cast<Operation>(kind), operations.counts[kind]);
 }
 
 }  // namespace csgsim::software

@@ -12,7 +12,7 @@
 
 namespace csgsim::software {
 
-/// Facets as convex regions bounded by whole planes, with a sheet each. Keeps references.
+/// The facets as exact convex polygons, one sheet per facet. Keeps references.
 class FacetSheets {
  public:
   FacetSheets(const Facets& facets, const facet::Geometry& geometry);

@@ -66,37 +66,38 @@ view::Range bounds(const view::FixedLinear& plane, const view::PixelRect& pixels
 /// Appends to `kept` the planes that may be maximal (or minimal, if not `greatest`) somewhere over the pixels; returns
 /// bounds of that maximum (or minimum).
 template <class Count>
-view::Range keep_bounding(std::span<const view::FixedLinear> all, const view::PixelRect& pixels, bool greatest,
+view::Range keep_bounding(std::span<const view::FixedLinear> planes, const view::PixelRect& pixels, bool is_maximum,
                           std::uint64_t longs, std::vector<view::FixedLinear>& kept, Count& count) {
   constexpr view::Range none{std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::min()};
-  view::Range extreme = greatest ? none : view::Range{-(none.low + 1), -(none.low + 1)};
+  view::Range extreme = is_maximum ? none : view::Range{-(none.low + 1), -(none.low + 1)};
   std::vector<view::Range> ranges;
-  ranges.reserve(all.size());
-  for (const view::FixedLinear& plane : all) {
+  ranges.reserve(planes.size());
+  for (const view::FixedLinear& plane : planes) {
     const view::Range range = ranges.emplace_back(bounds(plane, pixels, longs, count));
-    if (greatest) {
+    if (is_maximum) {
       extreme = {std::max(extreme.low, range.low), std::max(extreme.high, range.high)};
     } else {
       extreme = {std::min(extreme.low, range.low), std::min(extreme.high, range.high)};
     }
   }
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const bool never = greatest ? ranges[i].high < extreme.low : ranges[i].low > extreme.high;
-    if (!never) kept.push_back(all[i]);
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const bool never = is_maximum ? ranges[i].high < extreme.low : ranges[i].low > extreme.high;
+    if (!never) kept.push_back(planes[i]);
   }
-  count(Operation::compare_long, 3 * longs * all.size());
-  count(Operation::branch_taken, 3 * all.size());
+  count(Operation::compare_long, 3 * longs * planes.size());
+  count(Operation::branch_taken, 3 * planes.size());
   return extreme;
 }
 
 /// Classifies a primitive in a box as inside, outside or unknown; `narrowed` receives the planes that may bound
 /// it in the box.
 template <class Count>
-Known narrow(const Subject& subject, const Box& box, const BoxPrimitive& one, BoxPrimitive& narrowed, Count& count) {
-  const view::PixelRect pixels = view::common(box.pixels, subject.view.extents[one.primitive].pixels);
+Known narrow(const Subject& subject, const Box& box, const BoxPrimitive& bounded, BoxPrimitive& narrowed,
+             Count& count) {
+  const view::PixelRect pixels = view::common(box.pixels, subject.view.extents[bounded.primitive].pixels);
   if (pixels.empty()) return Known::out;
   const std::uint64_t longs = longs_of(subject.view.sampling);
-  for (const TilePlanes::Edge& edge : one.planes.edges) {
+  for (const TilePlanes::Edge& edge : bounded.planes.edges) {
     const view::Range range = bounds(edge.linear, pixels, longs, count);
     const bool is_in = edge.positive ? range.low >= 0 : range.high < 0;
     const bool is_out = edge.positive ? range.high < 0 : range.low >= 0;
@@ -104,26 +105,26 @@ Known narrow(const Subject& subject, const Box& box, const BoxPrimitive& one, Bo
     if (!is_in) narrowed.planes.edges.push_back(edge);
   }
   const unsigned shift = subject.view.sampling.fraction_bits;
-  view::Range front = keep_bounding(one.planes.fronts, pixels, true, longs, narrowed.planes.fronts, count);
-  view::Range back = keep_bounding(one.planes.backs, pixels, false, longs, narrowed.planes.backs, count);
+  view::Range front = keep_bounding(bounded.planes.fronts, pixels, true, longs, narrowed.planes.fronts, count);
+  view::Range back = keep_bounding(bounded.planes.backs, pixels, false, longs, narrowed.planes.backs, count);
   front = {front.low >> shift, front.high >> shift};
   back = {back.low >> shift, back.high >> shift};
   count(Operation::compare_long, 5);
   count(Operation::branch, 5);
   if (front.low >= box.z1 || back.high <= box.z0 || front.low >= back.high) return Known::out;
-  const bool is_whole =
-      pixels == box.pixels && narrowed.planes.edges.empty() && subject.geometry.solids[one.primitive].quadrics.empty();
+  const bool is_whole = pixels == box.pixels && narrowed.planes.edges.empty() &&
+                        subject.geometry.solids[bounded.primitive].quadrics.empty();
   return is_whole && front.high <= box.z0 && back.low >= box.z1 ? Known::in : Known::nothing;
 }
 
 /// The intersection of a ray and a primitive, computed from the planes that may bound it in the box; empty
 /// if there is none.
 template <class Count>
-std::optional<Interval> interval_at(const Subject& subject, const BoxPrimitive& one, std::int32_t x, std::int32_t y,
+std::optional<Interval> interval_at(const Subject& subject, const BoxPrimitive& bounded, std::int32_t x, std::int32_t y,
                                     Count& count) {
-  const view::PixelRect& pixels = subject.view.extents[one.primitive].pixels;
+  const view::PixelRect& pixels = subject.view.extents[bounded.primitive].pixels;
   if (x < pixels.x0 || x > pixels.x1 || y < pixels.y0 || y > pixels.y1) return std::nullopt;
-  const std::size_t planes = one.planes.edges.size() + one.planes.fronts.size() + one.planes.backs.size();
+  const std::size_t planes = bounded.planes.edges.size() + bounded.planes.fronts.size() + bounded.planes.backs.size();
   const std::uint64_t values = longs_of(subject.view.sampling) * planes;
   count(Operation::load_long, 3 * values);
   count(Operation::multiply, 4 * values);
@@ -131,19 +132,20 @@ std::optional<Interval> interval_at(const Subject& subject, const BoxPrimitive& 
   count(Operation::compare_long, values);
   count(Operation::branch_taken, planes);
   const auto at = [&](const view::FixedLinear& plane) { return plane.a * x + plane.b * y + plane.c; };
-  for (const TilePlanes::Edge& edge : one.planes.edges) {
+  for (const TilePlanes::Edge& edge : bounded.planes.edges) {
     if ((at(edge.linear) >= 0) != edge.positive) return std::nullopt;
   }
   const unsigned shift = subject.view.sampling.fraction_bits;
   Depths depths{0, subject.farthest()};
-  for (const view::FixedLinear& plane : one.planes.fronts) depths.front = std::max(depths.front, at(plane) >> shift);
-  for (const view::FixedLinear& plane : one.planes.backs) depths.back = std::min(depths.back, at(plane) >> shift);
-  for (const facet::QuadricSide side : subject.geometry.solids[one.primitive].quadrics) {
+  for (const view::FixedLinear& plane : bounded.planes.fronts)
+    depths.front = std::max(depths.front, at(plane) >> shift);
+  for (const view::FixedLinear& plane : bounded.planes.backs) depths.back = std::min(depths.back, at(plane) >> shift);
+  for (const facet::QuadricSide side : subject.geometry.solids[bounded.primitive].quadrics) {
     count_quadric(subject.view.quadrics[side.quadric], count);
     depths = within(depths, subject.view, side, x, y);
   }
   if (depths.front >= depths.back) return std::nullopt;
-  return Interval{one.primitive, static_cast<std::uint32_t>(depths.front), static_cast<std::uint32_t>(depths.back)};
+  return Interval{bounded.primitive, static_cast<std::uint32_t>(depths.front), static_cast<std::uint32_t>(depths.back)};
 }
 
 }  // namespace csgsim::software

@@ -25,7 +25,7 @@ struct Counts {
   Operations traversal;             ///< subset of `operations`: flips and evaluations by the traversal
 };
 
-/// Counter type of methods that count.
+/// Counter of a classification method: operations, points, evaluations and visits. UncountedMethod ignores them.
 class CountingMethod : public Counting {
  public:
   void point() { ++counts_.points; }
@@ -59,7 +59,7 @@ class CountingMethod : public Counting {
   Counts counts_;
 };
 
-/// Counter type of methods that run at full speed.
+/// Counter with the functions of CountingMethod that counts nothing, for full speed.
 class UncountedMethod : public Uncounted {
  public:
   void point() const {}

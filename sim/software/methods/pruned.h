@@ -1,4 +1,4 @@
-// Pruning of trees with operation counts.
+// Prunes CSG trees and counts the operations of pruning.
 // Used by evaluations.h and by interval arithmetic.
 #pragma once
 

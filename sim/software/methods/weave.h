@@ -86,7 +86,7 @@ class Weave : public Method {
     return static_cast<std::uint32_t>(used_++);
   }
 
-  /// `before` is the partition that points to it, or none.
+  /// Inserts a partition into the list after `before`, or at its start if that is none.
   void link(std::uint32_t before, std::uint32_t partition) {
     count_(Operation::store_long);
     (before == none ? first_ : pool_[before].next) = partition;

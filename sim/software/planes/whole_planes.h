@@ -58,7 +58,7 @@ class WholePlanes {
     return first_wall_ + static_cast<std::uint32_t>(axis) * walls + number;
   }
   /// The wall nearest to a position, excluding the outermost ones.
-  [[nodiscard]] std::uint32_t wall_near(int axis, double place) const;
+  [[nodiscard]] std::uint32_t wall_near(int axis, double position) const;
   /// Position of a wall, in units.
   [[nodiscard]] double place_of(std::uint32_t wall) const { return -near_[wall][3]; }
 

@@ -56,13 +56,13 @@ TilePlanes planes_of(const model::Tree& tree, const facet::Geometry& geometry, c
   return planes;
 }
 
-std::uint64_t select_bounding(const TilePlanes& all, const view::PixelRect& tile, TilePlanes& selected) {
+std::uint64_t select_bounding(const TilePlanes& planes, const view::PixelRect& tile, TilePlanes& selected) {
   std::vector<Linear> nearness;  // negated back planes
-  nearness.reserve(all.backs.size());
-  for (const Linear& back : all.backs) nearness.push_back({-back.a, -back.b, -back.c});
-  selected.fronts = bounding(all.fronts, all.fronts, tile);
-  selected.backs = bounding(all.backs, nearness, tile);
-  return all.fronts.size() + all.backs.size();
+  nearness.reserve(planes.backs.size());
+  for (const Linear& back : planes.backs) nearness.push_back({-back.a, -back.b, -back.c});
+  selected.fronts = bounding(planes.fronts, planes.fronts, tile);
+  selected.backs = bounding(planes.backs, nearness, tile);
+  return planes.fronts.size() + planes.backs.size();
 }
 
 }  // namespace csgsim::software

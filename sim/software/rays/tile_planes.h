@@ -34,6 +34,6 @@ TilePlanes planes_of(const model::Tree& tree, const facet::Geometry& geometry, c
 /// Copies into `selected` the front planes that are farther than every other front plane somewhere in the tile, and
 /// correspondingly the back planes that are nearest: a linear function that is nowhere greater at the four corners is
 /// nowhere greater between them. Edge tests are not copied. Returns the number of tested planes.
-std::uint64_t select_bounding(const TilePlanes& all, const view::PixelRect& tile, TilePlanes& selected);
+std::uint64_t select_bounding(const TilePlanes& planes, const view::PixelRect& tile, TilePlanes& selected);
 
 }  // namespace csgsim::software

@@ -119,7 +119,7 @@ class Directory {
   [[nodiscard]] virtual std::vector<SpaceBox> boxes() const { return {}; }
 };
 
-/// Implements both overloads of walk() by a member template `go`.
+/// Implements both overloads of walk() by a member function template of `Own`, the derived class.
 template <class Own>
 class DirectoryOf : public Directory {
  public:

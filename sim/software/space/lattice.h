@@ -26,8 +26,8 @@ struct Lattice {
     return box.low[axis] + (box.high[axis] - box.low[axis]) * std::ldexp(cells, -static_cast<int>(bits));
   }
   /// The cell that contains a coordinate; coordinates outside are clamped.
-  [[nodiscard]] std::uint32_t cell(int axis, double at) const {
-    const double cells = (at - box.low[axis]) / (box.high[axis] - box.low[axis]) * size();
+  [[nodiscard]] std::uint32_t cell(int axis, double coordinate) const {
+    const double cells = (coordinate - box.low[axis]) / (box.high[axis] - box.low[axis]) * size();
     return static_cast<std::uint32_t>(std::clamp(std::floor(cells), 0.0, static_cast<double>(size() - 1)));
   }
   /// The block of 2^(bits - n) cells along each axis, n = `depths`, that contains a cell.

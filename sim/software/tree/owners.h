@@ -32,19 +32,19 @@ class Owners {
     }
   }
 
-  /// `before`: the ray's nearer events; `at`: the events at which it enters the solid.
-  std::uint32_t seen(std::span<const Event> before, std::span<const Event> at, Count& count) {
+  /// `events_before`: the ray's nearer events; `events_at_surface`: the events at which it enters the solid.
+  std::uint32_t seen(std::span<const Event> events_before, std::span<const Event> events_at_surface, Count& count) {
     candidates_.clear();
-    for (const Event& event : at) {
+    for (const Event& event : events_at_surface) {
       if (event.leaves() == taken_away_[tree_.leaf_of[event.primitive()]]) candidates_.push_back(event.primitive());
     }
-    count(Operation::load, 2 * at.size());
-    count(Operation::compare, at.size());
-    count(Operation::branch, at.size());
+    count(Operation::load, 2 * events_at_surface.size());
+    count(Operation::compare, events_at_surface.size());
+    count(Operation::branch, events_at_surface.size());
     if (candidates_.size() == 1) return candidates_.front();
     active_.clear();
-    for (const Event& event : before) enter_or_leave(event);
-    for (const Event& event : at) enter_or_leave(event);
+    for (const Event& event : events_before) enter_or_leave(event);
+    for (const Event& event : events_at_surface) enter_or_leave(event);
     return first_visible(count);
   }
 

@@ -52,7 +52,7 @@ isa::Program compile(const model::Tree& tree, const facet::Geometry& scene, cons
                        [&](const isa::Program& program) { return functional::measure_clocks(program, machine); });
 }
 
-machines::Machine sized(machines::Machine machine, const view::Sampling& sampling) {
+machines::Machine with_picture_size(machines::Machine machine, const view::Sampling& sampling) {
   machines::set_picture_size(machine, {sampling.width, sampling.height});
   return machine;
 }
@@ -89,7 +89,7 @@ Meter::~Meter() = default;
 namespace {
 
 /// Replaces the settings' arithmetic by the finest.
-view::Sampling finest(view::Sampling sampling) {
+view::Sampling with_finest_arithmetic(view::Sampling sampling) {
   sampling.z_bits = finest_z_bits;
   sampling.fraction_bits = finest_fraction_bits;
   return sampling;
@@ -102,7 +102,7 @@ facet::Faceting fitting_faceting(const model::Tree& tree, const Settings& settin
   if (!faceting.exact_curves) return faceting;
   const facet::Geometry scene = facet::make_geometry(tree, faceting);
   faceting.faceted.resize(scene.solids.size());
-  for (const view::Sampling& sampling : {settings.sampling, finest(settings.sampling)}) {
+  for (const view::Sampling& sampling : {settings.sampling, with_finest_arithmetic(settings.sampling)}) {
     const view::View view = view::make_view(scene, tree, camera, sampling);
     const auto is_unfit = [&](const facet::QuadricSide& side) {
       return view.quadrics[side.quadric].kind == view::ScreenQuadricKind::unfit;
@@ -123,9 +123,10 @@ Meter::Subject& Meter::subject(const Settings& settings, std::size_t camera) {
   if (known != subjects_.end()) return *known->second;
 
   facet::Geometry scene = facet::make_geometry(tree_, faceting);
-  machines::Machine machine = sized(machine_, sampling);
+  machines::Machine machine = with_picture_size(machine_, sampling);
   machine.array.memory_bits = std::max(machine.array.memory_bits, session::ample_memory_bits);
-  DrawnProgram drawn = draw(compile(tree_, scene, cameras_[camera], finest(sampling), machine, options_), machine);
+  DrawnProgram drawn =
+      draw(compile(tree_, scene, cameras_[camera], with_finest_arithmetic(sampling), machine, options_), machine);
   const isa::DepthScale depth = drawn.program.facts->depth_scale;
   auto made = std::make_unique<Subject>(Subject{std::move(scene), nullptr, {}, {}, std::move(drawn.frame)});
   made->sight = std::make_unique<judges::Sight>(made->scene, cameras_[camera], sampling.width, sampling.height, depth);
@@ -142,7 +143,7 @@ judges::AnalyticPictures& Meter::analytic(const facet::Faceting& faceting, const
 }
 
 std::uint64_t Meter::clocks(const Settings& settings) {
-  const machines::Machine machine = sized(machine_, settings.sampling);
+  const machines::Machine machine = with_picture_size(machine_, settings.sampling);
   std::uint64_t clocks = 0;
   for (std::size_t camera = 0; camera < cameras_.size(); ++camera) {
     const isa::Program program =
@@ -165,7 +166,7 @@ Measurement Meter::measure(const Settings& settings) {
 }
 
 Measurement Meter::measure_anew(const Settings& settings) {
-  const machines::Machine machine = sized(machine_, settings.sampling);
+  const machines::Machine machine = with_picture_size(machine_, settings.sampling);
   Measurement sum;
   double difference = 0;
   for (std::size_t camera = 0; camera < cameras_.size(); ++camera) {
@@ -197,7 +198,8 @@ Measurement Meter::measure_anew(const Settings& settings) {
   return sum;
 }
 
-std::optional<Settings> cheapest(Meter& meter, const std::vector<Settings>& candidates, std::uint64_t max_wrong) {
+std::optional<Settings> cheapest(Meter& meter, const std::vector<Settings>& candidates,
+                                 std::uint64_t max_wrong_pixels) {
   std::vector<std::pair<std::uint64_t, const Settings*>> by_clocks;
   for (const Settings& candidate : candidates) {
     try {
@@ -208,7 +210,7 @@ std::optional<Settings> cheapest(Meter& meter, const std::vector<Settings>& cand
   }
   std::stable_sort(by_clocks.begin(), by_clocks.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (const auto& [clocks, candidate] : by_clocks) {
-    if (meter.measure(*candidate).wrong <= max_wrong) return *candidate;
+    if (meter.measure(*candidate).wrong <= max_wrong_pixels) return *candidate;
   }
   return std::nullopt;
 }

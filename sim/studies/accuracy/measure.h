@@ -56,9 +56,9 @@ class Meter {
   std::vector<std::pair<Settings, Measurement>> known_;
 };
 
-/// The settings with the fewest clocks among those with at most `max_wrong` wrong pixels; empty if there are none.
-/// Settings that do not fit into the machine's memory are skipped.
-std::optional<Settings> cheapest(Meter& meter, const std::vector<Settings>& candidates, std::uint64_t max_wrong);
+/// The settings with the fewest clocks among those with at most `max_wrong_pixels` wrong pixels; empty if there are
+/// none. Settings that do not fit into the machine's memory are skipped.
+std::optional<Settings> cheapest(Meter& meter, const std::vector<Settings>& candidates, std::uint64_t max_wrong_pixels);
 
 /// `count` views of a model: the camera rotated about the vertical axis through its centre, by the golden angle each
 /// time.

@@ -19,10 +19,10 @@
 
 namespace csgsim::studies {
 
-/// A point of an accuracy study: one knob at some value, the others as given by the user.
+/// A point of an accuracy study: one setting of --knobs at some value, the others as given by the user.
 struct Settings {
   std::string knob;   ///< z-bits, fraction-bits, edge-on, size, fn, tolerance, curves, or together
-  std::string value;  ///< as text; identifies the point together with the knob
+  std::string value;  ///< as text; knob and value identify the point
   facet::Faceting faceting;
   view::Sampling sampling;
 };
@@ -46,10 +46,10 @@ struct CurvesChoice {
 
 std::span<const CurvesChoice> curves_choices();
 
-/// Names of the knobs in the order in which they are varied.
+/// The settings that --knobs accepts, in the order in which they are varied.
 std::vector<std::string> knob_names();
 
-/// The knobs to vary, and their values.
+/// The settings to vary (--knobs), and their values.
 struct Knobs {
   std::vector<std::string> names = knob_names();
   std::vector<double> tolerances{};    ///< model units

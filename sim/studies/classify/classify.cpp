@@ -38,7 +38,7 @@ std::vector<std::string> parse_coherences(const std::string& text) {
 std::vector<std::string> parse_shapes(const std::string& text) {
   return session::parse_names(text, "shape", software::row_names(software::shapes()));
 }
-std::vector<std::string> reductions_in(const std::string& text) {
+std::vector<std::string> parse_reductions(const std::string& text) {
   return session::parse_names(text, "reduction", software::row_names(software::prunings()));
 }
 
@@ -77,7 +77,7 @@ class Classify : public StudyOf<ClassifyRow> {
                 "Ways to prune trees in advance, separated by commas: none; cells (to the primitives in a cell of the "
                 "picture); "
                 "inside (while a ray is inside a primitive, to those that intersect it)")
-        .words(software::row_names(software::prunings()), session::check_by_parsing(reductions_in));
+        .words(software::row_names(software::prunings()), session::check_by_parsing(parse_reductions));
     add_processors(command, processors_);
     json_.add_to(command, "Write the surfaces that each ray intersects, in order, and the visible one");
   }
@@ -101,7 +101,7 @@ class Classify : public StudyOf<ClassifyRow> {
     inputs_ = {file.hash, machines::hash_of(machine), session::version_and_build()};
     std::vector<PointRequest> requested;
     for (const std::string& shape : parse_shapes(shapes_)) {
-      for (const std::string& reduced : reductions_in(reduced_)) add_points(shape, reduced);
+      for (const std::string& reduced : parse_reductions(reduced_)) add_points(shape, reduced);
     }
     for (const ClassifyPoint& point : points_) requested.push_back({to_line(point), inputs_});
     write_events(json_, inputs(), {tree_, *geometry_, view_, survey_});
@@ -154,7 +154,7 @@ class Classify : public StudyOf<ClassifyRow> {
     for (const std::string& method : parse_methods(methods_)) {
       const software::Choice choice = software::choice_of(method);
       if (choice.coherence == nullptr) {
-        if (reduced == reductions_in("none").front()) points_.push_back({method, no_coherence, shape, reduced});
+        if (reduced == parse_reductions("none").front()) points_.push_back({method, no_coherence, shape, reduced});
         continue;
       }
       for (const std::string& coherence : parse_coherences(coherences_))

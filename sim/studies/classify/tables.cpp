@@ -26,7 +26,7 @@ std::string sides_of(const Lines& lines) {
   return "<" + std::string(columns - 1, '>');
 }
 
-std::string a_ray(std::uint64_t count, std::uint64_t rays) {
+std::string per_ray_text(std::uint64_t count, std::uint64_t rays) {
   return rays == 0 ? "-" : fmt::format("{:.3f}", static_cast<double>(count) / static_cast<double>(rays));
 }
 
@@ -39,7 +39,7 @@ void print_rays(Rows rows) {
              session::count_text(drawn->halfspaces, "half-space"), session::count_text(drawn->tree_levels, "level"));
   Lines lines{{"", "count", "per hit ray"}};
   const auto add = [&](const std::string& what, std::uint64_t count) {
-    lines.push_back({what, grouped(count), a_ray(count, drawn->hit_rays)});
+    lines.push_back({what, grouped(count), per_ray_text(count, drawn->hit_rays)});
   };
   add("rays", drawn->rays);
   add("rays with intersections", drawn->met_rays);

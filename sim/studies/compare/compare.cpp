@@ -48,14 +48,14 @@ struct Options {
 /// Treats an empty list like `none`, for compatibility with earlier versions.
 bool is_none(const std::string& text) { return text.empty() || text == "none"; }
 
-std::vector<unsigned> fragments_of(const std::string& text) {
+std::vector<unsigned> parse_fragments(const std::string& text) {
   return is_none(text) ? std::vector<unsigned>{} : session::parse_numbers(text, 3, most_fragments);
 }
-std::vector<unsigned> sides_of(const std::string& text) {
+std::vector<unsigned> parse_sides(const std::string& text) {
   return is_none(text) ? std::vector<unsigned>{} : session::parse_numbers(text, 1, isa::max_array_side);
 }
 
-std::vector<SoftwareChoice> software_of(const std::string& text) {
+std::vector<SoftwareChoice> parse_software_option(const std::string& text) {
   return is_none(text) ? std::vector<SoftwareChoice>{} : software_choices(text);
 }
 
@@ -95,9 +95,9 @@ std::vector<ComparisonPoint> points_of(const Options& options, const Named& mach
   const auto add = [&](const ComparisonPoint& point) {
     if (std::ranges::find(points, point) == points.end()) points.push_back(point);
   };
-  for (const unsigned fragments : fragments_of(options.fragments))
+  for (const unsigned fragments : parse_fragments(options.fragments))
     add({machine.name, picture.width, picture.height, static_cast<double>(fragments)});
-  for (const unsigned side : sides_of(options.sides)) add({machine.name, side, side, 0});
+  for (const unsigned side : parse_sides(options.sides)) add({machine.name, side, side, 0});
   return points;
 }
 
@@ -217,11 +217,11 @@ class Compare : public StudyOf<ComparisonRow> {
         .option("--fragments", options_.fragments,
                 "Values of $fn for all curved solids, separated by commas, which vary the number of half-spaces at one "
                 "picture size; `none`: only the model's own")
-        .check(session::check_by_parsing(fragments_of));
+        .check(session::check_by_parsing(parse_fragments));
     command
         .option("--sides", options_.sides,
                 "Sides of square pictures in pixels, separated by commas; `none`: only one size")
-        .check(session::check_by_parsing(sides_of));
+        .check(session::check_by_parsing(parse_sides));
     command.flag(
         "--ideal", options_.ideal,
         "Measure the gain of idealizations: make each suitable parameter of a machine ideal, one after another and "
@@ -230,7 +230,7 @@ class Compare : public StudyOf<ComparisonRow> {
         .option("--with", options_.with,
                 "Software to compare with, as PROCESSOR:METHOD separated by commas, such as mc68000:status/one-list "
                 "(csgsim manual methods, processors; this-computer is measured); `none`: no software")
-        .check(session::check_by_parsing(software_of))
+        .check(session::check_by_parsing(parse_software_option))
         .excludes("--ideal");
   }
 
@@ -247,7 +247,7 @@ class Compare : public StudyOf<ComparisonRow> {
     const std::vector<Named> machines = named_machines(options_);
     for (const Named& machine : machines) add_jobs(machine, std::nullopt, file.hash, scene);
     // Software draws the pictures of the first machine, and only opaque solids.
-    for (const SoftwareChoice& software : software_of(options_.with)) {
+    for (const SoftwareChoice& software : parse_software_option(options_.with)) {
       session::refuse_transparent_parts(session::emit_options_of(options_.model), tree_,
                                         session::camera_of(options_.model, machines.front().machine, tree_, scene));
       add_jobs({software.name, machines.front().machine}, software, file.hash, scene);

@@ -71,7 +71,7 @@ void draw(const isa::Program& program, const machines::Machine& machine, CorpusR
   row.picture = hash_of(frame.frame());
 }
 
-CorpusRow begun(const CorpusPoint& point, const Job& job) {
+CorpusRow make_row(const CorpusPoint& point, const Job& job) {
   CorpusRow row;
   row.point = point;
   row.inputs = job.inputs;
@@ -84,14 +84,14 @@ CorpusRow begun(const CorpusPoint& point, const Job& job) {
 }  // namespace
 
 CorpusRow measure(const CorpusPoint& point, const Job& job) {
-  CorpusRow row = begun(point, job);
+  CorpusRow row = make_row(point, job);
   if (!row.is_drawn()) return row;
   try {
     const isa::Program program = compile(job);
     count(program, row);
     draw(program, job.machine, row);
   } catch (const InputError& error) {
-    row = begun(point, job);
+    row = make_row(point, job);
     row.reason = escaped(error.what());
   }
   return row;

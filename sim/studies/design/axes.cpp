@@ -51,7 +51,7 @@ constexpr Axis axis(const Words& words, Texts (*values)(const std::string& list)
 }
 
 template <unsigned minimum, unsigned maximum>
-Texts numbers(const std::string& list) {
+Texts parse_number_list(const std::string& list) {
   Texts texts;
   for (const unsigned number : session::parse_numbers(list, minimum, maximum)) texts.push_back(std::to_string(number));
   return texts;
@@ -76,7 +76,7 @@ constexpr Axis stack_bits_axis{
     "m = ",
     true,
     "",
-    numbers<emit::min_stack_bits, session::max_stack_bits>,
+    parse_number_list<emit::min_stack_bits, session::max_stack_bits>,
     [](ModelRequest& options, const std::string& value) { from_cell(value, options.stack_bits); },
     [](const ModelRequest& options, DesignPoint& point) {
       point.stack_bits = has_stack_bits(options.strategy) ? options.stack_bits : 0;
@@ -87,13 +87,14 @@ constexpr Axis stack_bits_axis{
 constexpr std::array all_axes{
     size_axis,
     axis<&ModelRequest::memory_bits, &DesignPoint::memory_bits>({"memory-bits", "memory bits per pixel", "memory "},
-                                                                numbers<1, isa::max_memory_bits>),
+                                                                parse_number_list<1, isa::max_memory_bits>),
     axis<&ModelRequest::z_bits, &DesignPoint::z_bits>({"z-bits", "depth bits", "z "},
-                                                      numbers<view::min_z_bits, view::max_z_bits>),
+                                                      parse_number_list<view::min_z_bits, view::max_z_bits>),
     axis<&ModelRequest::fraction_bits, &DesignPoint::fraction_bits>(
-        {"fraction-bits", "fraction bits of the coefficients", "fraction "}, numbers<0, view::max_fraction_bits>),
+        {"fraction-bits", "fraction bits of the coefficients", "fraction "},
+        parse_number_list<0, view::max_fraction_bits>),
     axis<&ModelRequest::colour_bits, &DesignPoint::colour_bits>(
-        {"colour-bits", "colour bits", "colour "}, numbers<isa::minimum_colour_bits, isa::max_colour_bits>),
+        {"colour-bits", "colour bits", "colour "}, parse_number_list<isa::minimum_colour_bits, isa::max_colour_bits>),
     axis<&ModelRequest::strategy, &DesignPoint::strategy>({"strategy", "strategy", ""},
                                                           [](const std::string& list) {
                                                             return session::parse_names(
@@ -127,17 +128,17 @@ std::vector<std::string> axis_keys() {
   return keys;
 }
 
-void put(ModelRequest& options, const std::string& key, const std::string& value) {
-  if (const Axis* const axis = find_axis(key)) return axis->put(options, value);
-  options.machine += fmt::format("+{}={}", key, value);
+void put(ModelRequest& request, const std::string& key, const std::string& value) {
+  if (const Axis* const axis = find_axis(key)) return axis->put(request, value);
+  request.machine += fmt::format("+{}={}", key, value);
 }
 
-void vary(ModelRequest& options, const std::string& key, const std::string& value) {
+void vary(ModelRequest& request, const std::string& key, const std::string& value) {
   const Axis* const axis = find_axis(key);
-  if (axis == nullptr) return put(options, key, value);
+  if (axis == nullptr) return put(request, key, value);
   const Texts values = axis->values(value);
   if (axis->is_number && values.size() != 1) throw InputError("'" + value + "' is not a single number; give one value");
-  axis->put(options, values.front());
+  axis->put(request, values.front());
 }
 
 DesignPoint point_of(const ModelRequest& design, const machines::Size& size) {
@@ -171,12 +172,14 @@ std::string shell_words(const std::string& name, const std::string& value) {
   return text;
 }
 
-std::string axis_words(const DesignPoint& point, std::span<const std::string_view> but) {
+std::string axis_words(const DesignPoint& point, std::span<const std::string_view> excluded_keys) {
   std::string words;
   std::size_t strategy = std::string::npos;
   for (const Axis& axis : all_axes) {
     const std::string value = axis.text(point);
-    if (value.empty() || value == axis.default_value || std::ranges::find(but, axis.key) != but.end()) continue;
+    if (value.empty() || value == axis.default_value ||
+        std::ranges::find(excluded_keys, axis.key) != excluded_keys.end())
+      continue;
     if (axis.key == "strategy") strategy = words.size();
     // The strategy precedes the colouring in a point's list, but follows it in a command.
     words.insert(axis.key == "colouring" ? std::min(strategy, words.size()) : words.size(),
@@ -185,14 +188,14 @@ std::string axis_words(const DesignPoint& point, std::span<const std::string_vie
   return words;
 }
 
-std::string given_words(const session::OptionList& command, const std::vector<std::string>& own,
-                        const std::vector<std::string>& sets) {
+std::string given_words(const session::OptionList& command, const std::vector<std::string>& command_options,
+                        const std::vector<std::string>& set_values) {
   std::string words;
   for (const session::GivenOption& option : command.given()) {
-    if (option.is_default || std::ranges::find(own, option.name) != own.end()) continue;
+    if (option.is_default || std::ranges::find(command_options, option.name) != command_options.end()) continue;
     words += option.value == "true" ? " --" + option.name : shell_words(option.name, option.value);
   }
-  for (const std::string& set : sets) words += shell_words("set", set);
+  for (const std::string& set : set_values) words += shell_words("set", set);
   return words;
 }
 

@@ -29,7 +29,7 @@ using session::UsageError;
 constexpr std::size_t max_values = 1000;  ///< per dimension
 constexpr unsigned max_number = 2'000'000'000;
 
-unsigned number_of(const std::string& text, unsigned minimum, unsigned maximum) {
+unsigned parse_grid_number(const std::string& text, unsigned minimum, unsigned maximum) {
   const std::vector<unsigned> numbers = session::parse_numbers(text, minimum, maximum);
   if (numbers.size() != 1) throw InputError("'" + text + "' is not a single number; give one value");
   return numbers.front();
@@ -40,8 +40,8 @@ std::vector<std::string> parse_values(const std::string& word) {
   const std::size_t dots = word.find("..");
   const bool is_range = dots != word.npos && dots > 0 && word.find_first_not_of("0123456789.") == word.npos;
   if (!is_range) return {word};
-  const unsigned first = number_of(word.substr(0, dots), 0, max_number);
-  const unsigned last = number_of(word.substr(dots + 2), 0, max_number);
+  const unsigned first = parse_grid_number(word.substr(0, dots), 0, max_number);
+  const unsigned last = parse_grid_number(word.substr(dots + 2), 0, max_number);
   if (last < first) throw InputError(fmt::format("range '{}' is reversed; use {}..{}", word, last, first));
   if (last - first >= max_values)
     throw InputError(fmt::format("range '{}' has more than {} values; use a shorter range", word, max_values));
@@ -83,7 +83,7 @@ std::string why_not(ModelRequest one, const std::string& key, const std::string&
 }
 
 /// Returns the design with that value. Throws UsageError of --vary if it is invalid.
-ModelRequest varied_once(const ModelRequest& base, const std::string& key, const std::string& value) {
+ModelRequest with_checked_value(const ModelRequest& base, const std::string& key, const std::string& value) {
   if (const std::string why = why_not(base, key, value); !why.empty()) throw UsageError("--vary " + key, why);
   ModelRequest one = base;
   vary(one, key, value);
@@ -109,7 +109,7 @@ void check(const ModelRequest& base, std::span<const Dimension> dimensions) {
   ModelRequest with_options = base;
   for (const Dimension& dimension : dimensions) {
     if (find_axis(dimension.key) == nullptr) continue;
-    for (const std::string& value : dimension.values) varied_once(base, dimension.key, value);
+    for (const std::string& value : dimension.values) with_checked_value(base, dimension.key, value);
     vary(with_options, dimension.key, dimension.values.front());
   }
   for (const Dimension& dimension : dimensions) {
@@ -119,7 +119,7 @@ void check(const ModelRequest& base, std::span<const Dimension> dimensions) {
       const ModelRequest others = with_others(with_options, dimensions, dimension);
       const bool fits_others =
           !why_not(with_options, dimension.key, value).empty() && why_not(others, dimension.key, value).empty();
-      const ModelRequest one = varied_once(fits_others ? others : with_options, dimension.key, value);
+      const ModelRequest one = with_checked_value(fits_others ? others : with_options, dimension.key, value);
       if (figure->load(session::machine_of(one)) != figure->load(kinds::load(one.machine)))
         throw UsageError("--vary",
                          fmt::format("an option overrides {}={}; omit --size or --memory-bits", dimension.key, value));
@@ -138,7 +138,7 @@ double root_of(std::size_t axes) {
 }
 
 /// A bit mixer: the finaliser of SplitMix64 (Steele, Lea and Flood 2014).
-std::uint64_t mixed(std::uint64_t number) {
+std::uint64_t mix_bits(std::uint64_t number) {
   number += 0x9e3779b97f4a7c15U;
   number = (number ^ number >> 30U) * 0xbf58476d1ce4e5b9U;
   number = (number ^ number >> 27U) * 0x94d049bb133111ebU;
@@ -168,7 +168,7 @@ GridSequence::GridSequence(std::vector<std::size_t> sizes, std::uint64_t seed) :
     part /= root;
     // The last bits of a power differ between libraries; the upper half suffices here.
     steps_.push_back(static_cast<std::uint64_t>(std::llround(std::ldexp(part, 32))) << 32U);
-    places_.push_back(mixed(mixed(seed) + axis));
+    places_.push_back(mix_bits(mix_bits(seed) + axis));
     cells_ *= sizes_[axis];
   }
 }

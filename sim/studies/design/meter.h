@@ -48,8 +48,8 @@ struct DesignQuestion {
   std::vector<unsigned> colour_bits{};  ///< all numbers of colour bits of the designs, if colour errors are requested
 };
 
-/// Measures designs; thread-safe. Results that several designs share are computed once: the exact picture of a model,
-/// the errors of a picture, the outcome of a run.
+/// Measures designs; thread-safe. Results that several designs share are computed once: exact pictures of models,
+/// errors of pictures, and outcomes of runs.
 class DesignMeter {
  public:
   explicit DesignMeter(DesignQuestion question = {}) : question_(std::move(question)) {}
@@ -66,10 +66,10 @@ class DesignMeter {
   };
   /// Errors by number of colour bits; by 0 if colour errors are not requested.
   using ErrorsByColour = std::map<unsigned, PixelErrors>;
-  /// A model's surfaces, faceted or curved, and a picture size.
+  /// Model, with its surfaces faceted or curved, and width and height of a picture.
   using Seen = std::tuple<const Subject*, std::uint32_t, std::uint32_t>;
-  /// The picture depends only on these, z bits and fraction bits, not on strategy, colouring, pruning or machine
-  /// (docs/machines.md).
+  /// Everything on which a picture depends: the key above, z bits and fraction bits. Strategy, colouring, pruning and
+  /// machine do not change a picture (docs/machines.md).
   using SeenBits = std::tuple<Seen, unsigned, unsigned>;
 
   Fitted fit(const DesignPoint& point, const Job& job);

@@ -43,7 +43,7 @@ std::vector<unsigned> parse_display_fragments(const std::string& text) {
 std::vector<std::string> parse_display_directories(const std::string& text) {
   return session::parse_names(text, "directory", software::halving_directories());
 }
-std::vector<unsigned> bucket_sizes_in(const std::string& text) {
+std::vector<unsigned> parse_bucket_sizes(const std::string& text) {
   return session::parse_numbers(text, 1, max_bucket_size);
 }
 
@@ -80,7 +80,7 @@ class Display : public StudyOf<DisplayStudyRow> {
         .check(session::check_by_parsing(parse_display_fragments))
         .excludes("--tolerances");
     command.option("--bucket-sizes", bucket_sizes_, "List of maximum numbers of polygons per bucket, for list priority")
-        .check(session::check_by_parsing(bucket_sizes_in));
+        .check(session::check_by_parsing(parse_bucket_sizes));
     command
         .option("--directories", directories_,
                 "Directories of list priority, separated by commas; see csgsim manual methods")
@@ -111,7 +111,7 @@ class Display : public StudyOf<DisplayStudyRow> {
         continue;
       }
       for (const std::string& directory : parse_display_directories(directories_)) {
-        for (const unsigned size : bucket_sizes_in(bucket_sizes_))
+        for (const unsigned size : parse_bucket_sizes(bucket_sizes_))
           add({.method = method, .bucket_size = size, .directory = directory});
       }
     }

@@ -39,7 +39,7 @@ std::unique_ptr<swept::Surface> surface_of(const commands::NamedSurface& named) 
   return named.is_sweep ? swept::surface_of(named.sweep) : swept::surface_of(named.net);
 }
 
-swept::Patchwork meshed(swept::Surface& surface, const MeshPoint& point) {
+swept::Patchwork create_patchwork(swept::Surface& surface, const MeshPoint& point) {
   swept::Accuracy accuracy;
   accuracy.tolerance = point.tolerance;
   accuracy.flatness = point.flatness == of_plane ? swept::Flatness::plane : swept::Flatness::sides;
@@ -49,7 +49,7 @@ swept::Patchwork meshed(swept::Surface& surface, const MeshPoint& point) {
 
 void mesh(const commands::NamedSurface& named, MeshRow& row) {
   const std::unique_ptr<swept::Surface> surface = surface_of(named);
-  const swept::Patchwork made = meshed(*surface, row.point);
+  const swept::Patchwork made = create_patchwork(*surface, row.point);
   row.patches = surface->columns() * surface->rows();
   row.wire_vertices = made.wire_vertices;
   copy_counts(made.wiring, row);
@@ -62,7 +62,7 @@ void mesh(const commands::NamedSurface& named, MeshRow& row) {
 nlohmann::ordered_json mesh_json(const MeshPoint& point, const commands::NamedSurface& named) {
   using Json = nlohmann::ordered_json;
   const std::unique_ptr<swept::Surface> surface = surface_of(named);
-  const swept::Patchwork made = meshed(*surface, point);
+  const swept::Patchwork made = create_patchwork(*surface, point);
   Json vertices = Json::array();
   for (const glm::dvec3& place : made.points) vertices.push_back(Json::array({place.x, place.y, place.z}));
   return {{"name", point.name},     {"tolerance", point.tolerance},    {"flatness", point.flatness},

@@ -39,7 +39,7 @@ std::vector<std::string> parse_flatness(const std::string& text) {
 }
 std::vector<std::string> repairs_in(const std::string& text) { return session::parse_names(text, "repair", repairs); }
 
-std::vector<software::Priced> meshing_processors(const std::string& list) {
+std::vector<software::Priced> parse_meshing_processors(const std::string& list) {
   std::vector<software::Priced> processors = parse_processors(list);
   for (const software::Priced& one : processors)
     if (!one.processor) throw InputError(one.name + " has no prices; use a processor by name or .toml file");
@@ -65,7 +65,7 @@ class Mesh : public StudyOf<MeshRow> {
     command
         .option("--processors", processors_,
                 "Processors for which seconds are computed: names or .toml files, separated by commas")
-        .check(session::check_by_parsing(meshing_processors));
+        .check(session::check_by_parsing(parse_meshing_processors));
     json_.add_to(command, "Write the vertices and elements of each mesh");
   }
 
@@ -109,11 +109,11 @@ class Mesh : public StudyOf<MeshRow> {
 
   void print() const override {
     fmt::print("{}: elements of its surfaces, as in table 3.1 of the thesis\n", printable(session::shown_name(model_)));
-    print_meshes(rows(), meshing_processors(processors_));
+    print_meshes(rows(), parse_meshing_processors(processors_));
   }
 
   [[nodiscard]] std::string json(const std::string& title) const override {
-    const std::vector<software::Priced> processors = meshing_processors(processors_);
+    const std::vector<software::Priced> processors = parse_meshing_processors(processors_);
     const SetPoint columns = make_setter(std::span<const MeshRow>(rows()));
     return points_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
       columns(json, point);

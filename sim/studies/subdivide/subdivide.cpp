@@ -26,7 +26,7 @@ namespace csgsim::studies {
 
 namespace {
 
-std::vector<unsigned> levels_of(const std::string& text) {
+std::vector<unsigned> parse_levels(const std::string& text) {
   constexpr unsigned max_levels = 20;
   return session::parse_numbers(text, 0, max_levels);
 }
@@ -82,7 +82,7 @@ class Subdivide : public StudyOf<SubdivideRow> {
     options_.machine = "pixel-square";
     options_.add_to(command);
     command.option("--subdivisions", levels_, "List of levels of binary subdivision, each 0 to 20")
-        .check(session::check_by_parsing(levels_of));
+        .check(session::check_by_parsing(parse_levels));
     command
         .option("--tolerances", tolerances_,
                 "Tolerances in model units for faceting curved solids, separated by commas")
@@ -108,7 +108,7 @@ class Subdivide : public StudyOf<SubdivideRow> {
       tolerances.assign(requested.begin(), requested.end());
     }
     std::vector<PointRequest> requested;
-    for (const unsigned levels : levels_of(levels_)) {
+    for (const unsigned levels : parse_levels(levels_)) {
       for (const std::optional<double>& tolerance : tolerances) {
         SubdivideRow point;
         point.subdivisions = levels;

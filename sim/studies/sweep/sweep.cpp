@@ -24,7 +24,7 @@ namespace {
 using Rows = std::span<const SweepRow>;
 
 /// Whether all machines draw the same surfaces of each model: all faceted, or all curved where possible.
-bool draws_alike(Rows rows) {
+bool have_equal_pictures(Rows rows) {
   std::map<std::string, std::uint64_t> halfspaces;
   return std::ranges::all_of(rows, [&](const SweepRow& row) {
     return !row.is_compiled() ||
@@ -76,8 +76,9 @@ class Sweep : public StudyOf<SweepRow> {
     for (const Rows model : by_model(all)) print_sweep(model);
     const bool has_drawn = !options_.no_draw && std::ranges::any_of(all, &SweepRow::is_compiled);
     if (!has_drawn || !wrong_pictures(all).empty()) return;
-    print_text(fmt::format("\nAll pictures of a model with the same {} are identical.\n",
-                           draws_alike(all) ? "size and z bits" : "size, z bits and surfaces, curved or faceted,"));
+    print_text(
+        fmt::format("\nAll pictures of a model with the same {} are identical.\n",
+                    have_equal_pictures(all) ? "size and z bits" : "size, z bits and surfaces, curved or faceted,"));
   }
 
   [[nodiscard]] std::vector<plots::Plot> plots() const override {

@@ -39,12 +39,12 @@ Json part_json(const software::SpacePart& part, const glm::dvec3& centre) {
 }  // namespace
 
 void write_directory(const JsonExport& json, std::span<const std::filesystem::path> inputs, const TraceSubject& subject,
-                     const std::string& directory, std::uint32_t bucket_size) {
+                     const std::string& directory_name, std::uint32_t bucket_size) {
   const software::TraceScene& scene = subject.scene();
   const std::unique_ptr<software::Directory> made =
-      software::directory_of(directory).make(scene.shapes(), {bucket_size});
+      software::directory_of(directory_name).make(scene.shapes(), {bucket_size});
   const auto facts = [&] {
-    return Json{{"directory", directory},
+    return Json{{"directory", directory_name},
                 {"bucket_size", bucket_size},
                 {"reach", scene.shapes().reach()},
                 {"facets", facets_json(scene)}};

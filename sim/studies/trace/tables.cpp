@@ -26,7 +26,7 @@ void print_lines(const Lines& lines, std::size_t names) {
   fmt::print("\n{}", session::in_columns(lines, sides));
 }
 
-std::string a_ray(std::uint64_t count, const TraceRow& row) {
+std::string per_ray_text(std::uint64_t count, const TraceRow& row) {
   return row.rays == 0 ? "-" : fmt::format("{:.2f}", static_cast<double>(count) / static_cast<double>(row.rays));
 }
 
@@ -80,7 +80,7 @@ void print_rays(Rows rows) {
     }
     for (const std::uint64_t count :
          {row.cell_visits, row.facet_tests, row.facets_met, row.shadow_rays, row.mirror_rays})
-      lines.back().push_back(a_ray(count, row));
+      lines.back().push_back(per_ray_text(count, row));
   }
   print_lines(lines, 6);
 }

@@ -41,15 +41,15 @@ const std::vector<std::string> item_names{"without", "list-priority", "depth-lis
 std::vector<std::string> parse_directories(const std::string& text) {
   return session::parse_names(text, "directory", software::row_names(software::directories()));
 }
-std::vector<unsigned> bucket_sizes_in(const std::string& text) {
+std::vector<unsigned> parse_bucket_sizes(const std::string& text) {
   constexpr unsigned max_size = 1000;
   return session::parse_numbers(text, 1, max_size);
 }
 std::vector<std::string> parse_cast(const std::string& text) { return session::parse_names(text, "ray", cast_names); }
-std::vector<std::string> facet_tests_in(const std::string& text) {
+std::vector<std::string> parse_facet_tests(const std::string& text) {
   return session::parse_names(text, "test", facet_test_names);
 }
-std::vector<std::string> items_in(const std::string& text) {
+std::vector<std::string> parse_item_buffers(const std::string& text) {
   return session::parse_names(text, "item buffer", item_names);
 }
 std::vector<std::string> parse_switches(const std::string& text) {
@@ -81,20 +81,20 @@ class Trace : public StudyOf<TraceRow> {
     command
         .option("--bucket-sizes", bucket_sizes_,
                 "List of maximum numbers of facets per cell, each 1 to 1000; a cell with more is divided")
-        .check(session::check_by_parsing(bucket_sizes_in));
+        .check(session::check_by_parsing(parse_bucket_sizes));
     command.option("--cast", cast_, "Rays to cast, separated by commas; each kind includes the preceding ones")
         .words(cast_names, session::check_by_parsing(parse_cast));
     command
         .option("--facet-test", facet_test_,
                 "Tests of primary rays, separated by commas: against facets in space, or projected in the picture")
-        .words(facet_test_names, session::check_by_parsing(facet_tests_in));
+        .words(facet_test_names, session::check_by_parsing(parse_facet_tests));
     command
         .option(
             "--item-buffer", item_buffer_,
             "How the facets that primary rays hit are found, separated by commas: by casting the rays (`without`), or "
             "by drawing the facets by list priority with a depth buffer (`list-priority`) or with lists of all depths "
             "(`depth-lists`)")
-        .words(item_names, session::check_by_parsing(items_in));
+        .words(item_names, session::check_by_parsing(parse_item_buffers));
     command
         .option("--mailboxes", mailboxes_,
                 "Whether a ray is tested only once against a facet in several cells (with), or in each cell (without)")
@@ -189,7 +189,7 @@ class Trace : public StudyOf<TraceRow> {
  private:
   void add_points(const std::optional<double>& tolerance) {
     for (const std::string& directory : parse_directories(directories_)) {
-      for (const unsigned bucket_size : bucket_sizes_in(bucket_sizes_)) {
+      for (const unsigned bucket_size : parse_bucket_sizes(bucket_sizes_)) {
         for (const std::string& cast : parse_cast(cast_)) {
           for (const std::string& mailboxes : parse_switches(mailboxes_)) {
             add_points({.directory = directory,
@@ -205,8 +205,8 @@ class Trace : public StudyOf<TraceRow> {
 
   /// Adds the point with every facet test and every item buffer.
   void add_points(TracePoint point) {
-    for (const std::string& facet_test : facet_tests_in(facet_test_)) {
-      for (const std::string& item_buffer : items_in(item_buffer_)) {
+    for (const std::string& facet_test : parse_facet_tests(facet_test_)) {
+      for (const std::string& item_buffer : parse_item_buffers(item_buffer_)) {
         point.facet_test = facet_test;
         point.item_buffer = item_buffer;
         points_.push_back(point);
