@@ -279,18 +279,18 @@ std::uint32_t compare_lanes(const Enabled& pixels, Comparison comparison, const 
 void fill_block(Lanes& lanes, unsigned block) { HWY_DYNAMIC_DISPATCH(fill_one)(lanes, block); }
 void find_bounds(Lanes& lanes, unsigned block) { HWY_DYNAMIC_DISPATCH(bound_one)(lanes, block); }
 
-void gather_planes(const Lanes& lanes, const TileShape& shape, std::uint64_t blocks, unsigned first,
+void gather_planes(const Lanes& lanes, const TileShape& shape, std::uint64_t block_mask, unsigned first_bit,
                    std::span<TileBits* const> planes) {
-  HWY_DYNAMIC_DISPATCH(gather_all)(lanes, shape, blocks, first, planes);
+  HWY_DYNAMIC_DISPATCH(gather_all)(lanes, shape, block_mask, first_bit, planes);
 }
 
-void scatter_planes(std::span<const TileBits* const> planes, const TileShape& shape, std::uint64_t blocks,
+void scatter_planes(std::span<const TileBits* const> planes, const TileShape& shape, std::uint64_t block_mask,
                     Lanes& lanes) {
-  HWY_DYNAMIC_DISPATCH(scatter_all)(planes, shape, blocks, lanes);
+  HWY_DYNAMIC_DISPATCH(scatter_all)(planes, shape, block_mask, lanes);
 }
 
-void merge_lanes(const Lanes& source, isa::Field part, std::uint64_t blocks, Lanes& target) {
-  HWY_DYNAMIC_DISPATCH(merge_all)(source, part, blocks, target);
+void merge_lanes(const Lanes& source, isa::Field part, std::uint64_t block_mask, Lanes& target) {
+  HWY_DYNAMIC_DISPATCH(merge_all)(source, part, block_mask, target);
 }
 
 }  // namespace csgsim::functional

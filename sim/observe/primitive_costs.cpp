@@ -103,9 +103,9 @@ std::vector<EffectCost> effects_of(const isa::Program& program, const Stats& sta
 
 }  // namespace
 
-std::string source_position(const std::string& name) {
-  const std::size_t at = name.rfind('@');
-  return at == std::string::npos ? "" : name.substr(at + 1);
+std::string source_position(const std::string& primitive_name) {
+  const std::size_t at = primitive_name.rfind('@');
+  return at == std::string::npos ? "" : primitive_name.substr(at + 1);
 }
 
 ClockShares clock_shares(const isa::Program& program, const engine::RunResult& result, const Stats& stats) {
