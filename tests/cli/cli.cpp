@@ -26,11 +26,11 @@ Outcome run(const std::string& words) {
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(folder / "out"), content(folder / "err")};
 }
 
-Outcome run_words(const std::vector<std::string>& words, const fs::path& folder) {
-  return run_program(std::string(CSGSIM_BINARY_DIR) + "/csgsim", words, folder);
+Outcome run_words(const std::vector<std::string>& words, const fs::path& working_folder) {
+  return run_program(std::string(CSGSIM_BINARY_DIR) + "/csgsim", words, working_folder);
 }
 
-Outcome run_program(const std::string& program, const std::vector<std::string>& words, const fs::path& folder) {
+Outcome run_program(const std::string& program, const std::vector<std::string>& words, const fs::path& working_folder) {
   const Folder folder;
   const std::string out = folder / "out";
   const std::string err = folder / "err";
@@ -45,7 +45,7 @@ Outcome run_program(const std::string& program, const std::vector<std::string>& 
     const auto connect = [](const std::string& file, int flags, int number) {
       return ::dup2(::open(file.c_str(), flags, 0600), number) == number;
     };
-    if (::chdir(folder.c_str()) == 0 && connect("/dev/null", O_RDONLY, STDIN_FILENO) &&
+    if (::chdir(working_folder.c_str()) == 0 && connect("/dev/null", O_RDONLY, STDIN_FILENO) &&
         connect(out, O_WRONLY | O_CREAT, STDOUT_FILENO) && connect(err, O_WRONLY | O_CREAT, STDERR_FILENO))
       ::execvp(arguments.front(), arguments.data());
     std::_Exit(127);

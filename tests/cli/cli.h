@@ -43,9 +43,10 @@ void write(const std::string& path, const std::string& text);
 /// Runs csgsim with words that need no quoting, separated by blanks.
 Outcome run(const std::string& words);
 /// Runs csgsim with these arguments, passed unchanged, in the folder; its output goes to files.
-Outcome run_words(const std::vector<std::string>& words, const fs::path& folder = ".");
+Outcome run_words(const std::vector<std::string>& words, const fs::path& working_folder = ".");
 /// Runs another program in the same way; it is found through PATH.
-Outcome run_program(const std::string& program, const std::vector<std::string>& words, const fs::path& folder = ".");
+Outcome run_program(const std::string& program, const std::vector<std::string>& words,
+                    const fs::path& working_folder = ".");
 /// Writes an executable of that name into the folder; it runs the shell commands.
 void stand_in(const Folder& folder, const std::string& name, const std::string& shell_commands);
 /// Runs csgsim in the folder, whose programs come first in PATH.
