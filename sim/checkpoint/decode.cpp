@@ -177,14 +177,15 @@ Snapshot read_body(std::span<const std::byte> body, const isa::Program& program,
 
 }  // namespace
 
-Snapshot decode(std::span<const std::byte> bytes, std::string_view name, const isa::Program& program,
+Snapshot decode(std::span<const std::byte> bytes, std::string_view source_name, const isa::Program& program,
                 const machines::Machine& machine) {
   try {
     return read_body(checked_body(bytes), program, machine);
   } catch (const isa::MalformedBytes& error) {
-    throw InputError(fmt::format("{}: the checkpoint {}; run the Program from its beginning", name, error.what()));
+    throw InputError(
+        fmt::format("{}: the checkpoint {}; run the Program from its beginning", source_name, error.what()));
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", name, error.what()));
+    throw InputError(fmt::format("{}: {}", source_name, error.what()));
   }
 }
 

@@ -21,37 +21,37 @@ std::size_t run_length(std::uint64_t count, std::size_t missing) {
 
 }  // namespace
 
-void put_fixed(isa::ByteWriter& out, std::uint64_t value, unsigned bytes) {
-  for (unsigned i = 0; i < bytes; ++i) out.byte(static_cast<std::uint8_t>(value >> 8U * i));
+void put_fixed(isa::ByteWriter& out, std::uint64_t value, unsigned byte_count) {
+  for (unsigned i = 0; i < byte_count; ++i) out.byte(static_cast<std::uint8_t>(value >> 8U * i));
 }
 
-std::uint64_t read_fixed(isa::ByteReader& in, unsigned bytes) {
+std::uint64_t read_fixed(isa::ByteReader& in, unsigned byte_count) {
   std::uint64_t value = 0;
-  for (unsigned i = 0; i < bytes; ++i) value |= std::uint64_t{in.byte()} << 8U * i;
+  for (unsigned i = 0; i < byte_count; ++i) value |= std::uint64_t{in.byte()} << 8U * i;
   return value;
 }
 
-void put_plane(isa::ByteWriter& out, std::span<const std::uint64_t> plane, std::size_t words) {
+void put_plane(isa::ByteWriter& out, std::span<const std::uint64_t> plane, std::size_t word_count) {
   if (plane.empty()) {
-    if (words > 0) out.varint(words * kinds);
+    if (word_count > 0) out.varint(word_count * kinds);
     return;
   }
-  for (std::size_t begin = 0; begin < words;) {
+  for (std::size_t begin = 0; begin < word_count;) {
     const Words kind = kind_of(plane[begin]);
     std::size_t end = begin + 1;
-    while (end < words && kind_of(plane[end]) == kind) ++end;
+    while (end < word_count && kind_of(plane[end]) == kind) ++end;
     out.varint((end - begin) * kinds + static_cast<unsigned>(kind));
     for (; begin < end; ++begin)
       if (kind == Words::literal) put_fixed(out, plane[begin], 8);
   }
 }
 
-std::vector<std::uint64_t> read_plane(isa::ByteReader& in, std::size_t words) {
+std::vector<std::uint64_t> read_plane(isa::ByteReader& in, std::size_t word_count) {
   std::vector<std::uint64_t> plane;
   bool any = false;
-  while (plane.size() < words) {
+  while (plane.size() < word_count) {
     const std::uint64_t number = in.varint();
-    const std::size_t count = run_length(number / kinds, words - plane.size());
+    const std::size_t count = run_length(number / kinds, word_count - plane.size());
     switch (number % kinds) {
       case static_cast<unsigned>(Words::zeros): plane.resize(plane.size() + count); break;
       case static_cast<unsigned>(Words::ones):

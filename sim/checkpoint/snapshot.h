@@ -55,10 +55,10 @@ struct Snapshot {
 /// of pixels: count and value.
 std::vector<std::byte> encode(const Snapshot& snapshot);
 
-/// Decodes a checkpoint of that Program and machine; `name` begins error messages. Throws InputError if the checkpoint
-/// is damaged, belongs to another Program or machine, or has a place, count or value that no run of the Program can
-/// reach. Memory use is proportional to the Program's picture.
-Snapshot decode(std::span<const std::byte> bytes, std::string_view name, const isa::Program& program,
+/// Decodes a checkpoint of that Program and machine; `source_name` begins error messages. Throws InputError if the
+/// checkpoint is damaged, belongs to another Program or machine, or has a place, count or value that no run of the
+/// Program can reach. Memory use is proportional to the Program's picture.
+Snapshot decode(std::span<const std::byte> bytes, std::string_view source_name, const isa::Program& program,
                 const machines::Machine& machine);
 
 }  // namespace csgsim::checkpoint

@@ -12,11 +12,11 @@ const machines::Timeline& Clocks::timeline() {
 
 machines::ClockSpan Clocks::issue_span(engine::Place place) { return timeline().issued[place.segment][place.index]; }
 
-std::uint64_t Clocks::first_after(std::uint64_t clock, std::uint64_t from) {
+std::uint64_t Clocks::first_after(std::uint64_t clock, std::uint64_t first_number) {
   const engine::Numbers numbers(program_);
-  for (; from < numbers.count(); ++from)
-    if (issue_span(numbers.place(from)).end > clock) break;
-  return from;
+  for (; first_number < numbers.count(); ++first_number)
+    if (issue_span(numbers.place(first_number)).end > clock) break;
+  return first_number;
 }
 
 }  // namespace csgsim::debug

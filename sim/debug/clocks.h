@@ -21,9 +21,9 @@ class Clocks {
   /// timeline.
   [[nodiscard]] machines::ClockSpan issue_span(engine::Place place);
 
-  /// Number of the first instruction, from `from` on, that is not completely issued when the clock begins. Throws
-  /// InputError as issue_span() does.
-  [[nodiscard]] std::uint64_t first_after(std::uint64_t clock, std::uint64_t from);
+  /// Number of the first instruction, from `first_number` on, that is not completely issued when the clock begins.
+  /// Throws InputError as issue_span() does.
+  [[nodiscard]] std::uint64_t first_after(std::uint64_t clock, std::uint64_t first_number);
 
  private:
   const machines::Timeline& timeline();

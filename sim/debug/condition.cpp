@@ -44,7 +44,7 @@ std::uint32_t read_value(const Watched& watched, const engine::Run& run) {
   return run.value(watched.field, x, y);
 }
 
-bool holds(const Condition& condition, std::uint32_t value, std::uint32_t before) {
+bool holds(const Condition& condition, std::uint32_t value, std::uint32_t previous_value) {
   switch (condition.relation) {
     case Relation::less: return value < condition.value;
     case Relation::not_greater: return value <= condition.value;
@@ -52,7 +52,7 @@ bool holds(const Condition& condition, std::uint32_t value, std::uint32_t before
     case Relation::not_equal: return value != condition.value;
     case Relation::not_less: return value >= condition.value;
     case Relation::greater: return value > condition.value;
-    case Relation::changes: return value != before;
+    case Relation::changes: return value != previous_value;
   }
   return false;
 }

@@ -19,8 +19,8 @@ bool can_change(const isa::Instruction& instruction, isa::Field watched);
 /// Value of the watched field at a pixel of the run's segment.
 std::uint32_t read_value(const Watched& watched, const engine::Run& run);
 
-/// Whether a value satisfies the condition; `before` is the value at the previous boundary.
-bool holds(const Condition& condition, std::uint32_t value, std::uint32_t before);
+/// Whether a value satisfies the condition; `previous_value` is the one at the previous boundary.
+bool holds(const Condition& condition, std::uint32_t value, std::uint32_t previous_value);
 
 /// Text of a command's operand: the field's name or its place; E for a field of width 0.
 std::string to_text(isa::Field field, const isa::Program& program);

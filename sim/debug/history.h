@@ -16,13 +16,13 @@ class History {
   /// Number of the next instruction at which a state should be saved, if the run is at `number`.
   [[nodiscard]] std::uint64_t due(std::uint64_t number) const { return (number / stride_ + 1) * stride_; }
 
-  /// Whether a state was saved shortly before that number.
+  /// Whether a state was saved at that number, or less than one stride earlier.
   [[nodiscard]] bool is_kept(std::uint64_t number) const;
 
-  /// Saves the state before that instruction.
+  /// Stores the state at the boundary in front of that instruction.
   void keep(std::uint64_t number, checkpoint::Snapshot snapshot);
 
-  /// The last state saved at or before that number. The caller must have saved one at the first number it returns to.
+  /// The saved state with the greatest number that does not exceed `number`. There must be one.
   [[nodiscard]] const checkpoint::Snapshot& before(std::uint64_t number) const;
 
   void clear() { kept_.clear(); }

@@ -1,4 +1,4 @@
-// A debugging session.
+// A session of the debugger: executes its commands on a run of a Program.
 // Used by sim/app.
 #pragma once
 

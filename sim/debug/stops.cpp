@@ -41,14 +41,14 @@ bool Stop::begins(std::uint32_t primitive, std::uint64_t number) const {
   return number < numbers_.count() && serves(number) && (number == 0 || !serves(number - 1));
 }
 
-std::uint64_t Stop::look_at_primitive(std::uint32_t primitive, std::uint64_t from) const {
-  for (std::uint64_t number = from + 1; number < numbers_.count(); ++number)
+std::uint64_t Stop::look_at_primitive(std::uint32_t primitive, std::uint64_t first_number) const {
+  for (std::uint64_t number = first_number + 1; number < numbers_.count(); ++number)
     if (begins(primitive, number)) return number;
   return engine::Run::end;
 }
 
-std::uint64_t Stop::look_at_condition(const Condition& condition, std::uint64_t from) const {
-  for (std::uint64_t number = from; number < numbers_.count();) {
+std::uint64_t Stop::look_at_condition(const Condition& condition, std::uint64_t first_number) const {
+  for (std::uint64_t number = first_number; number < numbers_.count();) {
     const auto [segment, index] = numbers_.place(number);
     const isa::Segment& part = program_.segments[segment];
     if (!part.region.holds(condition.watched.x, condition.watched.y)) {

@@ -81,7 +81,7 @@ struct RunResult {
   /// Pixels at which instructions took effect, per segment, for kinds that need it; empty at the cycle level, whose
   /// clocks are counted.
   std::vector<machines::PixelActivity> met{};
-  std::vector<bool> answers;  ///< results of global_or, in order
+  std::vector<bool> answers;  ///< results of the global_or instructions, in program order
   /// Colour of every pixel of the picture, in row order, from the machine's scan-out; empty if the engine does not
   /// simulate it.
   std::vector<std::uint32_t> scanned_out{};

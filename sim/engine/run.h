@@ -33,8 +33,8 @@ class Run : public PixelState {
  public:
   static constexpr std::uint64_t end = std::numeric_limits<std::uint64_t>::max();
 
-  /// Place of the run, valid before the first instruction and after advance has returned. Pixels are those of its
-  /// segment.
+  /// The boundary at which the run is stopped: before the first instruction, or where advance() stopped. The functions
+  /// of PixelState read the pixels of its segment.
   [[nodiscard]] virtual Place place() const = 0;
 
   /// Whether every segment has been executed and observers have been notified.

@@ -32,18 +32,18 @@ Crew::~Crew() {
   calls_.notify_all();
 }
 
-void Crew::run(std::size_t jobs, const Work& work) {
-  if (jobs == 0) return;
+void Crew::run(std::size_t job_count, const Work& work) {
+  if (job_count == 0) return;
   work_ = &work;
   done_.store(0, std::memory_order_relaxed);
   for (std::size_t share = 0; share < shares_.size(); ++share)
-    shares_[share].open.store((jobs + shares_.size() - 1 - share) / shares_.size(), std::memory_order_release);
-  if (jobs > 1 && !others_.empty()) {
+    shares_[share].open.store((job_count + shares_.size() - 1 - share) / shares_.size(), std::memory_order_release);
+  if (job_count > 1 && !others_.empty()) {
     calls_.fetch_add(1, std::memory_order_release);
     calls_.notify_all();
   }
   take_jobs(0);
-  for (std::size_t done = done_.load(std::memory_order_acquire); done != jobs;
+  for (std::size_t done = done_.load(std::memory_order_acquire); done != job_count;
        done = done_.load(std::memory_order_acquire))
     wait_while(done_, done);
 }

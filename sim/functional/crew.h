@@ -27,8 +27,8 @@ class Crew {
 
   [[nodiscard]] unsigned threads() const { return static_cast<unsigned>(shares_.size()); }
 
-  /// Executes the jobs 0 to `jobs` - 1 in any order and returns when all are done. `work` must not throw.
-  void run(std::size_t jobs, const Work& work);
+  /// Executes the jobs 0 to `job_count` - 1 in any order and returns when all are done. `work` must not throw.
+  void run(std::size_t job_count, const Work& work);
 
  private:
   void wait_for_jobs(unsigned thread, const std::stop_token& stop);

@@ -82,7 +82,7 @@ std::uint64_t all_less(const Bounds& greatest, const Bounds& least) {
 std::uint64_t all_less_or_equal(const Bounds& greatest, const Bounds& least) {
   return each_bound(greatest, least, [](Numbers high, Numbers low) { return hn::Not(hn::Gt(high, low)); });
 }
-std::uint64_t same(const Bounds& left, const Bounds& right) {
+std::uint64_t equal_bounds(const Bounds& left, const Bounds& right) {
   return each_bound(left, right, [](Numbers l, Numbers r) { return hn::Eq(l, r); });
 }
 
@@ -99,7 +99,8 @@ Decided decided(Comparison comparison, const Lanes& left, const Lanes& right) {
       return {all_less_or_equal(left.greatest, right.least), all_less(right.greatest, left.least)};
     case Comparison::equal: break;
   }
-  return {same(left.least, left.greatest) & same(right.least, right.greatest) & same(left.least, right.least),
+  return {equal_bounds(left.least, left.greatest) & equal_bounds(right.least, right.greatest) &
+              equal_bounds(left.least, right.least),
           all_less(left.greatest, right.least) | all_less(right.greatest, left.least)};
 }
 
@@ -150,7 +151,7 @@ using PlaneWords = std::array<std::uint64_t, isa::max_field_width>;
 void gather_all(const Lanes& lanes, const TileShape& shape, std::uint64_t blocks, unsigned first,
                 std::span<TileBits* const> planes) {
   const std::uint64_t there = blocks & shape.blocks();
-  const std::uint64_t constant = there & same(lanes.least, lanes.greatest);
+  const std::uint64_t constant = there & equal_bounds(lanes.least, lanes.greatest);
   const auto count = static_cast<unsigned>(planes.size());
   PlaneWords words;
   PlaneWords any{};
@@ -279,18 +280,18 @@ std::uint32_t compare_lanes(const Enabled& pixels, Comparison comparison, const 
 void fill_block(Lanes& lanes, unsigned block) { HWY_DYNAMIC_DISPATCH(fill_one)(lanes, block); }
 void find_bounds(Lanes& lanes, unsigned block) { HWY_DYNAMIC_DISPATCH(bound_one)(lanes, block); }
 
-void gather_planes(const Lanes& lanes, const TileShape& shape, std::uint64_t blocks, unsigned first,
+void gather_planes(const Lanes& lanes, const TileShape& shape, std::uint64_t block_mask, unsigned first_bit,
                    std::span<TileBits* const> planes) {
-  HWY_DYNAMIC_DISPATCH(gather_all)(lanes, shape, blocks, first, planes);
+  HWY_DYNAMIC_DISPATCH(gather_all)(lanes, shape, block_mask, first_bit, planes);
 }
 
-void scatter_planes(std::span<const TileBits* const> planes, const TileShape& shape, std::uint64_t blocks,
+void scatter_planes(std::span<const TileBits* const> planes, const TileShape& shape, std::uint64_t block_mask,
                     Lanes& lanes) {
-  HWY_DYNAMIC_DISPATCH(scatter_all)(planes, shape, blocks, lanes);
+  HWY_DYNAMIC_DISPATCH(scatter_all)(planes, shape, block_mask, lanes);
 }
 
-void merge_lanes(const Lanes& source, isa::Field part, std::uint64_t blocks, Lanes& target) {
-  HWY_DYNAMIC_DISPATCH(merge_all)(source, part, blocks, target);
+void merge_lanes(const Lanes& source, isa::Field part, std::uint64_t block_mask, Lanes& target) {
+  HWY_DYNAMIC_DISPATCH(merge_all)(source, part, block_mask, target);
 }
 
 }  // namespace csgsim::functional

@@ -49,16 +49,16 @@ void fill_block(Lanes& lanes, unsigned block);
 /// Recomputes the block's bounds from its values.
 void find_bounds(Lanes& lanes, unsigned block);
 
-/// planes := bits of the values, from bit `first` on, in the given blocks.
-void gather_planes(const Lanes& lanes, const TileShape& shape, std::uint64_t blocks, unsigned first,
+/// planes := bits of the values, from bit `first_bit` on, in the given blocks.
+void gather_planes(const Lanes& lanes, const TileShape& shape, std::uint64_t block_mask, unsigned first_bit,
                    std::span<TileBits* const> planes);
 
 /// values := the planes' bits, lowest first, in the given blocks; a missing plane counts as 0.
-void scatter_planes(std::span<const TileBits* const> planes, const TileShape& shape, std::uint64_t blocks,
+void scatter_planes(std::span<const TileBits* const> planes, const TileShape& shape, std::uint64_t block_mask,
                     Lanes& lanes);
 
 /// Copies the bits `part`, which are in both fields, from the source to the target in the given blocks. They must be 0
 /// in the target before.
-void merge_lanes(const Lanes& source, isa::Field part, std::uint64_t blocks, Lanes& target);
+void merge_lanes(const Lanes& source, isa::Field part, std::uint64_t block_mask, Lanes& target);
 
 }  // namespace csgsim::functional

@@ -270,8 +270,8 @@ namespace csgsim::functional {
 
 HWY_EXPORT(run_any);
 
-LinearResult run_linear(const Enabled& pixels, const LinearTask& task, std::uint32_t enabled) {
-  return HWY_DYNAMIC_DISPATCH(run_any)(pixels, task, enabled);
+LinearResult run_linear(const Enabled& pixels, const LinearTask& task, std::uint32_t enabled_count) {
+  return HWY_DYNAMIC_DISPATCH(run_any)(pixels, task, enabled_count);
 }
 
 }  // namespace csgsim::functional

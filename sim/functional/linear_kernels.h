@@ -1,4 +1,4 @@
-// Kernels of instructions with linear expressions.
+// Execution of instructions with a linear expression on the pixels of a tile.
 // Used by tile.
 #pragma once
 
@@ -36,8 +36,8 @@ struct LinearResult {
   std::uint32_t enabled = 0;    ///< pixels enabled afterwards
 };
 
-/// Executes the task at every enabled pixel of a tile; `enabled` is their number. If z is written and F does not fit
-/// it, E := 0.
-LinearResult run_linear(const Enabled& pixels, const LinearTask& task, std::uint32_t enabled);
+/// Executes the task at every enabled pixel of a tile; `enabled_count` is their number. If z is written and F does not
+/// fit it, E := 0.
+LinearResult run_linear(const Enabled& pixels, const LinearTask& task, std::uint32_t enabled_count);
 
 }  // namespace csgsim::functional

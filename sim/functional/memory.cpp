@@ -94,11 +94,11 @@ const TileBits& Memory::read(unsigned bit, std::uint64_t blocks, TileBits& copy)
   return copy;
 }
 
-void Memory::planes(Field field, const Worked& worked, std::span<TileBits*> planes) {
+void Memory::planes(Field field, const Worked& target, std::span<TileBits*> planes) {
   for (Holder& holder : holders_) {
     if (!holder.field.overlaps(field)) continue;
-    if (is_within(holder.field, field)) holder.blocks &= ~worked.overwritten;
-    spill(holder, worked.blocks);
+    if (is_within(holder.field, field)) holder.blocks &= ~target.overwritten;
+    spill(holder, target.blocks);
   }
   for (unsigned bit = 0; bit < field.width; ++bit) planes[bit] = &stored_plane(field.base + bit);
 }
@@ -163,10 +163,10 @@ void Memory::move(Holder& from, Holder& to, std::uint64_t blocks, std::uint64_t 
   from.blocks &= ~blocks;
 }
 
-void Memory::take(Holder& holder, const Worked& worked) {
+void Memory::take(Holder& holder, const Worked& target) {
   const Field field = holder.field;
-  const std::uint64_t taken = (worked.blocks & ~holder.blocks) | uniform_blocks(field);
-  const std::uint64_t kept = taken & ~worked.overwritten;
+  const std::uint64_t taken = (target.blocks & ~holder.blocks) | uniform_blocks(field);
+  const std::uint64_t kept = taken & ~target.overwritten;
   std::array<const TileBits*, isa::max_field_width> planes{};
   for (unsigned bit = 0; bit < field.width; ++bit) planes[bit] = planes_[field.base + bit].get();
   scatter_planes(std::span(planes).first(field.width), shape_, kept, *holder.lanes);
@@ -180,9 +180,9 @@ void Memory::take(Holder& holder, const Worked& worked) {
     if (planes_[bit]) planes_[bit]->clear_blocks(taken);
 }
 
-Lanes& Memory::lanes(Field field, const Worked& worked) {
+Lanes& Memory::lanes(Field field, const Worked& target) {
   Holder& holder = holder_for(field);
-  if ((worked.blocks & ~holder.blocks) != 0) take(holder, worked);
+  if ((target.blocks & ~holder.blocks) != 0) take(holder, target);
   last_ = holder.lanes.get();
   return *last_;
 }

@@ -172,8 +172,8 @@ std::uint64_t pixels_past(const BlockF& f, std::size_t bit) {
 /// Executes the task on a block of a field in planes: F's bits are words of the block's pixels, which are stored or
 /// added bit by bit. Returns the pixels that stay enabled.
 template <LinearKind kind>
-std::uint64_t meet_planes(const BlockF& f, std::span<TileBits* const> planes, const TileShape& shape, unsigned block,
-                          std::uint64_t enabled) {
+std::uint64_t execute_on_planes(const BlockF& f, std::span<TileBits* const> planes, const TileShape& shape,
+                                unsigned block, std::uint64_t enabled) {
   std::array<std::uint64_t, isa::max_wide_field_width> f_bits;
   extract_words(hn::RebindToUnsigned<SumTag>(), f.bits(), 0, std::span(f_bits).first(planes.size()));
   std::uint64_t carry = kind == LinearKind::minus ? ~std::uint64_t{0} : 0;
@@ -194,11 +194,11 @@ std::uint64_t meet_planes(const BlockF& f, std::span<TileBits* const> planes, co
 }
 
 template <LinearKind kind>
-std::uint64_t meet(const BlockF& f, const QuadraticTask& task, const TileShape& shape, unsigned block,
-                   std::uint64_t enabled) {
+std::uint64_t execute_on_block(const BlockF& f, const QuadraticTask& task, const TileShape& shape, unsigned block,
+                               std::uint64_t enabled) {
   if constexpr (is_sign(kind)) return enabled & pixels_where_negative<kind>(f);
   if constexpr (kind == LinearKind::load || adds(kind))
-    if (!task.planes.empty()) return meet_planes<kind>(f, task.planes, shape, block, enabled);
+    if (!task.planes.empty()) return execute_on_planes<kind>(f, task.planes, shape, block, enabled);
   if constexpr (!is_sign(kind)) return execute_on_lanes<kind>(f, *task.lanes, block, enabled);
 }
 
@@ -243,7 +243,7 @@ LinearResult run(const Enabled& pixels, const QuadraticTask& task) {
       const std::uint64_t enabled = pixels.enable.word(block, pixels.shape);
       f.evaluate(task.sum.from(block % blocks_per_side * block_side, block / blocks_per_side * block_side));
       result.overflows += static_cast<std::uint64_t>(std::popcount(f.wrapped() & enabled));
-      pixels.enable.set_word(block, meet<kind>(f, task, pixels.shape, block, enabled), pixels.shape);
+      pixels.enable.set_word(block, execute_on_block<kind>(f, task, pixels.shape, block, enabled), pixels.shape);
     });
   }
   result.enabled = count(pixels.enable, pixels.shape);

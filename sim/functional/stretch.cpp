@@ -44,9 +44,11 @@ void Stretch::find_first_acting() {
   }
 }
 
-void Stretch::show(std::size_t index, const isa::Region& part, std::span<const std::uint64_t> words) const {
+void Stretch::show(std::size_t instruction_index, const isa::Region& part,
+                   std::span<const std::uint64_t> enable_words) const {
   for (engine::Observer* const one : observers_)
-    if (one->reads_enable_alone(instructions_[index])) one->enabled_after(instructions_[index], part, words);
+    if (one->reads_enable_alone(instructions_[instruction_index]))
+      one->enabled_after(instructions_[instruction_index], part, enable_words);
 }
 
 }  // namespace csgsim::functional

@@ -180,10 +180,10 @@ void Tile::root(Field target) {
   execute_root(pixels(), std::span(planes).first(target.width));
 }
 
-bool Tile::uses_bits(Field first, Field second) const {
-  if (first.width == 1) return true;
-  return first.width <= max_width_as_bits && memory_.is_in_planes(first, enable_.any()) &&
-         (second.width == 0 || memory_.is_in_planes(second, enable_.any()));
+bool Tile::uses_bits(Field target, Field source) const {
+  if (target.width == 1) return true;
+  return target.width <= max_width_as_bits && memory_.is_in_planes(target, enable_.any()) &&
+         (source.width == 0 || memory_.is_in_planes(source, enable_.any()));
 }
 
 void Tile::set_constant(Field target, std::uint64_t constant) {

@@ -80,7 +80,7 @@ class alignas(64) Tile {
   void add(isa::Field target, isa::Field source);
   void add_bits(isa::Field target, isa::Field source);
   void xor_constant(isa::Field target, std::uint64_t constant);
-  [[nodiscard]] bool uses_bits(isa::Field first, isa::Field second) const;
+  [[nodiscard]] bool uses_bits(isa::Field target, isa::Field source) const;
 
   std::uint32_t x_;
   std::uint32_t y_;

@@ -135,7 +135,7 @@ bool Explainer::add_halfspace(Candidate& candidate, const facet::Halfspace& half
 }
 
 /// Adds the quadric's front, back or edge at the place to the candidate. Returns false if it excludes the whole ray. If
-/// rays begin inside the quadric, it has a back only if it is met at all.
+/// rays begin inside the quadric, it has a back only if the ray meets it at all.
 bool Explainer::add_quadric(Candidate& candidate, const facet::QuadricSide& side, Place place) const {
   const SightQuadric& quadric = sight_.quadrics().quadric(side.quadric);
   QuadricMet met = quadrics_.met(side.quadric, place);

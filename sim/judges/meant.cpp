@@ -19,7 +19,7 @@ struct Ring {
 };
 
 /// The polyhedron between rings of `count` corners, joined by quadrangles and closed at both ends.
-model::Polyhedron between(std::span<const Ring> rings, std::uint32_t count) {
+model::Polyhedron polyhedron_between(std::span<const Ring> rings, std::uint32_t count) {
   model::Polyhedron solid;
   std::vector<std::vector<std::uint32_t>> corners;
   for (const Ring& ring : rings) {
@@ -45,13 +45,13 @@ model::Polyhedron between(std::span<const Ring> rings, std::uint32_t count) {
 }
 
 /// Number of corners of the primitive's circles; empty if it is intended as round.
-std::optional<std::uint32_t> polygon(const model::FacetControl& own, const facet::Faceting& faceting) {
+std::optional<std::uint32_t> polygon_corners(const model::FacetControl& own, const facet::Faceting& faceting) {
   if (!std::isfinite(own.fn) || own.fn <= 0 || own.fn >= min_round_fragments(faceting)) return std::nullopt;
   return std::max(3U, static_cast<std::uint32_t>(own.fn));
 }
 
 std::optional<model::Polyhedron> polyhedron(const model::Sphere& sphere, const facet::Faceting& faceting) {
-  const auto count = polygon(sphere.facets, faceting);
+  const auto count = polygon_corners(sphere.facets, faceting);
   if (!count) return std::nullopt;
   const std::uint32_t levels = (*count + 1) / 2;
   std::vector<Ring> rings;
@@ -59,15 +59,15 @@ std::optional<model::Polyhedron> polyhedron(const model::Sphere& sphere, const f
     const long double polar = std::numbers::pi_v<long double> * (i + 0.5L) / levels;
     rings.push_back({sphere.radius * std::sin(polar), sphere.radius * std::cos(polar)});
   }
-  return between(rings, *count);
+  return polyhedron_between(rings, *count);
 }
 
 std::optional<model::Polyhedron> polyhedron(const model::Cylinder& cylinder, const facet::Faceting& faceting) {
-  const auto count = polygon(cylinder.facets, faceting);
+  const auto count = polygon_corners(cylinder.facets, faceting);
   if (!count) return std::nullopt;
   const long double foot = cylinder.center ? -static_cast<long double>(cylinder.height) / 2 : 0;
   const Ring rings[] = {{cylinder.r1, foot}, {cylinder.r2, foot + cylinder.height}};
-  return between(rings, *count);
+  return polyhedron_between(rings, *count);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ std::int64_t floor_step(double value) {
   return static_cast<std::int64_t>(std::clamp(std::floor(value), -limit, limit));
 }
 
-double terms(const FilterQuadratic& linear, Place place) {
+double term_magnitudes(const FilterQuadratic& linear, Place place) {
   return std::abs(linear.c) + std::abs(linear.x * place.x) + std::abs(linear.y * place.y);
 }
 
@@ -66,7 +66,7 @@ double DepthLine::ulp() const { return std::ldexp(0.5, -static_cast<int>(fractio
 double DepthLine::rounding(Place place) { return 1.0 + (std::abs(place.x) + std::abs(place.y)) / 2.0; }
 
 Steps DepthLine::steps(const FilterQuadratic& linear, double condition, double ulps, Place place) const {
-  const double sizes = std::abs(z_at_zero) + std::abs(z_per_q) * terms(linear, place);
+  const double sizes = std::abs(z_at_zero) + std::abs(z_per_q) * term_magnitudes(linear, place);
   const double off = ulps * ulp() + double_part * sizes * condition;
   const double z = z_at_zero + z_per_q * (linear.c + linear.x * place.x + linear.y * place.y);
   return {floor_step(z - off), floor_step(z + off)};

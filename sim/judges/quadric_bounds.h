@@ -44,7 +44,7 @@ struct QuadricMet {
   bool is_doubtful = false;  ///< any result is allowed
   bool is_edge = false;      ///< whole rays are inside or outside
   Maybe is_met = Maybe::no;  ///< whether the ray meets it; for an edge, whether the ray is inside
-  Steps nearer;              ///< range of the nearer depth, if it is met
+  Steps nearer;              ///< range of the nearer depth, if the ray meets it
   Steps farther;
 };
 

@@ -86,7 +86,7 @@ class Projector {
   PlaceRect picture_;
 };
 
-/// The position of the maximum of a x^2 + b x if it is between the ends, else `low`.
+/// The point of [low, high] at which a x^2 + b x is greatest if a < 0, else `low`.
 double peak(double a, double b, double low, double high) {
   return a < 0.0 ? std::clamp(-b / (2.0 * a), low, high) : low;
 }

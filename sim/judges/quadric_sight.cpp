@@ -112,18 +112,20 @@ const QuadricSight::Exact& QuadricSight::exact(std::uint32_t index) const {
   return kept->second;
 }
 
-double QuadricSight::size_over_picture(const FilterQuadratic& of) const {
+double QuadricSight::size_over_picture(const FilterQuadratic& quadratic) const {
   const double width = camera_.width;
   const double height = camera_.height;
-  return std::abs(of.c) + width * (std::abs(of.x) + std::abs(of.xx) * width + std::abs(of.xy) * height) +
-         height * (std::abs(of.y) + std::abs(of.yy) * height);
+  return std::abs(quadratic.c) +
+         width * (std::abs(quadratic.x) + std::abs(quadratic.xx) * width + std::abs(quadratic.xy) * height) +
+         height * (std::abs(quadratic.y) + std::abs(quadratic.yy) * height);
 }
 
-FilterQuadratic QuadricSight::filter(const ExactQuadratic& from, double over) const {
-  FilterQuadratic to{from.c.to_double() / over,  from.x.to_double() / over,  from.y.to_double() / over,
-                     from.xx.to_double() / over, from.xy.to_double() / over, from.yy.to_double() / over};
+FilterQuadratic QuadricSight::filter(const ExactQuadratic& exact, double divisor) const {
+  FilterQuadratic to{exact.c.to_double() / divisor,  exact.x.to_double() / divisor,  exact.y.to_double() / divisor,
+                     exact.xx.to_double() / divisor, exact.xy.to_double() / divisor, exact.yy.to_double() / divisor};
   to.error = quadric_filter_part * size_over_picture(to) + std::numeric_limits<double>::min();
-  if (std::isfinite(to.error) && std::isfinite(over) && std::abs(over) >= std::numeric_limits<double>::min()) return to;
+  if (std::isfinite(to.error) && std::isfinite(divisor) && std::abs(divisor) >= std::numeric_limits<double>::min())
+    return to;
   return {0, 0, 0, 0, 0, 0, infinity};
 }
 

@@ -126,8 +126,8 @@ class QuadricSight {
   [[nodiscard]] Exact make_exact(std::uint32_t index) const;
   [[nodiscard]] const Exact& exact(std::uint32_t index) const;
   [[nodiscard]] SightQuadric make_filter(std::uint32_t index) const;
-  [[nodiscard]] FilterQuadratic filter(const ExactQuadratic& from, double over) const;
-  [[nodiscard]] double size_over_picture(const FilterQuadratic& of) const;
+  [[nodiscard]] FilterQuadratic filter(const ExactQuadratic& exact, double divisor) const;
+  [[nodiscard]] double size_over_picture(const FilterQuadratic& quadratic) const;
   [[nodiscard]] int discriminant_sign(std::uint32_t index, Place place) const;
   [[nodiscard]] bool is_on_nappe(const facet::QuadricSide& side, Place place) const;
   [[nodiscard]] Parts tangent_parts(const facet::QuadricSide& side, Place place) const;

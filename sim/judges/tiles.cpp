@@ -159,8 +159,8 @@ Pieces all_pieces(const facet::Geometry& geometry, const Sight& sight) {
   return all;
 }
 
-Pieces narrow(const Pieces& from, const Sight& sight, const Tile& tile, std::uint32_t width, std::uint32_t height) {
-  return Narrowing(from, sight, tile_middle(tile, width, height)).run();
+Pieces narrow(const Pieces& pieces, const Sight& sight, const Tile& tile, std::uint32_t width, std::uint32_t height) {
+  return Narrowing(pieces, sight, tile_middle(tile, width, height)).run();
 }
 
 }  // namespace csgsim::judges

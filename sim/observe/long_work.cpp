@@ -32,19 +32,19 @@ LongWork::LongWork(std::string what, std::string remedy, Stopwatch stopwatch, do
       begin_(stopwatch_()),
       warning_threshold_(warning_threshold) {}
 
-void LongWork::record_fraction(double done) {
-  if (announced_seconds_ || !(done > 0)) return;
-  const double expected = elapsed() / done;
+void LongWork::record_fraction(double fraction) {
+  if (announced_seconds_ || !(fraction > 0)) return;
+  const double expected = elapsed() / fraction;
   if (expected < warning_threshold_) return;
   announced_seconds_ = expected;
   report_line(fmt::format("warning: {} will take about {}, judging by the first {:.2g} %; {}", what_,
-                          duration_text(expected), 100 * done, remedy_));
+                          duration_text(expected), 100 * fraction, remedy_));
 }
 
-void LongWork::record_points(std::size_t done, std::size_t points) {
+void LongWork::record_points(std::size_t done_points, std::size_t total_points) {
   constexpr double some_seconds = 5;
   constexpr double some_points = 0.05;
-  const double part = static_cast<double>(done) / static_cast<double>(points);
+  const double part = static_cast<double>(done_points) / static_cast<double>(total_points);
   if (elapsed() >= some_seconds || part >= some_points) record_fraction(part);
 }
 

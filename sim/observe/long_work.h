@@ -25,11 +25,11 @@ class LongWork {
            double warning_threshold = min_warned_seconds);
 
   /// Records that this fraction of the work, above 0 and at most 1, is completed; may print the warning.
-  void record_fraction(double done);
+  void record_fraction(double fraction);
 
   /// Records the number of completed points of a study; may print the warning. The first points also read, compile and
   /// judge what the others share, so no estimate is made before some seconds or some points.
-  void record_points(std::size_t done, std::size_t points);
+  void record_points(std::size_t done_points, std::size_t total_points);
 
   /// The expected total in seconds, if a warning was printed.
   [[nodiscard]] std::optional<double> announced_seconds() const { return announced_seconds_; }

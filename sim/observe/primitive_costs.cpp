@@ -53,7 +53,7 @@ bool is_halfspace(const isa::Instruction& one) {
 constexpr std::uint32_t not_listed = ~std::uint32_t{0};
 
 /// Rank of each primitive among the most expensive.
-std::vector<std::uint32_t> places_of(const std::vector<PrimitiveCost>& most_expensive, std::size_t primitives) {
+std::vector<std::uint32_t> expense_ranks(const std::vector<PrimitiveCost>& most_expensive, std::size_t primitives) {
   std::vector<std::uint32_t> places(primitives, not_listed);
   for (std::uint32_t i = 0; i < most_expensive.size(); ++i) places[most_expensive[i].primitive] = i;
   return places;
@@ -61,7 +61,7 @@ std::vector<std::uint32_t> places_of(const std::vector<PrimitiveCost>& most_expe
 
 /// Counts each half-space once, no matter how many segments and pieces have it.
 void count_halfspaces(const isa::Program& program, std::vector<PrimitiveCost>& most_expensive) {
-  const std::vector<std::uint32_t> places = places_of(most_expensive, program.facts->primitives.size());
+  const std::vector<std::uint32_t> places = expense_ranks(most_expensive, program.facts->primitives.size());
   std::vector<PictureSurface> found;
   for (const isa::Segment& segment : program.segments) {
     for (std::size_t i = 0; i < segment.instructions.size(); ++i) {
@@ -103,9 +103,9 @@ std::vector<EffectCost> effects_of(const isa::Program& program, const Stats& sta
 
 }  // namespace
 
-std::string source_position(const std::string& name) {
-  const std::size_t at = name.rfind('@');
-  return at == std::string::npos ? "" : name.substr(at + 1);
+std::string source_position(const std::string& primitive_name) {
+  const std::size_t at = primitive_name.rfind('@');
+  return at == std::string::npos ? "" : primitive_name.substr(at + 1);
 }
 
 ClockShares clock_shares(const isa::Program& program, const engine::RunResult& result, const Stats& stats) {

@@ -47,7 +47,7 @@ inline constexpr std::size_t max_listed_primitives = 10;
 ClockShares clock_shares(const isa::Program& program, const engine::RunResult& result, const Stats& stats);
 
 /// The position in the model's file that a primitive's name contains, `9:9` of `cylinder@9:9`; empty if there is none.
-std::string source_position(const std::string& name);
+std::string source_position(const std::string& primitive_name);
 
 /// Number of visible pixels of each primitive of the Program.
 std::vector<std::uint64_t> visible_pixel_counts(const Frame& frame, const isa::Program& program);

@@ -1,4 +1,4 @@
-// The stats file of a run.
+// Converts the statistics of a run to JSON, the contents of its stats file.
 // Used by sim.
 #pragma once
 

@@ -57,15 +57,15 @@ constexpr ModuleRole role{.file = module_file,
 
 }  // namespace
 
-void start_opening_module(const std::filesystem::path& picture) {
-  if (!loader().begin()) throw InputError(picture.native() + ": " + module_missing_text(role));
+void start_opening_module(const std::filesystem::path& picture_path) {
+  if (!loader().begin()) throw InputError(picture_path.native() + ": " + module_missing_text(role));
 }
 
-const Module& wait_for_module(const std::filesystem::path& picture) {
-  start_opening_module(picture);
+const Module& wait_for_module(const std::filesystem::path& picture_path) {
+  start_opening_module(picture_path);
   const OpenedModule& opened = loader().opened();
   if (opened.symbol == nullptr)
-    throw InputError(picture.native() + ": " + module_unusable_text(role, loader().file(), opened.error));
+    throw InputError(picture_path.native() + ": " + module_unusable_text(role, loader().file(), opened.error));
   return *static_cast<const Module*>(opened.symbol);
 }
 

@@ -46,17 +46,17 @@ std::vector<session::OptionValue> values_of(const std::string& name) {
 
 }  // namespace
 
-void give(const Call& call, session::OptionList& list) {
+void give(const Call& call, session::OptionList& options) {
   refuse_terminal_options(call);
-  for (const std::string& operand : call.operands) list.give_operand(operand_word(operand));
+  for (const std::string& operand : call.operands) options.give_operand(operand_word(operand));
   for (const auto& [name, text] : call.options) {
     if (text) {
-      list.give(name, *text);
+      options.give(name, *text);
     } else {
-      list.give_flag(name);
+      options.give_flag(name);
     }
   }
-  list.check_and_apply();
+  options.check_and_apply();
 }
 
 std::vector<session::OptionValue> command_options(const std::string& command) {

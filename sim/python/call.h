@@ -20,7 +20,7 @@ struct Call {
 };
 
 /// Sets the operands and options of the list from the call. Throws UsageError.
-void give(const Call& call, session::OptionList& list);
+void give(const Call& call, session::OptionList& options);
 
 /// The options and operands of a command, in the order of help, with their defaults. Throws UsageError for an unknown
 /// call.

@@ -79,7 +79,7 @@ struct Read {
 };
 
 /// SystemC allows one simulation per process, so clocked runs wait for each other.
-std::unique_lock<std::mutex> alone_if_clocked(const session::RunRequest& options) {
+std::unique_lock<std::mutex> lock_if_clocked(const session::RunRequest& options) {
   static std::mutex clocked;
   return options.level == "cycle" ? std::unique_lock(clocked) : std::unique_lock<std::mutex>();
 }
@@ -89,7 +89,7 @@ Drawn render_model(const Call& call, const Text& text) {
   session::RenderRequest& request = read.request;
   session::RunOutputs outputs(request.run, request.model.inputs());
   session::Compiled compiled = session::compile(request, studies::choose_bits, {.text = text});
-  const std::unique_lock alone = alone_if_clocked(request.run);
+  const std::unique_lock alone = lock_if_clocked(request.run);
   session::FinishedRun run =
       session::finish_run(read.list, compiled.subject(request), request.run, outputs,
                           session::advice_of(request, compiled), session::judge_of(request, compiled), {}, true);
@@ -110,7 +110,7 @@ Drawn run_program(const Call& call, const Held& program) {
   session::refuse_misuse(request);
   session::RunOutputs outputs(request.run, request.files_read());
   session::Loaded loaded = session::load(request, {.text = {}, .program = program ? &program->program : nullptr});
-  const std::unique_lock alone = alone_if_clocked(request.run);
+  const std::unique_lock alone = lock_if_clocked(request.run);
   session::FinishedRun run =
       session::finish_run(read.list, loaded.subject(), request.run, outputs,
                           session::advice_of(request, loaded.machine), {}, request.checkpoints, true);

@@ -95,8 +95,9 @@ class Recorder final : public bit_serial_memory::RowListener {
 }  // namespace
 
 TraceSummary write_trace(const isa::Program& program, const machines::Machine& machine,
-                         const machines::RunOutcome& outcomes, const FormRow& row,
-                         const std::function<void(std::string_view)>& write, const bit_serial_memory::CommandSet* set) {
+                         const machines::RunOutcome& outcomes, const FormRow& form_row,
+                         const std::function<void(std::string_view)>& write,
+                         const bit_serial_memory::CommandSet* command_set) {
   if (machine.kind != &bit_serial_memory::kind) {
     throw InputError(machine.name +
                      " has no row commands; choose a machine of kind bit-serial-memory, such as simdram-ddr4");
@@ -108,15 +109,15 @@ TraceSummary write_trace(const isa::Program& program, const machines::Machine& m
                     .figures = machines::own<bit_serial_memory::Figures>(drawing),
                     .map = {drawing.array.memory_bits, program.shape.width, program.shape.height},
                     .slots = bit_serial_memory::slots_of(drawing),
-                    .set = set};
-  if (set != nullptr && frame.figures.design != bit_serial_memory::Design::latches) {
+                    .set = command_set};
+  if (command_set != nullptr && frame.figures.design != bit_serial_memory::Design::latches) {
     throw InputError(drawing.name +
                      " has no gates that a command set could replace; choose a machine whose logic.design is latches, "
                      "such as digital-bit-serial-ddr4");
   }
-  const std::unique_ptr<Form> form = row.make(frame);
+  const std::unique_ptr<Form> form = form_row.make(frame);
   Recorder recorder(*form, write);
-  return recorder.finish(bit_serial_memory::time_rows(program, drawing, outcomes, recorder, set));
+  return recorder.finish(bit_serial_memory::time_rows(program, drawing, outcomes, recorder, command_set));
 }
 
 }  // namespace csgsim::rows

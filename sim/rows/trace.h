@@ -30,12 +30,12 @@ struct TraceSummary {
   std::vector<Replacement> replacements;
 };
 
-/// Writes the row commands of a frame, with their clocks, by calls of `write`. `outcomes` are those of the run. `set`,
-/// if not null, replaces the gates. Throws InputError if the machine is of another kind or, with a set, without
-/// latches; if its geometry does not fit the form; and if the set lacks a gate.
+/// Writes the row commands of a frame, with their clocks, by calls of `write`. `outcomes` are those of the run.
+/// `command_set`, if not null, replaces the gates. Throws InputError if the machine is of another kind or, with a set,
+/// without latches; if its geometry does not fit the form; and if the set lacks a gate.
 TraceSummary write_trace(const isa::Program& program, const machines::Machine& machine,
-                         const machines::RunOutcome& outcomes, const FormRow& row,
+                         const machines::RunOutcome& outcomes, const FormRow& form_row,
                          const std::function<void(std::string_view)>& write,
-                         const bit_serial_memory::CommandSet* set = nullptr);
+                         const bit_serial_memory::CommandSet* command_set = nullptr);
 
 }  // namespace csgsim::rows

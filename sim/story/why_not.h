@@ -16,8 +16,8 @@ namespace csgsim::story {
 /// The reason why a primitive is not visible at a pixel.
 struct WhyNot {
   isa::PieceRange pieces;
-  /// The primitive whose surface shows the first piece: itself, or the first of those that form one convex solid with
-  /// it.
+  /// The primitive in whose place the first piece is drawn: the piece itself or, if several primitives are drawn as one
+  /// convex solid, the first of these.
   std::uint32_t drawn_as = 0;
   bool is_seen = false;               ///< one of the pieces is visible at the pixel
   bool is_broadcast = false;          ///< some instruction of the segment draws a surface of the pieces

@@ -33,12 +33,12 @@ void reset_handlers() {
   std::signal(SIGCHLD, SIG_DFL);
 }
 
-void limit(int what, std::size_t most) {
+void set_limit(int resource, std::size_t maximum) {
   rlimit now{};
-  if (most == std::numeric_limits<std::size_t>::max() || ::getrlimit(what, &now) != 0) return;
-  now.rlim_cur = std::min<rlim_t>({now.rlim_cur, now.rlim_max, most});
-  now.rlim_max = std::min<rlim_t>(now.rlim_max, most);
-  ::setrlimit(what, &now);
+  if (maximum == std::numeric_limits<std::size_t>::max() || ::getrlimit(resource, &now) != 0) return;
+  now.rlim_cur = std::min<rlim_t>({now.rlim_cur, now.rlim_max, maximum});
+  now.rlim_max = std::min<rlim_t>(now.rlim_max, maximum);
+  ::setrlimit(resource, &now);
 }
 
 void report_to(int file, const GuardReport& report) {
@@ -55,8 +55,8 @@ void signal_at_end_of(pid_t parent, int signal) {
 [[noreturn]] void become(const GuardedProgram& program, pid_t guard, const sigset_t& signals) {
   ::setpgid(0, 0);
   signal_at_end_of(guard, SIGKILL);
-  limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_AS, program.memory);
+  set_limit(RLIMIT_CORE, 0);
+  set_limit(RLIMIT_AS, program.memory);
   ::dup2(program.input, STDIN_FILENO);
   ::dup2(program.output, STDOUT_FILENO);
   ::dup2(program.errors, STDERR_FILENO);

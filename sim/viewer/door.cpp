@@ -23,13 +23,13 @@ bool is_token(std::string_view text, std::string_view token) {
 Admission refused(int status, std::string_view why) { return {false, {}, error_reply(status, why)}; }
 
 /// Whether the host is `127.0.0.1:PORT` or `localhost:PORT`.
-bool is_own(const Door& door, std::string_view host) {
+bool is_own_host(const Door& door, std::string_view host) {
   return host == fmt::format("127.0.0.1:{}", door.port) || host == fmt::format("localhost:{}", door.port);
 }
 
 bool is_own_origin(const Door& door, std::string_view origin) {
   constexpr std::string_view scheme = "http://";
-  return origin.starts_with(scheme) && is_own(door, origin.substr(scheme.size()));
+  return origin.starts_with(scheme) && is_own_host(door, origin.substr(scheme.size()));
 }
 
 bool is_json(std::string_view type) { return type.substr(0, type.find(';')) == "application/json"; }
@@ -48,7 +48,8 @@ std::string make_token() {
 std::string Door::address() const { return fmt::format("http://127.0.0.1:{}/{}/", port, token); }
 
 Admission admit(const Door& door, const Request& request) {
-  if (!is_own(door, request.host)) return refused(403, "csgsim view only accepts requests to 127.0.0.1 and localhost");
+  if (!is_own_host(door, request.host))
+    return refused(403, "csgsim view only accepts requests to 127.0.0.1 and localhost");
   const bool is_post = request.method == "POST";
   if (!request.origin.empty() ? !is_own_origin(door, request.origin) : is_post)
     return refused(403, "csgsim view only accepts requests from its own page");

@@ -56,11 +56,11 @@ Json Evaluations::progress(std::string_view name) const {
   return progress;
 }
 
-std::list<Evaluations::Entry>::iterator Evaluation::enter(Evaluations& all, std::string name) {
-  const std::lock_guard lock(all.mutex_);
-  all.entries_.push_back({.name = std::move(name)});
-  const auto entry = std::prev(all.entries_.end());
-  if (all.is_closed_) Evaluations::end(*entry, EndReason::closed);
+std::list<Evaluations::Entry>::iterator Evaluation::enter(Evaluations& evaluations, std::string name) {
+  const std::lock_guard lock(evaluations.mutex_);
+  evaluations.entries_.push_back({.name = std::move(name)});
+  const auto entry = std::prev(evaluations.entries_.end());
+  if (evaluations.is_closed_) Evaluations::end(*entry, EndReason::closed);
   return entry;
 }
 

@@ -99,16 +99,16 @@ void Lanes::take(const nlohmann::json& event) {
   end_ = std::max(end_, one.end());
 }
 
-Json Lanes::between(std::uint64_t begin, std::uint64_t end) const {
+Json Lanes::between(std::uint64_t begin_clock, std::uint64_t end_clock) const {
   Json lanes = Json::array();
-  const std::uint64_t grain = std::max<std::uint64_t>(1, (end - std::min(begin, end)) / resolution);
+  const std::uint64_t grain = std::max<std::uint64_t>(1, (end_clock - std::min(begin_clock, end_clock)) / resolution);
   for (const Lane& lane : lanes_) {
     Shortened shortened(texts_, grain);
     const auto ends_before = [](const Stretch& one, std::uint64_t clock) { return one.end() <= clock; };
-    auto at = std::lower_bound(lane.stretches.begin(), lane.stretches.end(), begin, ends_before);
-    for (; at != lane.stretches.end() && at->begin < end; ++at) {
-      const std::uint64_t from = std::max(at->begin, begin);
-      shortened.add({from, std::min(at->end(), end) - from, at->text});
+    auto at = std::lower_bound(lane.stretches.begin(), lane.stretches.end(), begin_clock, ends_before);
+    for (; at != lane.stretches.end() && at->begin < end_clock; ++at) {
+      const std::uint64_t from = std::max(at->begin, begin_clock);
+      shortened.add({from, std::min(at->end(), end_clock) - from, at->text});
     }
     lanes.push_back({{"part", lane.part}, {"name", lane.name}, {"stretches", shortened.take()}});
   }

@@ -25,7 +25,7 @@ class Lanes {
   /// The lanes between two clocks, as an array of `part`, `name` and `stretches`, each [first clock, clocks, text].
   /// Stretches too short to be distinguished are merged: [first clock, clocks, most frequent text, number of stretches,
   /// clocks with activity].
-  [[nodiscard]] nlohmann::ordered_json between(std::uint64_t begin, std::uint64_t end) const;
+  [[nodiscard]] nlohmann::ordered_json between(std::uint64_t begin_clock, std::uint64_t end_clock) const;
 
  private:
   struct Stretch {

@@ -28,9 +28,9 @@ std::string record_wave(const isa::Program& program, std::span<const std::string
   return record_wave_with(own_program(), program, options);
 }
 
-std::string record_wave_with(const std::string& csgsim, const isa::Program& program,
+std::string record_wave_with(const std::string& csgsim_path, const isa::Program& program,
                              std::span<const std::string> options, const system::ChildLimits& limits) {
-  std::vector<std::string> words{csgsim, "wave", "/dev/stdin"};
+  std::vector<std::string> words{csgsim_path, "wave", "/dev/stdin"};
   words.insert(words.end(), options.begin(), options.end());
   words.insert(words.end(), {"--output", "-"});
   const std::vector<std::byte> bytes = isa::encode(program);

@@ -22,7 +22,7 @@ inline constexpr system::ChildLimits wave_limits{
     .time = std::chrono::minutes(3), .output = std::size_t{512} << 20U, .errors = 1U << 16U};
 
 /// As record_wave(), but runs the csgsim executable at the path `csgsim`.
-std::string record_wave_with(const std::string& csgsim, const isa::Program& program,
+std::string record_wave_with(const std::string& csgsim_path, const isa::Program& program,
                              std::span<const std::string> options, const system::ChildLimits& limits = wave_limits);
 
 }  // namespace csgsim::viewer

@@ -50,7 +50,7 @@ std::optional<unsigned> number_at(const std::string& text, std::size_t& at) {
 }
 
 /// Adds line and column of a message that begins with the file's name and place.
-void put_place(Json& answer, const std::string& message, const std::string& file) {
+void put_position(Json& answer, const std::string& message, const std::string& file) {
   if (!message.starts_with(file + ":")) return;
   std::size_t at = file.size() + 1;
   for (const char* key : {"line", "column"}) {
@@ -63,7 +63,7 @@ void put_place(Json& answer, const std::string& message, const std::string& file
 
 Json error_json(const std::string& message, const std::string& file) {
   Json answer{{"error", message}};
-  put_place(answer, message, file);
+  put_position(answer, message, file);
   return answer;
 }
 

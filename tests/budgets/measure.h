@@ -38,7 +38,7 @@ using Triangle = std::array<Corner, 3>;
 /// The linear interpolation at (x, y) of the values at the corners.
 double between(const Triangle& triangle, const std::array<double, 3>& values, double x, double y);
 
-/// Barycentric coordinates of the point (x, y): three shares that sum to 1, all positive inside.
+/// Barycentric coordinates of the point (x, y): three weights that sum to 1, all positive inside.
 std::array<double, 3> shares(const Triangle& triangle, double x, double y);
 
 }  // namespace csgsim::budgets

@@ -58,7 +58,7 @@ std::optional<Seen> look(double x, double y) {
   return seen;
 }
 
-/// Whether another triangle is between the point and the light; empty if that is too close to call.
+/// Whether another triangle blocks the light from the point; empty if that is too close to call.
 std::optional<bool> shadowed(const Point& point, std::size_t own) {
   const Point light{0.6, 0.4, 1};
   bool found = false;
@@ -79,7 +79,7 @@ std::optional<bool> shadowed(const Point& point, std::size_t own) {
   return found;
 }
 
-/// Whether the pixel has the colour interpolated between the corners, or half of it.
+/// Whether the pixel has the interpolated colour of the corners, or half of it.
 bool colour_is(std::uint32_t colour, const Triangle& triangle, double x, double y, bool dark) {
   const std::array<std::uint8_t, 3> levels = isa::unpack_colour(colour, 24);
   for (std::size_t i = 0; i < levels.size(); ++i) {

@@ -26,11 +26,11 @@ Outcome run(const std::string& words) {
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(folder / "out"), content(folder / "err")};
 }
 
-Outcome run_words(const std::vector<std::string>& words, const fs::path& where) {
-  return run_program(std::string(CSGSIM_BINARY_DIR) + "/csgsim", words, where);
+Outcome run_words(const std::vector<std::string>& words, const fs::path& working_folder) {
+  return run_program(std::string(CSGSIM_BINARY_DIR) + "/csgsim", words, working_folder);
 }
 
-Outcome run_program(const std::string& program, const std::vector<std::string>& words, const fs::path& where) {
+Outcome run_program(const std::string& program, const std::vector<std::string>& words, const fs::path& working_folder) {
   const Folder folder;
   const std::string out = folder / "out";
   const std::string err = folder / "err";
@@ -45,7 +45,7 @@ Outcome run_program(const std::string& program, const std::vector<std::string>& 
     const auto connect = [](const std::string& file, int flags, int number) {
       return ::dup2(::open(file.c_str(), flags, 0600), number) == number;
     };
-    if (::chdir(where.c_str()) == 0 && connect("/dev/null", O_RDONLY, STDIN_FILENO) &&
+    if (::chdir(working_folder.c_str()) == 0 && connect("/dev/null", O_RDONLY, STDIN_FILENO) &&
         connect(out, O_WRONLY | O_CREAT, STDOUT_FILENO) && connect(err, O_WRONLY | O_CREAT, STDERR_FILENO))
       ::execvp(arguments.front(), arguments.data());
     std::_Exit(127);
@@ -55,8 +55,8 @@ Outcome run_program(const std::string& program, const std::vector<std::string>& 
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(out), content(err)};
 }
 
-void stand_in(const Folder& folder, const std::string& name, const std::string& commands) {
-  write(folder / name, "#!/bin/sh\n" + commands + "\n");
+void stand_in(const Folder& folder, const std::string& name, const std::string& shell_commands) {
+  write(folder / name, "#!/bin/sh\n" + shell_commands + "\n");
   fs::permissions(folder / name, fs::perms::owner_all);
 }
 
@@ -80,29 +80,29 @@ Outcome succeeded(Outcome outcome) {
   return outcome;
 }
 
-void fails(const Outcome& outcome, int code, const std::vector<std::string>& texts) {
+void fails(const Outcome& outcome, int exit_code, const std::vector<std::string>& error_texts) {
   CAPTURE(outcome.err.substr(0, 400));
-  CHECK(outcome.code == code);
+  CHECK(outcome.code == exit_code);
   CHECK(one_line(outcome.err));
-  for (const std::string& text : texts) {
+  for (const std::string& text : error_texts) {
     CAPTURE(text);
     CHECK(outcome.err.find(text) != std::string::npos);
   }
 }
 
-void refuses(const std::string& path, const std::string& text) {
+void refuses(const std::string& path, const std::string& error_text) {
   const Folder folder;
   fails(run("render " + path + " --size 32x32 -o " + (folder / "p.png") + " --stats " + (folder / "s.json")), 1,
-        {text});
+        {error_text});
   CHECK(folder.files() == 0);
 }
 
-void refuses_text(const std::string& csg, const std::string& text) {
+void refuses_text(const std::string& csg, const std::string& error_text) {
   const Folder folder;
   write(folder / "m.csg", csg);
-  refuses(folder / "m.csg", text);
+  refuses(folder / "m.csg", error_text);
 }
 
-void misused(const std::string& words, const std::string& text) { fails(run(words), 2, {text}); }
+void misused(const std::string& words, const std::string& error_text) { fails(run(words), 2, {error_text}); }
 
 }  // namespace csgsim::testing::cli

@@ -43,11 +43,12 @@ void write(const std::string& path, const std::string& text);
 /// Runs csgsim with words that need no quoting, separated by blanks.
 Outcome run(const std::string& words);
 /// Runs csgsim with these arguments, passed unchanged, in the folder; its output goes to files.
-Outcome run_words(const std::vector<std::string>& words, const fs::path& where = ".");
+Outcome run_words(const std::vector<std::string>& words, const fs::path& working_folder = ".");
 /// Runs another program in the same way; it is found through PATH.
-Outcome run_program(const std::string& program, const std::vector<std::string>& words, const fs::path& where = ".");
+Outcome run_program(const std::string& program, const std::vector<std::string>& words,
+                    const fs::path& working_folder = ".");
 /// Writes an executable of that name into the folder; it runs the shell commands.
-void stand_in(const Folder& folder, const std::string& name, const std::string& commands);
+void stand_in(const Folder& folder, const std::string& name, const std::string& shell_commands);
 /// Runs csgsim in the folder, whose programs come first in PATH.
 Outcome run_beside(const Folder& folder, const std::vector<std::string>& words);
 /// The argument `PATH=...` of env, with the folder first.
@@ -61,12 +62,12 @@ bool one_line(const std::string& text);
 /// Returns the outcome after a check that its exit code is 0.
 Outcome succeeded(Outcome outcome);
 /// Checks that a run ended with this exit code and one line of error that contains the texts.
-void fails(const Outcome& outcome, int code, const std::vector<std::string>& texts);
+void fails(const Outcome& outcome, int exit_code, const std::vector<std::string>& error_texts);
 /// Checks that a model is rejected: exit code 1, one line of error that contains the text, no file left behind.
-void refuses(const std::string& path, const std::string& text);
+void refuses(const std::string& path, const std::string& error_text);
 /// The same check for a model with this text, written to a file m.csg.
-void refuses_text(const std::string& csg, const std::string& text);
+void refuses_text(const std::string& csg, const std::string& error_text);
 /// Runs csgsim with these words and checks for exit code 2 and one line of error that contains the text.
-void misused(const std::string& words, const std::string& text);
+void misused(const std::string& words, const std::string& error_text);
 
 }  // namespace csgsim::testing::cli

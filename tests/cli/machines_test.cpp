@@ -5,7 +5,7 @@ using namespace csgsim::testing::cli;
 
 namespace {
 
-/// The file of a built-in machine after some of its parameters were replaced: `key value`.
+/// Writes a copy of a built-in machine's file with changed parameters, each given as "key value"; returns its path.
 std::string machine_file(const Folder& folder, const std::string& name, const std::vector<std::string>& changes) {
   std::string text = content(std::string(CSGSIM_SOURCE_DIR) + "/hw/machines/" + name + ".toml");
   for (const std::string& change : changes) {

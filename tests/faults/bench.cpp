@@ -104,17 +104,17 @@ Ended Bench::run(const Conditions& conditions) const {
   return run_csgsim(split(with(with(command_.words, "OUT", folder_ / "out"), "SOURCE", CSGSIM_SOURCE_DIR)), all);
 }
 
-std::string Bench::wrong_in_words(const Ended& ended) const {
-  if (ended.signal != 0) return "ended by signal " + std::to_string(ended.signal);
-  if (ended.code != 1) return "exit code " + std::to_string(ended.code) + ", " + ended.err;
-  if (!cli::one_line(ended.err)) return "the error is not one line: " + ended.err;
+std::string Bench::wrong_in_words(const Ended& result) const {
+  if (result.signal != 0) return "ended by signal " + std::to_string(result.signal);
+  if (result.code != 1) return "exit code " + std::to_string(result.code) + ", " + result.err;
+  if (!cli::one_line(result.err)) return "the error is not one line: " + result.err;
   std::vector<std::string> named{folder_ / "out", folder_ / "tmp"};
   for (const auto& [name, content] : wanted_) named.push_back(out(name));
   if (wanted_.empty()) named.emplace_back("/dev/stdout");
   const bool names_one =
-      ended.err.starts_with(folder_ / "tmp/.csgsim-") ||
-      std::ranges::any_of(named, [&](const std::string& name) { return ended.err.starts_with(name + ": "); });
-  return names_one ? "" : "names no file: " + ended.err;
+      result.err.starts_with(folder_ / "tmp/.csgsim-") ||
+      std::ranges::any_of(named, [&](const std::string& name) { return result.err.starts_with(name + ": "); });
+  return names_one ? "" : "names no file: " + result.err;
 }
 
 std::string Bench::wrong_in_outputs() const {
@@ -161,16 +161,16 @@ std::string Bench::left_behind() const {
 
 std::string Bench::wrong_in_files() const { return first_of({left_behind(), wrong_in_outputs(), wrong_in_table()}); }
 
-std::string Bench::wrong_in_failure(const Ended& ended) const {
-  return first_of({wrong_in_words(ended), wrong_in_files()});
+std::string Bench::wrong_in_failure(const Ended& result) const {
+  return first_of({wrong_in_words(result), wrong_in_files()});
 }
 
-std::string Bench::wrong_in_failure_but_table(const Ended& ended) const {
-  return first_of({wrong_in_words(ended), left_behind(), wrong_in_outputs()});
+std::string Bench::wrong_in_failure_but_table(const Ended& result) const {
+  return first_of({wrong_in_words(result), left_behind(), wrong_in_outputs()});
 }
 
-std::string Bench::wrong_in_success(const Ended& ended) const {
-  if (ended.code != 0 || !ended.err.empty()) return "failed: " + ended.err;
+std::string Bench::wrong_in_success(const Ended& result) const {
+  if (result.code != 0 || !result.err.empty()) return "failed: " + result.err;
   for (const auto& [name, content] : wanted_) {
     if (!fs::exists(out(name))) return name + " is missing";
     if (without_varying_parts(out(name)) != content)

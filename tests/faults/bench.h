@@ -33,13 +33,13 @@ class Bench {
 
   /// Checks a failed run: exit code 1, one line that names a file, each output old or completely new, the table made of
   /// complete lines, no other files. Returns an empty text or a description of the fault.
-  [[nodiscard]] std::string wrong_in_failure(const Ended& ended) const;
+  [[nodiscard]] std::string wrong_in_failure(const Ended& result) const;
 
   /// The same check, except that the table may end in part of a line.
-  [[nodiscard]] std::string wrong_in_failure_but_table(const Ended& ended) const;
+  [[nodiscard]] std::string wrong_in_failure_but_table(const Ended& result) const;
 
   /// Checks that the command completed and left no other files; empty if so.
-  [[nodiscard]] std::string wrong_in_success(const Ended& ended) const;
+  [[nodiscard]] std::string wrong_in_success(const Ended& result) const;
 
   /// Checks that the folder holds only outputs, old or completely new, and complete lines of the table; empty if so.
   [[nodiscard]] std::string wrong_in_files() const;
@@ -57,7 +57,7 @@ class Bench {
 
  private:
   [[nodiscard]] std::string out(const std::string& name) const { return (folder_ / "out/") + name; }
-  [[nodiscard]] std::string wrong_in_words(const Ended& ended) const;
+  [[nodiscard]] std::string wrong_in_words(const Ended& result) const;
   [[nodiscard]] std::string wrong_in_outputs() const;
   [[nodiscard]] std::string wrong_in_table() const;
   [[nodiscard]] std::string left_behind() const;

@@ -32,13 +32,13 @@ void check_picture(engine::Engine& judge, engine::Engine& engine, const isa::Pro
 
 }  // namespace
 
-bool agree_memory(const machines::Machine& machine, unsigned instructions, const Allowed& allowed) {
+bool agree_memory(const machines::Machine& machine, unsigned max_instructions, const Allowed& is_allowed) {
   const auto judge = engine::make_reference_engine(machine);
   const auto drawing = engine::make_functional_engine(machine);
   TimedMachine hardware(machine);
   const auto engine = cycle::make_clocked_engine(machine, hardware);
   return rc::check("the clocked memory agrees with the reference", [&] {
-    const auto program = first_allowed([&] { return random_program(machine, instructions); }, allowed);
+    const auto program = first_allowed([&] { return random_program(machine, max_instructions); }, is_allowed);
     check_lockstep(*judge, *engine, program, machine);
     hardware.check_timeline(program);
     if (*rc::gen::inRange(0, 6) == 0) hardware.check_wave(program, *judge);

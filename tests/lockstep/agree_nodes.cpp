@@ -38,10 +38,10 @@ void check_subsegments(const isa::Program& program, const machines::Machine& mac
 
 }  // namespace
 
-bool agree_nodes(const machines::Machine& machine, const Allowed& allowed) {
+bool agree_nodes(const machines::Machine& machine, const Allowed& is_allowed) {
   return agree_in_parts(
       "the clocked multi-processor has the predicted bits, picture, clocks, account and timeline", machine,
-      [&] { return first_allowed([&] { return any_divided_program(machine); }, allowed); },
+      [&] { return first_allowed([&] { return any_divided_program(machine); }, is_allowed); },
       [&](const isa::Program& program, const TimedMachine& hardware) {
         check_subsegments(program, machine, hardware);
       });

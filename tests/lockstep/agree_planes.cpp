@@ -68,11 +68,11 @@ std::vector<isa::Program> arbitrary_frames(const machines::Machine& machine, uns
 
 }  // namespace
 
-bool agree_planes_in_sequences(const machines::Machine& machine, unsigned instructions,
-                               systemc::EvaluatorForm evaluator, const Allowed& allowed) {
+bool agree_planes_in_sequences(const machines::Machine& machine, unsigned max_instructions,
+                               systemc::EvaluatorForm evaluator, const Allowed& is_allowed) {
   const auto reference = engine::make_reference_engine(machine);
   return rc::check("consecutive frames are drawn and shown at the predicted clocks", [&] {
-    const std::vector<isa::Program> programs = arbitrary_frames(machine, instructions, allowed);
+    const std::vector<isa::Program> programs = arbitrary_frames(machine, max_instructions, is_allowed);
     std::vector<Drawing> drawings;
     std::vector<pixel_planes::DrawnFrame> frames;
     std::vector<engine::Observer*> nobody;
@@ -97,15 +97,15 @@ bool agree_planes_in_sequences(const machines::Machine& machine, unsigned instru
   });
 }
 
-bool agree_planes(const machines::Machine& machine, unsigned instructions, systemc::EvaluatorForm evaluator,
-                  const Allowed& allowed) {
+bool agree_planes(const machines::Machine& machine, unsigned max_instructions, systemc::EvaluatorForm evaluator,
+                  const Allowed& is_allowed) {
   const auto reference = engine::make_reference_engine(machine);
   TimedMachine hardware(machine, evaluator);
   const auto cycle = cycle::make_clocked_engine(machine, hardware);
   return rc::check("the clocked frame-buffer machine has the predicted bits, clocks, account and timeline", [&] {
     const isa::ArrayShape shape = drawn_in(machine, isa::max_field_width);
-    const isa::Program program =
-        first_allowed([&] { return *arbitrary_program(shape, instructions, machine.evaluator_degree); }, allowed);
+    const isa::Program program = first_allowed(
+        [&] { return *arbitrary_program(shape, max_instructions, machine.evaluator_degree); }, is_allowed);
     const engine::RunResult expected = reference->run(program, {});
     const engine::RunResult counted = cycle->run(program, {});
     if (counted.clocks != expected.clocks || counted.account != expected.account) {

@@ -61,11 +61,12 @@ void add_random_frames(Sequence& sequence, const machines::Machine& machine, uns
 
 }  // namespace
 
-bool agree_scan_line_in_sequences(const machines::Machine& machine, unsigned instructions, const Allowed& allowed) {
+bool agree_scan_line_in_sequences(const machines::Machine& machine, unsigned max_instructions,
+                                  const Allowed& is_allowed) {
   const auto judge = engine::make_functional_engine(machine);
   return rc::check("consecutive frames overlap in a scan-line array at the predicted clocks", [&] {
     Sequence sequence;
-    add_random_frames(sequence, machine, instructions, allowed);
+    add_random_frames(sequence, machine, max_instructions, is_allowed);
     const auto counted = cycle::run_sequence(machine, sequence.programs, sequence.observers);
     const auto expected = scan_line::time_line_sequence(sequence.programs, machine);
     for (std::size_t i = 0; i < counted.size(); ++i) {
@@ -83,14 +84,14 @@ bool agree_scan_line_in_sequences(const machines::Machine& machine, unsigned ins
   });
 }
 
-bool agree_scan_line(const machines::Machine& machine, unsigned instructions, const Allowed& allowed) {
+bool agree_scan_line(const machines::Machine& machine, unsigned max_instructions, const Allowed& is_allowed) {
   const auto judge = engine::make_reference_engine(machine);
   const auto drawing = engine::make_functional_engine(machine);
   TimedMachine hardware(machine);
   const auto engine = cycle::make_clocked_engine(machine, hardware);
   return rc::check("the clocked scan-line array agrees with the reference", [&] {
     const auto program = first_allowed(
-        [&] { return *arbitrary_program_in_parts(machine, instructions, machine.evaluator_degree); }, allowed);
+        [&] { return *arbitrary_program_in_parts(machine, max_instructions, machine.evaluator_degree); }, is_allowed);
     check_lockstep(*judge, *engine, program, machine);
     hardware.check_timeline(program);
     if (*rc::gen::inRange(0, 3) == 0) hardware.check_wave(program, *judge);

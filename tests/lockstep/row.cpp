@@ -10,20 +10,20 @@
 
 namespace csgsim::test {
 
-void read_row(int count, char** words, const std::map<std::string, std::uint32_t*>& known) {
+void read_row(int count, char** words, const std::map<std::string, std::uint32_t*>& variables) {
   testing::begin_program(count, words);
   for (int i = 1; i < count; ++i) {
     const std::string word = words[i];
     const std::size_t equals = word.find('=');
-    const auto setting = known.find(word.substr(0, equals));
-    if (equals == word.npos || setting == known.end()) throw std::invalid_argument("what is " + word + "?");
+    const auto setting = variables.find(word.substr(0, equals));
+    if (equals == word.npos || setting == variables.end()) throw std::invalid_argument("what is " + word + "?");
     *setting->second = static_cast<std::uint32_t>(std::stoul(word.substr(equals + 1)));
   }
 }
 
-int exit_code_of(unsigned programs, const std::function<bool()>& agree) {
-  testing::add_parameters(fmt::format("max_success={}", programs));
-  return agree() ? 0 : 1;
+int exit_code_of(unsigned program_count, const std::function<bool()>& programs_agree) {
+  testing::add_parameters(fmt::format("max_success={}", program_count));
+  return programs_agree() ? 0 : 1;
 }
 
 }  // namespace csgsim::test

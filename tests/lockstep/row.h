@@ -9,10 +9,10 @@ namespace csgsim::test {
 
 /// Reads the words of a row, KEY=NUMBER each, into the variables in `known`. Throws std::invalid_argument for an
 /// unknown key.
-void read_row(int count, char** words, const std::map<std::string, std::uint32_t*>& known);
+void read_row(int count, char** words, const std::map<std::string, std::uint32_t*>& variables);
 
 /// Exit code for main of a test that draws at most `programs` Programs: 0 if they agree, 2 if an exception is reported.
 /// RC_PARAMS overrides the seed and the number of Programs.
-int exit_code_of(unsigned programs, const std::function<bool()>& agree);
+int exit_code_of(unsigned program_count, const std::function<bool()>& programs_agree);
 
 }  // namespace csgsim::test

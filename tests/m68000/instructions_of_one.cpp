@@ -171,7 +171,7 @@ void Processor::shift(Operation operation) {
   take((size == Size::longword ? 8 : 6) + 2 * places);
 }
 
-/// Shifts one place at a time; kind 0 is arithmetic, 1 logical, 3 a rotation.
+/// Shifts one place at a time; kind 0 shifts arithmetically, 1 logically, 3 rotates.
 std::uint32_t Processor::shifted(unsigned kind, bool left, std::uint32_t value, unsigned places, Size size) {
   const std::uint32_t top = bits_of(size) - 1;
   bool carry = false;

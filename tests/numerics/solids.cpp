@@ -50,8 +50,8 @@ std::string unite(std::span<const std::string> parts) { return operation("union"
 std::string subtract(std::span<const std::string> parts) { return operation("difference", parts); }
 std::string intersect(std::span<const std::string> parts) { return operation("intersection", parts); }
 
-std::string placed(const std::string& matrix, const std::string& part) {
-  return "multmatrix(" + matrix + "){" + part + "}\n";
+std::string placed(const std::string& matrix, const std::string& csg) {
+  return "multmatrix(" + matrix + "){" + csg + "}\n";
 }
 
 std::string rotation(double about_x, double about_z) {

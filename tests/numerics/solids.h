@@ -18,7 +18,7 @@ inline constexpr unsigned round_fragments = 64;
 
 std::string ball(const glm::dvec3& centre, double radius, unsigned fragments = round_fragments);
 
-/// An upright cylinder, placed by the centre of its lower end.
+/// An upright cylinder; `foot` is the centre of its lower end.
 std::string cylinder(const glm::dvec3& foot, double height, double low_radius, double high_radius,
                      unsigned fragments = round_fragments);
 
@@ -35,8 +35,8 @@ std::string unite(std::span<const std::string> parts);
 std::string subtract(std::span<const std::string> parts);
 std::string intersect(std::span<const std::string> parts);
 
-/// A part under a matrix written as OpenSCAD prints it, "[[1,0,0,0],...]".
-std::string placed(const std::string& matrix, const std::string& part);
+/// The model `csg` under a matrix in the form that OpenSCAD prints, "[[1,0,0,0],...]".
+std::string placed(const std::string& matrix, const std::string& csg);
 
 /// A rotation about x, then about z, by degrees.
 std::string rotation(double about_x, double about_z);

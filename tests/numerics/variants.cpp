@@ -76,44 +76,44 @@ std::vector<emit::Options> all_options() {
   return all;
 }
 
-std::vector<Setup> in_parts(Setup how) {
+std::vector<Setup> in_parts(Setup setup) {
   std::vector<Setup> all;
-  how.kind = &scan_line::kind;
-  all.push_back(how);
-  how.kind = &pixel_square::kind;
+  setup.kind = &scan_line::kind;
+  all.push_back(setup);
+  setup.kind = &pixel_square::kind;
   for (const machines::Size& square : {machines::Size{8, 8}, machines::Size{16, 16}, machines::Size{7, 3}}) {
-    how.square = square;
-    how.options = with_strategy(emit::Strategy::stack);
-    all.push_back(how);
-    how.options = with_strategy(emit::Strategy::list);
-    how.options.colouring = emit::Colouring::field;
-    all.push_back(how);
+    setup.square = square;
+    setup.options = with_strategy(emit::Strategy::stack);
+    all.push_back(setup);
+    setup.options = with_strategy(emit::Strategy::list);
+    setup.options.colouring = emit::Colouring::field;
+    all.push_back(setup);
   }
-  how.options = with_strategy(emit::Strategy::stored);
-  all.push_back(how);
-  all.push_back(how);
+  setup.options = with_strategy(emit::Strategy::stored);
+  all.push_back(setup);
+  all.push_back(setup);
   all.back().kind = &scan_line::kind;
   all.back().square = {};
-  how.options = with_strategy(emit::Strategy::bits, 4);
-  how.options.pruning = csg::Pruning::none();
-  all.push_back(how);
-  how.options = with_strategy(emit::Strategy::stack);
+  setup.options = with_strategy(emit::Strategy::bits, 4);
+  setup.options.pruning = csg::Pruning::none();
+  all.push_back(setup);
+  setup.options = with_strategy(emit::Strategy::stack);
   for (const csg::Prices& prices : weighed_prices()) {
-    how.options.prices = prices;
-    all.push_back(how);
+    setup.options.prices = prices;
+    all.push_back(setup);
   }
   return all;
 }
 
-std::vector<Setup> on_quadratic_machines(Setup how) {
+std::vector<Setup> on_quadratic_machines(Setup setup) {
   std::vector<Setup> all;
   for (const char* machine : {"pixel-powers", "pixel-planes-5", "pixel-square+divider.kind=host"}) {
-    how.machine = machine;
-    all.push_back(how);
+    setup.machine = machine;
+    all.push_back(setup);
   }
-  how.machine = "pixel-powers+array.memory_bits=2048";
-  how.options = with_strategy(emit::Strategy::stored);
-  all.push_back(how);
+  setup.machine = "pixel-powers+array.memory_bits=2048";
+  setup.options = with_strategy(emit::Strategy::stored);
+  all.push_back(setup);
   return all;
 }
 

@@ -35,12 +35,12 @@ Build this_build() {
           best_vectors()};
 }
 
-std::string name_of_build(const std::filesystem::path& csgsim) {
-  std::istringstream lines(run_to_end({csgsim.native(), "--version"}).output);
+std::string name_of_build(const std::filesystem::path& csgsim_path) {
+  std::istringstream lines(run_to_end({csgsim_path.native(), "--version"}).output);
   for (std::string word; lines >> word;) {
     if (word == "commit" && lines >> word) return "commit " + word.substr(0, word.find(','));
   }
-  return fmt::format("`{}`", printable(csgsim.filename().native()));
+  return fmt::format("`{}`", printable(csgsim_path.filename().native()));
 }
 
 }  // namespace csgsim::bench

@@ -19,6 +19,6 @@ Build this_build();
 
 /// The commit printed by another csgsim, or its file's name if it prints none. Throws InputError if the file cannot be
 /// run or fails.
-std::string name_of_build(const std::filesystem::path& csgsim);
+std::string name_of_build(const std::filesystem::path& csgsim_path);
 
 }  // namespace csgsim::bench

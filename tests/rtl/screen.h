@@ -17,7 +17,7 @@ class Screen {
   /// Records the pixels shown in a clock.
   void show(const Outputs& outputs);
 
-  /// The colours since the last first pixel of a picture, in row order.
+  /// The colours shown since the most recent start of a picture, in row order.
   [[nodiscard]] const std::vector<std::uint32_t>& picture() const { return picture_; }
 
  private:

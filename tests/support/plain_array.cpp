@@ -12,87 +12,87 @@ bool majority(bool a, bool b, bool c) { return (a ? 1 : 0) + (b ? 1 : 0) + (c ? 
 
 }  // namespace
 
-PixelState after(AluFunction function, bool constant, PixelState p) {
-  const auto less = [&p](bool carry_in) {
-    p.carry = majority(p.x, !p.y, carry_in);
-    p.enable = p.enable && !p.carry;
+PixelState after(AluFunction function, bool constant, PixelState state) {
+  const auto less = [&state](bool carry_in) {
+    state.carry = majority(state.x, !state.y, carry_in);
+    state.enable = state.enable && !state.carry;
   };
-  const auto write = [&p](bool value) { p.memory = p.enable ? value : p.memory; };
+  const auto write = [&state](bool value) { state.memory = state.enable ? value : state.memory; };
   const auto sum = [&](bool x, bool carry_in) {
-    write((x != p.y) != carry_in);
-    p.carry = majority(x, p.y, carry_in);
+    write((x != state.y) != carry_in);
+    state.carry = majority(x, state.y, carry_in);
   };
   const auto difference = [&](bool carry_in) {
-    write((p.x != !p.y) != carry_in);
-    p.carry = majority(p.x, !p.y, carry_in);
+    write((state.x != !state.y) != carry_in);
+    state.carry = majority(state.x, !state.y, carry_in);
   };
-  const auto sign = [&p] { p.carry = majority(!p.x, false, p.carry); };
+  const auto sign = [&state] { state.carry = majority(!state.x, false, state.carry); };
   switch (function) {
     case AluFunction::idle:
     case AluFunction::answer: break;
-    case AluFunction::latch_x: p.latch = p.x; break;
-    case AluFunction::enable_all: p.enable = p.present; break;
-    case AluFunction::enable_invert: p.enable = p.present && !p.enable; break;
-    case AluFunction::enable_load: p.enable = p.x; break;
-    case AluFunction::enable_and: p.enable = p.enable && p.x; break;
-    case AluFunction::enable_and_not: p.enable = p.enable && !p.x; break;
-    case AluFunction::enable_or: p.enable = p.enable || p.x; break;
-    case AluFunction::enable_xor: p.enable = p.enable != p.x; break;
-    case AluFunction::enable_equal: p.enable = p.enable && p.x == p.y; break;
-    case AluFunction::compare_from_0: p.carry = majority(p.x, !p.y, false); break;
-    case AluFunction::compare_from_1: p.carry = majority(p.x, !p.y, true); break;
-    case AluFunction::compare: p.carry = majority(p.x, !p.y, p.carry); break;
-    case AluFunction::compare_with_0: p.carry = majority(p.x, true, p.carry); break;
+    case AluFunction::latch_x: state.latch = state.x; break;
+    case AluFunction::enable_all: state.enable = state.present; break;
+    case AluFunction::enable_invert: state.enable = state.present && !state.enable; break;
+    case AluFunction::enable_load: state.enable = state.x; break;
+    case AluFunction::enable_and: state.enable = state.enable && state.x; break;
+    case AluFunction::enable_and_not: state.enable = state.enable && !state.x; break;
+    case AluFunction::enable_or: state.enable = state.enable || state.x; break;
+    case AluFunction::enable_xor: state.enable = state.enable != state.x; break;
+    case AluFunction::enable_equal: state.enable = state.enable && state.x == state.y; break;
+    case AluFunction::compare_from_0: state.carry = majority(state.x, !state.y, false); break;
+    case AluFunction::compare_from_1: state.carry = majority(state.x, !state.y, true); break;
+    case AluFunction::compare: state.carry = majority(state.x, !state.y, state.carry); break;
+    case AluFunction::compare_with_0: state.carry = majority(state.x, true, state.carry); break;
     case AluFunction::less_from_0: less(false); break;
     case AluFunction::less_from_1: less(true); break;
-    case AluFunction::less: less(p.carry); break;
+    case AluFunction::less: less(state.carry); break;
     case AluFunction::sign_enable:
       sign();
-      p.enable = p.enable && p.carry;
+      state.enable = state.enable && state.carry;
       break;
     case AluFunction::sign_enable_not:
       sign();
-      p.enable = p.enable && !p.carry;
+      state.enable = state.enable && !state.carry;
       break;
     case AluFunction::sign_select:
       sign();
-      p.carry = p.enable && p.carry;
+      state.carry = state.enable && state.carry;
       break;
     case AluFunction::sign_select_not:
       sign();
-      p.carry = p.enable && !p.carry;
+      state.carry = state.enable && !state.carry;
       break;
-    case AluFunction::enable_fits: p.enable = p.enable && !(p.carry && p.x); break;
-    case AluFunction::store_x: write(p.x); break;
+    case AluFunction::enable_fits: state.enable = state.enable && !(state.carry && state.x); break;
+    case AluFunction::store_x: write(state.x); break;
     case AluFunction::store_x_selected:
-      if (p.carry) write(p.x);
+      if (state.carry) write(state.x);
       break;
-    case AluFunction::store_not_x: write(!p.x); break;
+    case AluFunction::store_not_x: write(!state.x); break;
     case AluFunction::store_constant: write(constant); break;
-    case AluFunction::store_xor_constant: write(p.x != constant); break;
-    case AluFunction::store_and: write(p.x && p.y); break;
-    case AluFunction::store_or: write(p.x || p.y); break;
-    case AluFunction::store_xor: write(p.x != p.y); break;
-    case AluFunction::store_and_not: write(p.x && !p.y); break;
-    case AluFunction::sum_from_0: sum(p.x, false); break;
-    case AluFunction::sum: sum(p.x, p.carry); break;
-    case AluFunction::sum_with_0: sum(false, p.carry); break;
+    case AluFunction::store_xor_constant: write(state.x != constant); break;
+    case AluFunction::store_and: write(state.x && state.y); break;
+    case AluFunction::store_or: write(state.x || state.y); break;
+    case AluFunction::store_xor: write(state.x != state.y); break;
+    case AluFunction::store_and_not: write(state.x && !state.y); break;
+    case AluFunction::sum_from_0: sum(state.x, false); break;
+    case AluFunction::sum: sum(state.x, state.carry); break;
+    case AluFunction::sum_with_0: sum(false, state.carry); break;
     case AluFunction::sum_with_1_from_0: sum(true, false); break;
-    case AluFunction::sum_with_1: sum(true, p.carry); break;
+    case AluFunction::sum_with_1: sum(true, state.carry); break;
     case AluFunction::difference_from_1: difference(true); break;
-    case AluFunction::difference: difference(p.carry); break;
+    case AluFunction::difference: difference(state.carry); break;
     case AluFunction::root_first:
-      p.flag = !p.carry;
-      write(p.carry);
+      state.flag = !state.carry;
+      write(state.carry);
       break;
-    case AluFunction::root_bit: sum(p.x != !p.flag, p.carry); break;
+    case AluFunction::root_bit: sum(state.x != !state.flag, state.carry); break;
     case AluFunction::root_sign:
-      p.flag = (p.y != !p.flag) != p.carry;
-      write(!p.flag);
+      state.flag = (state.y != !state.flag) != state.carry;
+      write(!state.flag);
       break;
-    case AluFunction::store_enable: p.memory = p.enable; break;
+    case AluFunction::store_enable: state.memory = state.enable; break;
   }
-  return p;
+  return state;
 }
 
 PlainArray::PlainArray(array::PlaneShape shape, std::uint32_t memory_bits, unsigned alu_bits)

@@ -23,8 +23,8 @@ struct PixelState {
   bool operator==(const PixelState&) const = default;
 };
 
-/// State after a function, according to the table of ALU functions.
-PixelState after(array::AluFunction function, bool constant, PixelState p);
+/// The state that follows `state`, according to the table of ALU functions.
+PixelState after(array::AluFunction function, bool constant, PixelState state);
 
 /// Reference pixel processors: each is a struct of bools, and every step is executed immediately, pixel by pixel.
 class PlainArray {

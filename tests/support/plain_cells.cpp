@@ -117,10 +117,10 @@ PlainCells::PlainCells(std::uint32_t count, std::uint32_t memory_bits, const Cel
       result_(count),
       writes_(count) {}
 
-std::uint64_t PlainCells::add_words(std::uint64_t one, std::uint64_t other, std::uint8_t& carry) const {
-  const std::uint64_t half = one + other;
+std::uint64_t PlainCells::add_words(std::uint64_t left, std::uint64_t right, std::uint8_t& carry) const {
+  const std::uint64_t half = left + right;
   const std::uint64_t whole = half + carry;
-  const bool beyond = shape_.word_bits == storage_bits ? half < one || whole < half : whole > word_mask_;
+  const bool beyond = shape_.word_bits == storage_bits ? half < left || whole < half : whole > word_mask_;
   carry = beyond ? 1 : 0;
   return whole & word_mask_;
 }
@@ -208,12 +208,12 @@ void PlainCells::fetch(std::uint32_t cell, const PlainBeat& beat) {
     words_fetched_[cell] = 0;
   }
   const std::uint32_t words = std::uint32_t{first.count} + second.count;
-  std::uint32_t& done = words_fetched_[cell];
-  const std::uint32_t end = shape_.ports == 0 ? words : std::min(words, done + shape_.ports);
-  for (; done < end; ++done) {
-    const bool of_first = done < first.count;
+  std::uint32_t& fetched_count = words_fetched_[cell];
+  const std::uint32_t end = shape_.ports == 0 ? words : std::min(words, fetched_count + shape_.ports);
+  for (; fetched_count < end; ++fetched_count) {
+    const bool of_first = fetched_count < first.count;
     const FieldWords& source = of_first ? first : second;
-    const isa::Field part = part_in(source, of_first ? done : done - first.count);
+    const isa::Field part = part_in(source, of_first ? fetched_count : fetched_count - first.count);
     fetched_[cell][of_first ? 0 : 1] |= read(cell, part) << (part.base - source.field.base);
   }
 }

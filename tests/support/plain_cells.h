@@ -9,7 +9,7 @@
 
 #include "hw/scan_line/packet.h"
 
-/// Reference cells of a scan-line array: each clock's work is done immediately, one cell after another.
+/// Reference cells of a scan-line array: each clock's work is performed immediately, one cell after another.
 namespace csgsim::test {
 
 using scan_line::CellShape;
@@ -133,13 +133,13 @@ class PlainCells {
   /// Progress of a root.
   struct Root {
     std::uint32_t bit = 0;    ///< bit of the root under trial, highest first
-    std::uint32_t tried = 0;  ///< bits of this trial that are done
+    std::uint32_t tried = 0;  ///< bits of this trial that are complete
     bool carry = false;       ///< carry out of those bits
     bool negative = false;    ///< the remainder is negative
   };
 
   /// Adds two words; `carry` is the carry in and becomes the carry out.
-  [[nodiscard]] std::uint64_t add_words(std::uint64_t one, std::uint64_t other, std::uint8_t& carry) const;
+  [[nodiscard]] std::uint64_t add_words(std::uint64_t left, std::uint64_t right, std::uint8_t& carry) const;
   [[nodiscard]] AluOperands operands_of(std::uint32_t cell, const isa::Instruction& instruction) const;
   [[nodiscard]] Result result_of(std::uint32_t cell, const isa::Instruction& instruction) const;
   [[nodiscard]] isa::Field part_in(const FieldWords& words, std::uint32_t word) const;

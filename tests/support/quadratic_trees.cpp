@@ -32,17 +32,17 @@ void QuadraticWay::Tree::clock(Token token, NodeStreams in, const Wires& wires) 
 }
 
 /// A stream delayed by d clocks is worth 2^d times the original and counts as 0 for the first d bits.
-void QuadraticWay::Tree::act(unsigned k, Token here, NodeStreams in, const Wires& wires) {
-  Level& level = levels[k];
-  const auto times = [&](unsigned delay, bool bit) { return here.bit >= static_cast<int>(delay) && bit; };
+void QuadraticWay::Tree::act(unsigned level_index, Token token, NodeStreams in, const Wires& wires) {
+  Level& level = levels[level_index];
+  const auto times = [&](unsigned delay, bool bit) { return token.bit >= static_cast<int>(delay) && bit; };
   const unsigned half = level.below;
   const unsigned depth = tokens.levels();
   const bool slope = times(half, level.delayed_slope.out(in.slope));
-  const bool square = times(2 * half, wires.square.at(wires.ahead + k + 2 * half, wires.square_in));
+  const bool square = times(2 * half, wires.square.at(wires.ahead + level_index + 2 * half, wires.square_in));
   const bool twice = times(half + 1, wires.square.at(wires.ahead + depth, wires.square_in));
   const bool cross = times(half, wires.cross.at(wires.ahead + depth - 1, wires.cross_in));
   level.delayed_slope.shift(in.slope);
-  if (here.bit == 0) level.value.carry = level.step.carry = level.slope.carry = level.row_slope.carry = false;
+  if (token.bit == 0) level.value.carry = level.step.carry = level.slope.carry = level.row_slope.carry = false;
   level.out = in;
   if (!level.has_adders) return;
   const NodeStreams right{.value = level.value.add(in.value, level.step.add(slope, square)),

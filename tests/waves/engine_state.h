@@ -18,8 +18,8 @@ class EngineState {
   /// Records memory and enable of the pixel in its segment. The pixel must belong to exactly one segment.
   EngineState(const isa::Program& program, const machines::Machine& machine, std::uint32_t x, std::uint32_t y);
 
-  /// The field's value throughout the clock. Empty while the clearing or an instruction that writes the field executes,
-  /// before the first and after the last instruction.
+  /// The field's value throughout the clock. Empty while the clearing or an instruction that writes the field executes
+  /// and outside the executed instructions.
   [[nodiscard]] std::optional<std::uint64_t> field_at(isa::Field field, std::uint64_t clock) const;
   /// The enable bit throughout the clock, or empty as above.
   [[nodiscard]] std::optional<bool> enable_at(std::uint64_t clock) const;
@@ -41,7 +41,7 @@ class EngineState {
     bool enable = false;
   };
 
-  /// The last boundary before the clock begins; null if there is none, or if it is the last of all.
+  /// The last boundary at which the clock has not begun; null if there is none, or if it is the last of all.
   [[nodiscard]] const Boundary* before(std::uint64_t clock) const;
 
   std::vector<Boundary> boundaries_;  ///< starts with the clearing

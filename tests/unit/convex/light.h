@@ -8,7 +8,7 @@ namespace csgsim::testing {
 /// Tolerance of the ray checks, relative to the diagonal or to the segment.
 inline constexpr double doubtful = 1e-7;
 
-/// Maximum height of a point above the volume's planes; negative inside.
+/// Maximum signed distance of a point from the volume's planes; negative inside.
 double height(const TestModel& model, const convex::ShadowVolume& volume, const glm::dvec3& point);
 
 /// End of a segment towards the light: the light itself or a point far outside the model.

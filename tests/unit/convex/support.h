@@ -42,7 +42,7 @@ double longest_inside(const TestModel& model, const glm::dvec3& from, const glm:
 /// normal . p + offset of a half-space's outward plane; the point is in model space.
 double height(const facet::Geometry& scene, facet::Halfspace halfspace, const glm::dvec3& point);
 
-/// Maximum height above the faces; negative inside.
+/// Maximum signed distance from the faces; negative inside.
 double height(const facet::Geometry& scene, const convex::Polytope& polytope, const glm::dvec3& point);
 
 /// First fault of a polytope as a structure: edges without exactly two faces, vertices off their faces' planes or

@@ -201,7 +201,7 @@ TEST_CASE("a picture of mirrors is identical on all machines and with all strate
   CHECK(same(drawn(room(), setup), first));
 }
 
-TEST_CASE("glass in front of a mirror and in its image matches rays") {
+TEST_CASE("glass in front of a mirror and reflected in it matches ray tracing") {
   const std::string model = "union(){" + room() + tinted({0.3, 0.9, 0.9}, 0.4, box_text({-7, -6, 1}, {1, -5, 6})) + "}";
   const testing::Setup setup = view_of_room(64, 56, view::Projection::orthographic, to_depth(1), model);
   const auto compiled = testing::compile_text(model, setup);

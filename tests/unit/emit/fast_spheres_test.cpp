@@ -340,7 +340,7 @@ TEST_CASE("pictures of fast spheres are identical on all machines and strategies
   }));
 }
 
-TEST_CASE("spheres lit in the bits of Z1 look the same as with a separate field") {
+TEST_CASE("spheres shaded in the bits of their depth equal those shaded in a separate field") {
   const Model model{{{{0, 0, 0}, 6}, {{4, 1, 2}, 4}, {{-5, 2, 1}, 4.5}}, {'+', '+'}};
   view::Sampling sampling;
   sampling.width = 120;

@@ -11,7 +11,7 @@ using functional::Lanes;
 
 namespace {
 
-/// Enabled pixels of a tile and two of its fields.
+/// A tile with enabled pixels, and two of its fields.
 struct Tile {
   functional::TileShape shape = any_shape();
   unsigned bits = *rc::gen::element(1U, 20U, 32U, between(1U, 33U));

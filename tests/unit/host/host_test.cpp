@@ -72,7 +72,7 @@ TEST_CASE("the host's clocks are those of the written instructions and all prepa
   CHECK(static_cast<double>(host::compile_clocks(program, machine)) == doctest::Approx(clocks).epsilon(1e-6));
 }
 
-TEST_CASE("the host of a dividing machine only builds the model") {
+TEST_CASE("the host only builds the display model if the machine divides the picture") {
   for (const char* name : {"pixel-square", "multi-processor"}) {
     const machines::Machine machine = machine_named(name);
     const isa::Program program = drawn_on(machine);

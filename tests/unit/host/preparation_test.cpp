@@ -33,7 +33,7 @@ const std::string moved = "multmatrix([[1, 0, 0, 5], [0, 1, 0, 5], [0, 0, 1, 5],
 
 }  // namespace
 
-TEST_CASE("a cube takes the host the transformation of six planes and eight corners") {
+TEST_CASE("the host transforms six planes and eight corners for a cube") {
   const isa::Program program = compiled(cube);
   CHECK(program.preparation->planes == 6);
   CHECK(program.preparation->points == 8);
@@ -64,7 +64,7 @@ TEST_CASE("each plane and each point takes a quotient in perspective") {
   CHECK(took.products == 2 * 3 * 3 + 2 * 3 * 4);
 }
 
-TEST_CASE("a lone cube takes the host box and half-space tests against its rectangle") {
+TEST_CASE("the host tests the box and half-spaces of a lone cube against its rectangle") {
   const isa::Preparation took = sum_of_segments(compiled(cube));
   // Whether it is in the picture, its block, and the rectangles of the deciding front and back half-spaces.
   CHECK(took.boxes == 2 + 6);
@@ -79,7 +79,7 @@ TEST_CASE("a lone cube takes the host box and half-space tests against its recta
   CHECK(took.colours == 3);
 }
 
-TEST_CASE("a notched cube takes support tests once per model and none per segment") {
+TEST_CASE("support tests of a notched cube are charged once per model and not per segment") {
   const isa::Program program = compiled("difference() {" + cube + moved + "{" + cube + "} }");
   const isa::Preparation took = sum_of_segments(program);
   CHECK(took.nodes > 0);

@@ -44,7 +44,7 @@ TEST_CASE("squares are parsed in any order of terms and survive a text round tri
   CHECK(text_of(squares({0, 0, 0, 9, 0}), {}) == "squares 0*x*x (w9)");
 }
 
-TEST_CASE("errors in squares have a position") {
+TEST_CASE("an error in the squares in Program text is reported with its position") {
   CHECK(error_of("squares 3*x (w35)").starts_with("t:3:9: expected a term of A*x*x + B*x*y + C*y*y"));
   CHECK(error_of("squares 3 (w35)").starts_with("t:3:9: expected a term of A*x*x"));
   CHECK(error_of("squares y*x (w35)").starts_with("t:3:9: expected a term of A*x*x"));

@@ -46,7 +46,7 @@ TEST_CASE("the nearest of long words is found quickly by their prefixes") {
   CHECK(nearest(a + "c", words) == a);
 }
 
-TEST_CASE("syntax errors in the text of a Program have a position") {
+TEST_CASE("a syntax error in Program text is reported with its position") {
   CHECK(error_in_line_5("keep_max Z1 x (w9)").starts_with("t:5:13: expected a comma"));
   CHECK(error_in_line_5("keep_max Z1, 3*z (w9)").starts_with("t:5:16: expected x or y"));
   CHECK(error_in_line_5("keep_max Z1, 3*x").starts_with("t:5:17: expected the width of the linear expression"));
@@ -72,7 +72,7 @@ TEST_CASE("syntax errors in the text of a Program have a position") {
   CHECK(error_of(array + ".model unions=").starts_with("t:2:15: expected a number"));
 }
 
-TEST_CASE("values of the wrong kind or out of range in a Program's text have a position") {
+TEST_CASE("a wrong or out-of-range value in Program text is reported with its position") {
   CHECK(error_of(array + ".model unions=\"1\"").starts_with("t:2:8: unions must be a number"));
   CHECK(error_of(array + ".model unions=-1").starts_with("t:2:8: unions must be a whole number"));
   CHECK(error_of(array + ".compile z_bits=4294967296")
@@ -117,7 +117,7 @@ TEST_CASE("rejects an extent whose rows are reversed or outside the picture") {
   CHECK(error_of(array + ".extent last=7").empty());
 }
 
-TEST_CASE("validation errors in the text of a Program have a position") {
+TEST_CASE("a validation error in Program text is reported with its position") {
   CHECK(error_in_line_5(" keep_max Z1, x (w8)").starts_with("t:5:2: keep_max: F has 8 bits"));
   CHECK(error_in_line_5("enable_all ; render p1").starts_with("t:5:1: the origin's primitive is p1"));
   CHECK(error_in_line_5("edge_negative 4611686018427387904 (w9)").starts_with("t:5:1: edge_negative: |A|"));
@@ -126,7 +126,7 @@ TEST_CASE("validation errors in the text of a Program have a position") {
   CHECK(error_of(".array width=8 height=8 memory_bits=9999").starts_with("t:1:1: a pixel has 9999 memory bits"));
 }
 
-TEST_CASE("errors of skips in the text of a Program have a position") {
+TEST_CASE("an error in a skip in Program text is reported with its position") {
   CHECK(error_in_line_5("skip_if_none 1").empty());
   CHECK(error_in_line_5("skip_if_none").starts_with("t:5:13: expected a number of instructions"));
   CHECK(error_in_line_5("skip_if_none Z1").starts_with("t:5:14: expected a number of instructions"));

@@ -189,7 +189,7 @@ TEST_CASE("the silicon of a machine includes pixels and buffers and controllers 
   const machines::Resources pixels{4096, 4096 * 64};
   const double shared = (machines::controller_transistors + double{machines::fifo_transistors}) * 2e-6;
   CHECK(process::machine_mm2(machine, pixels, one) == doctest::Approx(4096 * 1060e-6 + shared));
-  // 1070 + 294 of logic if ALU and trees have four bits.
+  // With four bits per clock, a pixel has 1070 transistors of ALU logic and 294 of tree logic.
   CHECK(process::machine_mm2(small_machine("+alu.bits=4+evaluator.bits=4"), pixels, one) ==
         doctest::Approx(4096 * (1364 * 2e-6 + 64 * 3e-6) + shared));
   const machines::Resources buffered{4096, 4096 * 64 + 1000};
@@ -225,8 +225,9 @@ TEST_CASE("a frame's energy is that of its pixel clocks plus static power") {
   // Degree 2: three adders, eight flip-flops and four streams per node, and a flag at the pixel.
   const double squares = 1e-18 * (2 * 40 * 0.1 + 4 * 5 + 13 * 2 + 4 * 7 * std::sqrt((392 + 258) * 2e-6 + 64 * 3e-6));
   CHECK(part_of("+evaluator.degree=2", {1000, 0}, 1000 * squares) == doctest::Approx(1));
-  // Trees of four bits: four adders, eight flip-flops of streams and a carry, eight streams; 1070 + 294 of logic. For
-  // degree 2 sixteen of streams, three carries and the flag, sixteen streams; 1154 + 801.
+  // Per node of a four-bit tree of degree 1: 4 adders; 8 flip-flops of streams and 1 of a carry; 8 stream wires. A
+  // pixel has 1070 transistors of ALU logic and 294 of tree logic. Degree 2: 12 adders; 16 flip-flops of streams, 3 of
+  // carries and 1 of the flag; 16 stream wires; 1154 and 801 transistors.
   const auto wide = [](double adders, double registers, double streams, double logic) {
     const double pitch = std::sqrt(logic * 2e-6 + 64 * 3e-6);
     return 1e-18 * (2 * 4 * 40 * 0.1 + (4 + adders) * 5 + (3 + 4 + registers) * 2 + streams * 7 * pitch);

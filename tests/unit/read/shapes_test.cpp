@@ -25,7 +25,7 @@ TEST_CASE("an extrusion is one primitive and one piece if its area is convex") {
                     "[0, 0, 1, 0], [0, 0, 0, 1]]) { circle(r = 1); } } }") == 2);
 }
 
-TEST_CASE("only a convex prism with round holes is a difference instead of pieces") {
+TEST_CASE("a convex prism minus circles stays a difference and other holes make pieces") {
   const auto plate = [](const std::string& hole) {
     return read(
         "linear_extrude(height = 2) { difference() { square([20, 20]); multmatrix([[1, 0, 0, 10], "

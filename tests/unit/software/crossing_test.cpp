@@ -261,7 +261,7 @@ class Lattice {
 TEST_CASE("polygons that touch or share an edge or corner or plane do not cross") {
   const Lattice lattice;
   const Polygon floor = Lattice::rectangle(2, 0, {-2, -2}, {2, 2});
-  // Through it; ending on it; beside it; with a corner on it; along its edge; through its edge.
+  // Upright rectangles: one passes through the floor, one ends on it, and one is beside it.
   CHECK(lattice.cross(floor, Lattice::rectangle(0, 0, {-1, -1}, {1, 1})));
   CHECK(!lattice.cross(floor, Lattice::rectangle(0, 0, {-1, 0}, {1, 1})));
   CHECK(!lattice.cross(floor, Lattice::rectangle(0, 0, {2, -1}, {3, 1})));

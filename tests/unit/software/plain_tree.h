@@ -12,7 +12,7 @@ namespace csgsim::testing {
 struct TreeVisits {
   std::uint64_t visits = 0;
   std::uint64_t early_outs = 0;
-  std::uint64_t differences = 0;  ///< difference nodes among the visits of a change
+  std::uint64_t differences = 0;  ///< difference nodes among the visits of an update
 
   TreeVisits& operator+=(const TreeVisits& more) {
     visits += more.visits;
@@ -42,7 +42,7 @@ class PlainTree {
   [[nodiscard]] TreeVisits early_out(const Held& held) const;
   /// Table 4.4: also skips operands in which no primitive holds the point.
   [[nodiscard]] TreeVisits positional(const Held& held) const;
-  /// Table 4.5: walks from the primitive's leaf upwards to the first node whose status does not change.
+  /// Table 4.5: walks from the primitive's leaf upwards to the first node whose status stays the same.
   [[nodiscard]] TreeVisits change(Held& held, std::uint32_t primitive) const;
   /// Whether no operator above the primitive's leaf removes its surface; `tally` receives the visited nodes.
   [[nodiscard]] bool shows(const Held& held, std::uint32_t primitive, TreeVisits& tally) const;

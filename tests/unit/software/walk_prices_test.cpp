@@ -100,7 +100,7 @@ TEST_CASE("a ray through EXCELL by points and by halves takes the hand-calculate
   const Walk by_points = walk("excell", 8);
   CHECK(by_points.cells == 1);
   CHECK(by_points.clocks == begun + clipped + 6 * product + located + left + visited);
-  // The walk by halves: the entry is distinguished from a directory, and its level is compared with the range's.
+  // Traversal by halving: tests whether the table entry is a directory, and compares its level with that of the range.
   constexpr double looked = (8 + 2) + 8 + 16 + 12 + 4 + 8;
   const Walk by_halves = walk("excell-recursive", 8);
   CHECK(by_halves.cells == 1);

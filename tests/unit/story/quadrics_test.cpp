@@ -196,7 +196,7 @@ TEST_CASE("a story's text and JSON name the visible quadric and its side and roo
   CHECK(field.width == root["width"]);
 }
 
-TEST_CASE("a pixel outside a curved outline is removed by the discriminant with its squares") {
+TEST_CASE("a negative discriminant of a quadric removes a pixel outside its outline") {
   const Drawn drawn = draw({"pixel-powers"}, "sphere($fn=40,$fa=12,$fs=2,r=4);", view::Projection::orthographic);
   const story::HalfspaceFinder finder(drawn.tree, drawn.scene, drawn.view);
   const story::Subject subject{drawn.program, &finder};

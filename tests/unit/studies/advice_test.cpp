@@ -161,7 +161,7 @@ const Requirement every_wish[] = {Requirement::bits, Requirement::wrong_pixels, 
 
 }  // namespace
 
-TEST_CASE("advice tries each combination once with points of different ALU width adjacent") {
+TEST_CASE("advice tries each combination once and those that differ in ALU width in a row") {
   const std::vector<DesignPoint> points = small_points();
   CHECK(points.size() == 2 * 2 * 2 * 2 * 4 * 2);
   CHECK(studies::point_cells<AdviceRow>(points[0]) == "12,2,24,rebroadcast,stack,0,1");

@@ -140,7 +140,7 @@ TEST_CASE("each axis of explore reads its value from a row, which may have none"
   CHECK(std::string(axes[1].name) == "time");
 }
 
-TEST_CASE("a design of two models has the maximum of their silicon and the sum of energies") {
+TEST_CASE("a design for two models takes the larger silicon area and the sum of energies") {
   std::vector<ExploreRow> rows{shown_row("m", "1", 8, 10, 10), shown_row("n", "1", 8, 10, 10)};
   rows[0].machine_mm2 = 3;
   rows[1].machine_mm2 = 2;

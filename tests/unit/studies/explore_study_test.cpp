@@ -76,7 +76,7 @@ TEST_CASE("explore requests each design once per model with all inputs of the po
   CHECK(explored.asked[0].inputs.machine_hash == explored.asked[4].inputs.machine_hash);
 }
 
-TEST_CASE("a point states its memory if an option or a varied key or a parameter sets it") {
+TEST_CASE("a study point lists its memory if an option, varied key or parameter sets it") {
   const Models models;
   const std::string cube = models / "cube.csg";
   const auto memory = [&](const Texts& words) {
@@ -156,7 +156,7 @@ TEST_CASE("explore compares no transparent model with exact pictures") {
   }
 }
 
-TEST_CASE("a row has the figures and wrong pixels of a machine with just enough memory") {
+TEST_CASE("an explore row equals the stats and wrong pixels at the smallest fitting memory") {
   const Models models;
   const Texts words{models / "two.csg", "--size", "16x12", "--z-bits", "12"};
   Texts requested = words;

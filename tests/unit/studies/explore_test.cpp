@@ -37,14 +37,14 @@ std::vector<Cell> cells_of(const std::vector<std::size_t>& sizes, std::uint64_t 
   return cells;
 }
 
-/// Judge by definition: compares each candidate with every other.
-bool is_dominated(const std::vector<Values>& all, std::size_t one) {
-  for (const Values& other : all) {
+/// Reference implementation of Pareto dominance: compares the candidate with each other one.
+bool is_dominated(const std::vector<Values>& candidates, std::size_t index) {
+  for (const Values& other : candidates) {
     bool is_nowhere_worse = true;
     bool is_somewhere_better = false;
     for (std::size_t axis = 0; axis < other.size(); ++axis) {
-      if (other[axis] > all[one][axis]) is_nowhere_worse = false;
-      if (other[axis] < all[one][axis]) is_somewhere_better = true;
+      if (other[axis] > candidates[index][axis]) is_nowhere_worse = false;
+      if (other[axis] < candidates[index][axis]) is_somewhere_better = true;
     }
     if (is_nowhere_worse && is_somewhere_better) return true;
   }

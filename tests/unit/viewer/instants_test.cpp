@@ -162,8 +162,8 @@ const isa::Instruction& instruction_at(const isa::Program& program, engine::Plac
   return program.segments[place.segment].instructions[place.index];
 }
 
-/// Converted to three channels.
-std::vector<std::uint8_t> rgb_of(const observe::Picture& picture) {
+/// The picture with three channels per pixel; grey is repeated in each.
+std::vector<std::uint8_t> rgb_bytes_of(const observe::Picture& picture) {
   std::vector<std::uint8_t> bytes;
   for (const std::uint8_t byte : picture.bytes) bytes.insert(bytes.end(), picture.channels == 3 ? 1 : 3, byte);
   return bytes;
@@ -191,7 +191,7 @@ TEST_CASE("tinting mixes half the mark's colour into enabled pixels in any regio
       const std::unique_ptr<engine::Run> run = reference->begin(of.program);
       run->advance(instant["number"].get<std::uint64_t>(), {});
       const auto field = std::ranges::find(of.program.facts->fields, std::string("Z1"), &isa::NamedField::name)->field;
-      std::vector<std::uint8_t> expected = rgb_of(debug::draw_field(field, *run, of.program).picture);
+      std::vector<std::uint8_t> expected = rgb_bytes_of(debug::draw_field(field, *run, of.program).picture);
       const observe::Picture enabled = debug::draw_field({}, *run, of.program).picture;
       REQUIRE(enabled.channels == 1);
       for (std::size_t pixel = 0; pixel < enabled.bytes.size(); ++pixel) {
