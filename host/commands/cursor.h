@@ -34,13 +34,13 @@ class Cursor {
   const Item& word(std::string_view description) { return expected(Kind::word, description); }
   double number(std::string_view description) { return expected(Kind::number, description).number; }
   /// Consumes a number, which must be above 0.
-  double positive_number(std::string_view description) {
+  double take_positive_number(std::string_view description) {
     const Item& item = expected(Kind::number, description);
     if (!(item.number > 0)) fail(item.offset, fmt::format("{} must be above 0", description));
     return item.number;
   }
   /// Consumes the bracket or sign `text`. Fails with "expected `text` CONTEXT" if the next item is another.
-  void symbol(std::string_view text, std::string_view context) {
+  void expect_symbol(std::string_view text, std::string_view context) {
     if (!take_if(text)) fail_here(fmt::format("expected `{}` {}", text, context));
   }
   /// Consumes all numbers before the next item of another kind.

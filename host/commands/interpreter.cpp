@@ -56,7 +56,7 @@ class Interpreter {
   void scale(Cursor& line);
   void colour(Cursor& line);
   void set_facets(Cursor& line);
-  void set_tolerance(Cursor& line) { tolerance_ = line.positive_number("a tolerance in model units"); }
+  void set_tolerance(Cursor& line) { tolerance_ = line.take_positive_number("a tolerance in model units"); }
 
   std::uint32_t add(Solid solid, std::uint32_t offset);
   SolidName& solid_named(const Item& name);
@@ -154,7 +154,7 @@ void Interpreter::define(const Item& name, Cursor& line) {
   } else {
     const Algebra algebra{[&](const Item& one) { return solid_named(one).solid; },
                           [&](model::Operator op, std::uint32_t left, std::uint32_t right, const Item& sign) {
-                            return add({Combined{op, left, right}, {}}, sign.offset);
+                            return add({CombinedSolid{op, left, right}, {}}, sign.offset);
                           }};
     solid = read_expression(line, algebra);
   }
@@ -180,7 +180,7 @@ Interpreter::SolidName& Interpreter::solid_named(const Item& name) {
 }
 
 void Interpreter::place(SolidName& solid, const glm::dmat4& matrix, std::uint32_t offset) {
-  solid.solid = add({Moved{matrix, solid.solid}, {}}, offset);
+  solid.solid = add({MovedSolid{matrix, solid.solid}, {}}, offset);
 }
 
 void Interpreter::move(Cursor& line) {
@@ -229,7 +229,7 @@ void Interpreter::colour(Cursor& line) {
   const std::vector<double> numbers = line.numbers();
   if (numbers.size() != 3 || std::ranges::any_of(numbers, [](double one) { return one < 0 || one > 1; }))
     line.fail(offset, "a colour must be red, green and blue, each from 0 to 1");
-  solid.solid = add({Coloured{{numbers[0], numbers[1], numbers[2]}, solid.solid}, {}}, name.offset);
+  solid.solid = add({ColouredSolid{{numbers[0], numbers[1], numbers[2]}, solid.solid}, {}}, name.offset);
 }
 
 void Interpreter::set_facets(Cursor& line) {
@@ -273,7 +273,7 @@ std::uint32_t Interpreter::add_sweep(const Item& name, Cursor& line) {
       made.sweep.scale = curve.curve;
       for (glm::dvec3& point : made.sweep.scale.points) point.y = curve.numbers == 1 ? point.x : point.y;
     } else if (line.take_if("tolerance")) {
-      made.tolerance = line.positive_number("a tolerance in model units");
+      made.tolerance = line.take_positive_number("a tolerance in model units");
     } else {
       line.fail_here("expected contour, trajectory, rotation, scale or tolerance");
     }
@@ -282,14 +282,14 @@ std::uint32_t Interpreter::add_sweep(const Item& name, Cursor& line) {
     line.fail(name.offset,
               fmt::format("a sweep needs a contour and a trajectory: {} = sweep contour CURVE trajectory CURVE",
                           read::shown(name.text)));
-  if (const std::string fault = swept::fault_of(made.sweep); !fault.empty()) line.fail(name.offset, fault);
+  if (const std::string fault = swept::validation_error(made.sweep); !fault.empty()) line.fail(name.offset, fault);
   model_.sweeps.push_back(std::move(made));
   return add({Swept{static_cast<std::uint32_t>(model_.sweeps.size() - 1)}, {}}, name.offset);
 }
 
 void Interpreter::add_patch(const Item& name, Cursor& line) {
   Patch made{name.text, name.offset, read_net(line), tolerance_};
-  if (line.take_if("tolerance")) made.tolerance = line.positive_number("a tolerance in model units");
+  if (line.take_if("tolerance")) made.tolerance = line.take_positive_number("a tolerance in model units");
   model_.patches.push_back(std::move(made));
 }
 

@@ -35,17 +35,17 @@ struct Patch {
   double tolerance = 0;
 };
 
-struct Moved {
+struct MovedSolid {
   glm::dmat4 matrix{1};
   std::uint32_t solid = nothing;
 };
 
-struct Coloured {
+struct ColouredSolid {
   glm::dvec3 colour{0};
   std::uint32_t solid = nothing;
 };
 
-struct Combined {
+struct CombinedSolid {
   model::Operator op = model::Operator::unite;
   std::uint32_t left = nothing;
   std::uint32_t right = nothing;
@@ -57,7 +57,7 @@ struct Swept {
 
 /// A solid that a line defines, possibly from earlier solids. Several later solids may refer to it.
 struct Solid {
-  std::variant<model::Shape, Swept, Combined, Moved, Coloured> made;
+  std::variant<model::Shape, Swept, CombinedSolid, MovedSolid, ColouredSolid> made;
   model::Location location;
 };
 

@@ -55,11 +55,11 @@ class TreeMaker {
       add_leaf(*shape, one, solid);
     } else if (const auto* const swept = std::get_if<Swept>(&solid.made)) {
       add_sweep(swept->number, one, solid);
-    } else if (const auto* const moved = std::get_if<Moved>(&solid.made)) {
+    } else if (const auto* const moved = std::get_if<MovedSolid>(&solid.made)) {
       waiting_.push_back({moved->solid, one.matrix * moved->matrix, one.colour});
-    } else if (const auto* const coloured = std::get_if<Coloured>(&solid.made)) {
+    } else if (const auto* const coloured = std::get_if<ColouredSolid>(&solid.made)) {
       waiting_.push_back({coloured->solid, one.matrix, one.colour ? one.colour : coloured->colour});
-    } else if (const auto* const combined = std::get_if<Combined>(&solid.made)) {
+    } else if (const auto* const combined = std::get_if<CombinedSolid>(&solid.made)) {
       waiting_.push_back({nothing, glm::dmat4(1), std::nullopt, combined->op});
       waiting_.push_back({combined->right, one.matrix, one.colour});
       waiting_.push_back({combined->left, one.matrix, one.colour});
@@ -73,7 +73,7 @@ class TreeMaker {
   model::Primitive& add_leaf(model::Shape shape, const Waiting& one, const Solid& solid) {
     if (tree_.primitives.size() >= read::max_primitives)
       fail(solid.location, fmt::format("more than {} solids; split the model", read::max_primitives));
-    if (read::empties(one.matrix))
+    if (read::is_degenerate(one.matrix))
       fail(solid.location, "moving and scaling exceed the range of numbers; use smaller numbers");
     children_.push_back(model::add_leaf(tree_, {}));
     model::Primitive& primitive = tree_.primitives.back();
@@ -145,14 +145,14 @@ class TreeMaker {
 
 model::Tree read_text(std::string_view text, std::string_view name, const read::Options& options) {
   read::Source source(text, name, options);
-  source.charge_to(options.work);
+  source.set_work_counter(options.work);
   const Model model = interpret(source);
   if (model.drawn == nothing)
     throw InputError(fmt::format("{}: the file defines no solid; add a line such as `Object = block 1 2 3`", name));
   return TreeMaker(source, model).make();
 }
 
-std::vector<NamedSurface> surfaces_in(std::string_view text, std::string_view name) {
+std::vector<NamedSurface> read_surfaces(std::string_view text, std::string_view name) {
   read::Source source(text, name);
   Model model = interpret(source);
   std::vector<std::pair<std::uint32_t, NamedSurface>> found;

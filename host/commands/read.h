@@ -28,6 +28,6 @@ struct NamedSurface {
 
 /// All sweeps and patches of a file, in the order of its lines; of several with one name, only the last. Throws
 /// InputError as read_text() does.
-std::vector<NamedSurface> surfaces_in(std::string_view text, std::string_view name);
+std::vector<NamedSurface> read_surfaces(std::string_view text, std::string_view name);
 
 }  // namespace csgsim::commands

@@ -15,25 +15,25 @@ namespace {
 constexpr double highest_degree = 3;
 
 model::Shape read_block(Cursor& line, const model::FacetControl& /*facets*/) {
-  const double x = line.positive_number("a block's length along x");
-  const double y = line.positive_number("a block's length along y");
-  return model::Cube{{x, y, line.positive_number("a block's length along z")}, false};
+  const double x = line.take_positive_number("a block's length along x");
+  const double y = line.take_positive_number("a block's length along y");
+  return model::Cube{{x, y, line.take_positive_number("a block's length along z")}, false};
 }
 
 model::Shape read_cylinder(Cursor& line, const model::FacetControl& facets) {
-  const double radius = line.positive_number("a cylinder's radius");
-  return model::Cylinder{line.positive_number("a cylinder's height"), radius, radius, false, facets};
+  const double radius = line.take_positive_number("a cylinder's radius");
+  return model::Cylinder{line.take_positive_number("a cylinder's height"), radius, radius, false, facets};
 }
 
 model::Shape read_cone(Cursor& line, const model::FacetControl& facets) {
-  const double radius = line.positive_number("a cone's radius");
-  const double height = line.positive_number("a cone's height");
-  const double top = line.is(Kind::number) ? line.positive_number("a cone's radius at its top") : 0;
+  const double radius = line.take_positive_number("a cone's radius");
+  const double height = line.take_positive_number("a cone's height");
+  const double top = line.is(Kind::number) ? line.take_positive_number("a cone's radius at its top") : 0;
   return model::Cylinder{height, radius, top, false, facets};
 }
 
 model::Shape read_sphere(Cursor& line, const model::FacetControl& facets) {
-  return model::Sphere{line.positive_number("a sphere's radius"), facets};
+  return model::Sphere{line.take_positive_number("a sphere's radius"), facets};
 }
 
 struct SolidRow {
@@ -46,9 +46,9 @@ constexpr std::array solid_rows{SolidRow{"block", read_block}, SolidRow{"cylinde
 /// One to three numbers in parentheses.
 glm::dvec3 read_point(Cursor& line, std::size_t& numbers) {
   const std::uint32_t offset = line.offset();
-  line.symbol("(", "before the numbers of a point");
+  line.expect_symbol("(", "before the numbers of a point");
   const std::vector<double> point = line.numbers();
-  line.symbol(")", "after the numbers of a point");
+  line.expect_symbol(")", "after the numbers of a point");
   if (point.empty() || point.size() > 3)
     line.fail(offset, fmt::format("a point must have 1 to 3 numbers, not {}", point.size()));
   if (numbers != 0 && point.size() != numbers)
@@ -95,7 +95,7 @@ Curve read_curve(Cursor& line) {
   }
   if (!line.take_if("points")) line.fail_here("expected `closed`, `degree` or `points`, in this order");
   while (!line.at_end()) made.curve.points.push_back(read_point(line, made.numbers));
-  if (const std::string fault = swept::fault_of(made.curve); !fault.empty()) line.fail(made.offset, fault);
+  if (const std::string fault = swept::validation_error(made.curve); !fault.empty()) line.fail(made.offset, fault);
   return made;
 }
 
@@ -116,7 +116,7 @@ swept::Net read_net(Cursor& line) {
     net.rows.back().push_back(read_point(line, numbers));
     if (numbers != 3) line.fail(place, "a point of a patch must have three numbers");
   }
-  if (const std::string fault = swept::fault_of(net); !fault.empty()) line.fail(begin, fault);
+  if (const std::string fault = swept::validation_error(net); !fault.empty()) line.fail(begin, fault);
   return net;
 }
 

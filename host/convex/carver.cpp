@@ -28,7 +28,7 @@ void Carver::add_vertex(const glm::dvec3& position, const glm::dvec3& normal) {
 
 std::uint64_t Carver::steps() const { return clip_steps(visited_); }
 
-bool Carver::has_depth(const facet::Plane& plane, double tolerance) {
+bool Carver::has_vertex_behind(const facet::Plane& plane, double tolerance) {
   const auto is_deep = [&](std::uint32_t vertex) {
     return is_alive_[vertex] && plane.height(polytope_.vertices[vertex]) < -tolerance;
   };
@@ -55,7 +55,7 @@ bool Carver::find_sides(const facet::Plane& plane, double tolerance) {
   return is_one_out;
 }
 
-std::vector<std::uint32_t> Carver::faces_found() {
+std::vector<std::uint32_t> Carver::faces_at_found_vertices() {
   std::vector<std::uint32_t> faces;
   for (const std::uint32_t vertex : found_) faces.insert(faces.end(), at_[vertex].begin(), at_[vertex].end());
   std::ranges::sort(faces);
@@ -72,12 +72,12 @@ void Carver::clip(facet::Halfspace halfspace) {
   visited_ = 0;
   const facet::Plane plane = outward_plane(halfspace, planes_);
   // The loop terminates: once the tolerance exceeds all distances, no vertex is inside.
-  for (double times = 1.0;; times = next_tolerance(times)) {
+  for (double times = 1.0;; times = next_tolerance_factor(times)) {
     const double near = times * tolerance(planes_);
-    if (!has_depth(plane, near)) return clear();
+    if (!has_vertex_behind(plane, near)) return clear();
     if (!find_sides(plane, near)) return;
-    if (std::optional<Cut> made = cut_faces(polytope_, faces_found(), plane, sides_))
-      return apply(std::move(*made), halfspace);
+    if (std::optional<Cut> made = cut_faces(polytope_, faces_at_found_vertices(), plane, sides_))
+      return apply_cut(std::move(*made), halfspace);
   }
 }
 
@@ -98,7 +98,7 @@ void Carver::drop_face(std::uint32_t face, std::vector<std::uint32_t>& doubtful)
   --faces_;
 }
 
-void Carver::apply(Cut cut, facet::Halfspace halfspace) {
+void Carver::apply_cut(Cut cut, facet::Halfspace halfspace) {
   std::vector<std::uint32_t> doubtful = cut.cap;
   for (const std::uint32_t vertex : found_) {
     if (sides_[vertex] == VertexSide::out) {
@@ -125,11 +125,11 @@ void Carver::apply(Cut cut, facet::Halfspace halfspace) {
   ++faces_;
   for (std::size_t vertex = old; vertex < polytope_.vertices.size(); ++vertex)
     doubtful.push_back(static_cast<std::uint32_t>(vertex));
-  drop_flat(std::move(doubtful));
+  remove_flat_parts(std::move(doubtful));
   if (faces_ < 4) clear();
 }
 
-void Carver::drop_flat(std::vector<std::uint32_t> doubtful) {
+void Carver::remove_flat_parts(std::vector<std::uint32_t> doubtful) {
   while (!doubtful.empty()) {
     const std::uint32_t vertex = doubtful.back();
     doubtful.pop_back();

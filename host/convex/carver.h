@@ -29,16 +29,16 @@ class Carver {
 
  private:
   /// Whether some vertex is more than `tolerance` behind the plane.
-  bool has_depth(const facet::Plane& plane, double tolerance);
+  bool has_vertex_behind(const facet::Plane& plane, double tolerance);
   /// Finds the vertices that are not inside, and stores their sides. Returns whether any vertex is outside.
   bool find_sides(const facet::Plane& plane, double tolerance);
   /// The faces at the found vertices, in ascending order.
-  std::vector<std::uint32_t> faces_found();
-  void apply(Cut cut, facet::Halfspace halfspace);
+  std::vector<std::uint32_t> faces_at_found_vertices();
+  void apply_cut(Cut cut, facet::Halfspace halfspace);
   /// Adds a vertex on a face whose normal is `normal`.
   void add_vertex(const glm::dvec3& position, const glm::dvec3& normal);
   /// Removes vertices with only two faces left, which merges their edges there, and faces without area.
-  void drop_flat(std::vector<std::uint32_t> doubtful);
+  void remove_flat_parts(std::vector<std::uint32_t> doubtful);
   void drop_vertex(std::uint32_t vertex);
   /// Removes a face; its corners become doubtful.
   void drop_face(std::uint32_t face, std::vector<std::uint32_t>& doubtful);

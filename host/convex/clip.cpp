@@ -73,7 +73,7 @@ Polytope clip(Polytope polytope, facet::Halfspace halfspace, const facet::PlaneT
   std::iota(faces.begin(), faces.end(), 0U);
   // The loop terminates: no vertex is inside once the tolerance exceeds all distances, or if a distance is not a
   // number.
-  for (double times = 1.0;; times = next_tolerance(times)) {
+  for (double times = 1.0;; times = next_tolerance_factor(times)) {
     const double near = times * tolerance(planes);
     if (!(*deepest < -near)) return {};
     if (*farthest <= near) return polytope;

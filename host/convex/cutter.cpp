@@ -100,7 +100,7 @@ class Cutter {
 
 }  // namespace
 
-double next_tolerance(double factor) {
+double next_tolerance_factor(double factor) {
   constexpr double least = 1.0 / 4096;
   if (factor == least) return 8.0;
   return factor > 1.0 ? factor * 8.0 : factor / 8.0;

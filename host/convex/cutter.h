@@ -21,7 +21,7 @@ using FaceCorners = std::vector<std::uint32_t>;
 
 /// The tolerance to try after one that is `factor` times the usual tolerance, as such a factor. The sequence starts at
 /// 1, continues with fractions down to the level of rounding errors, and then with multiples.
-double next_tolerance(double factor);
+double next_tolerance_factor(double factor);
 
 /// The remaining part of a face that is not entirely inside; it has no corners if nothing remains.
 struct CutFace {

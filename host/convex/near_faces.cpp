@@ -280,8 +280,8 @@ void warn_of_near_faces(const model::Tree& tree, const facet::Geometry& geometry
       found.pairs == 1 && !found.is_incomplete
           ? ""
           : fmt::format(" ({}{} more such pairs)", found.is_incomplete ? "at least " : "", found.pairs - 1);
-  const std::string first = model::place_of(tree, found.first[0]);
-  const std::string second = model::place_of(tree, found.first[1]);
+  const std::string first = model::location_text(tree, found.first[0]);
+  const std::string second = model::location_text(tree, found.first[1]);
   report_line(
       fmt::format("{}: warning: a face of this solid and a face of {} are nearly, but not exactly, coplanar{}; "
                   "specks or a thin skin may be visible: {}let one solid reach well into the other",

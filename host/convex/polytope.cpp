@@ -122,7 +122,7 @@ Polytope intersection(const facet::Box& box, std::span<const facet::Halfspace> h
   return polytope;
 }
 
-std::vector<facet::Halfspace> box_walls(const facet::Box& box, facet::PlaneTable& planes) {
+std::vector<facet::Halfspace> add_box_halfspaces(const facet::Box& box, facet::PlaneTable& planes) {
   std::vector<facet::Halfspace> walls;
   for (int axis = 0; axis < 3; ++axis) {
     glm::dvec3 normal(0);

@@ -52,7 +52,7 @@ Polytope intersection(const facet::Box& box, std::span<const facet::Halfspace> h
                       const facet::PlaneTable& planes, const Work& work = {});
 
 /// Adds the planes of a box in model space to the table. Returns its six half-spaces.
-std::vector<facet::Halfspace> box_walls(const facet::Box& box, facet::PlaneTable& planes);
+std::vector<facet::Halfspace> add_box_halfspaces(const facet::Box& box, facet::PlaneTable& planes);
 
 /// A primitive as the intersection of its half-spaces.
 Polytope make_polytope(const facet::Convex& solid, const facet::PlaneTable& planes, const Work& work = {});

@@ -25,8 +25,8 @@ constexpr std::uint64_t visit_steps = 16;
 
 /// The region outside which a subtree is constant: entirely inside or entirely outside.
 struct Reach {
-  bool in_elsewhere = false;  ///< whether all points outside the box are inside the subtree
-  facet::Box box;             ///< relative to PlaneTable::centre()
+  bool is_inside_elsewhere = false;  ///< whether all points outside the box are inside the subtree
+  facet::Box box;                    ///< relative to PlaneTable::centre()
 };
 
 /// Bounds of a node. If each operand alone decides the result outside its box, only the intersection of these boxes is
@@ -38,7 +38,7 @@ Reach node_reach(const PositiveNode& node, const std::vector<Reach>& below) {
   for (const std::uint32_t child : node.children) {
     const Reach& reach = below[child];
     all = hull(all, reach.box);
-    if (reach.in_elsewhere == decisive) decided = decided ? common(*decided, reach.box) : reach.box;
+    if (reach.is_inside_elsewhere == decisive) decided = decided ? common(*decided, reach.box) : reach.box;
   }
   return decided ? Reach{decisive, *decided} : Reach{!decisive, all};
 }
@@ -102,7 +102,7 @@ class Enumeration {
     const Reach& reach = reaches_[node];
     const bool apart = reach.box.empty() || (partial.whole && common(reach.box, partial.box).empty());
     if (!apart) return Known::depends;
-    return reach.in_elsewhere ? Known::in : Known::out;
+    return reach.is_inside_elsewhere ? Known::in : Known::out;
   }
 
   /// Intersects with a primitive; returns false if nothing is left.
@@ -137,7 +137,7 @@ class Enumeration {
         // Bounded operands are processed first, because they are popped from the end.
         open.insert(open.end(), node.children.rbegin(), node.children.rend());
         std::stable_partition(open.end() - static_cast<std::ptrdiff_t>(node.children.size()), open.end(),
-                              [&](std::uint32_t child) { return reaches_[child].in_elsewhere; });
+                              [&](std::uint32_t child) { return reaches_[child].is_inside_elsewhere; });
       } else if (node.complemented) {
         partial.subtracted.push_back(node.primitive);
       } else {
@@ -155,7 +155,7 @@ class Enumeration {
       finish(std::move(partial));
       return;
     }
-    const auto bounded = [&](std::uint32_t node) { return !reaches_[node].in_elsewhere; };
+    const auto bounded = [&](std::uint32_t node) { return !reaches_[node].is_inside_elsewhere; };
     auto chosen = std::find_if(partial.unions.begin(), partial.unions.end(), bounded);
     if (chosen == partial.unions.end()) chosen = partial.unions.begin();
     const std::uint32_t at = *chosen;

@@ -20,7 +20,7 @@ VertexIndex::VertexIndex(const facet::Box& box) {
   cells_.front().whole = box;
 }
 
-void VertexIndex::Cell::put(const Held& entry) {
+void VertexIndex::Cell::put(const IndexedVertex& entry) {
   if (count == 0) {
     box = {entry.place, entry.place};
     normal = entry.normal;
@@ -51,7 +51,7 @@ bool VertexIndex::Cell::is_surely_below(const facet::Plane& plane, double height
 }
 
 void VertexIndex::insert(std::uint32_t vertex, const glm::dvec3& position, const glm::dvec3& normal) {
-  const Held held{vertex, position, normal};
+  const IndexedVertex held{vertex, position, normal};
   std::uint32_t cell = 0;
   for (; cells_[cell].below != 0; cell = cells_[cell].half_at(position)) cells_[cell].put(held);
   cells_[cell].put(held);
@@ -72,7 +72,7 @@ void VertexIndex::divide(std::uint32_t cell) {
   }
   cells_[below].whole.high[cut.axis] = cut.middle();
   cells_[below + 1].whole.low[cut.axis] = cut.middle();
-  for (const Held& one : cut.held) cells_[cut.half_at(one.place)].put(one);
+  for (const IndexedVertex& one : cut.held) cells_[cut.half_at(one.place)].put(one);
   cut.held = {};
 }
 
@@ -80,8 +80,8 @@ void VertexIndex::remove(std::uint32_t vertex, const glm::dvec3& position) {
   std::uint32_t cell = 0;
   for (; cells_[cell].below != 0; cell = cells_[cell].half_at(position)) --cells_[cell].count;
   --cells_[cell].count;
-  std::vector<Held>& held = cells_[cell].held;
-  *std::ranges::find(held, vertex, &Held::vertex) = held.back();
+  std::vector<IndexedVertex>& held = cells_[cell].held;
+  *std::ranges::find(held, vertex, &IndexedVertex::vertex) = held.back();
   held.pop_back();
 }
 
@@ -97,7 +97,7 @@ std::uint64_t VertexIndex::find(const facet::Plane& plane, double tolerance, std
       continue;
     }
     visited += cell.count;
-    for (const Held& one : cell.held)
+    for (const IndexedVertex& one : cell.held)
       if (!(plane.height(one.place) < -tolerance)) found.push_back(one.vertex);
   }
   return visited;

@@ -27,7 +27,7 @@ class VertexIndex {
   std::uint64_t find(const facet::Plane& plane, double tolerance, std::vector<std::uint32_t>& found) const;
 
  private:
-  struct Held {
+  struct IndexedVertex {
     std::uint32_t vertex = 0;
     glm::dvec3 place{};
     glm::dvec3 normal{};
@@ -40,15 +40,15 @@ class VertexIndex {
     std::uint32_t count = 0;  ///< number of vertices
     std::uint32_t below = 0;  ///< index of the lower half, which the upper half follows; 0 if the cell is not divided
     unsigned depth = 0;
-    int axis = 0;            ///< axis across which the cell is divided
-    std::vector<Held> held;  ///< vertices, if the cell is not divided
+    int axis = 0;                     ///< axis across which the cell is divided
+    std::vector<IndexedVertex> held;  ///< vertices, if the cell is not divided
 
     [[nodiscard]] double middle() const { return whole.low[axis] + (whole.high[axis] - whole.low[axis]) / 2.0; }
     /// The half that contains a position.
     [[nodiscard]] std::uint32_t half_at(const glm::dvec3& position) const {
       return below + (position[axis] < middle() ? 0U : 1U);
     }
-    void put(const Held& entry);
+    void put(const IndexedVertex& entry);
     /// Whether every vertex is certainly less than `height` above the plane, despite rounding errors.
     [[nodiscard]] bool is_surely_below(const facet::Plane& plane, double height) const;
   };

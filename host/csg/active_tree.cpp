@@ -38,7 +38,7 @@ void tighten(Block& block, const view::View& view, const facet::Convex& solid, c
       block.z_low = std::max(block.z_low, depth_range(plane, view.sampling.fraction_bits, block.pixels).low);
     } else if (side == view::Side::back) {
       block.z_high = std::min(block.z_high, depth_range(plane, view.sampling.fraction_bits, block.pixels).high);
-    } else if (locate(view, halfspace, block) == Known::out) {
+    } else if (locate(view, halfspace, block) == Containment::out) {
       block.z_high = block.z_low - 1;
     }
   }
@@ -74,14 +74,14 @@ std::uint32_t ActiveTree::depth() const {
 }
 
 /// The block in which a set's surface is examined.
-struct Pruner::Place {
+struct Pruner::SurfaceQuery {
   Block block;
   std::span<const std::uint32_t> set;
   KeptResults::Search* search = nullptr;  ///< the search for the tree, where results are kept
 };
 
 struct Pruner::Pruned {
-  Known known = Known::depends;
+  Containment known = Containment::depends;
   std::uint32_t node = model::no_index;  ///< index in the active tree, if `known` is depends
 };
 
@@ -136,7 +136,7 @@ Block Pruner::surface_block(std::span<const std::uint32_t> set, const view::Pixe
   return block.z_low > block.z_high ? Block{} : block;
 }
 
-bool Pruner::disjoint(std::uint32_t primitive, const Place& query) const {
+bool Pruner::disjoint(std::uint32_t primitive, const SurfaceQuery& query) const {
   const Block& block = query.block;
   const view::Extent& extent = view_.extents[primitive];
   const bool picture =
@@ -148,7 +148,8 @@ bool Pruner::disjoint(std::uint32_t primitive, const Place& query) const {
 }
 
 /// Appends the primitives in [first, end) that are not disjoint from the block, in order.
-void Pruner::find(std::uint32_t first, std::uint32_t end, const Place& query, std::vector<std::uint32_t>& found) const {
+void Pruner::find(std::uint32_t first, std::uint32_t end, const SurfaceQuery& query,
+                  std::vector<std::uint32_t>& found) const {
   const std::size_t begin = found.size();
   if (!boxes_ || end - first <= few_primitives) {
     for (std::uint32_t i = first; i < end; ++i) found.push_back(i);
@@ -163,7 +164,7 @@ void Pruner::find(std::uint32_t first, std::uint32_t end, const Place& query, st
 }
 
 std::vector<std::uint32_t> Pruner::meeting(std::span<const std::uint32_t> set, const Block& block) const {
-  const Place query{block, set};
+  const SurfaceQuery query{block, set};
   std::vector<std::uint32_t> found;
   const std::uint32_t leaf = tree_.leaf_of[set.front()];
   std::uint32_t operand = paths_.operand_above(leaf);
@@ -222,35 +223,35 @@ bool Pruner::are_apart(std::uint32_t first, std::uint32_t second) const {
   return are_apart;
 }
 
-/// Whether the half-spaces of a primitive contain or exclude the block; Known::depends if the test is not worth its
-/// time. The extremes of the half-spaces are needed for the comparison's instructions anyway.
-Known Pruner::located(std::uint32_t primitive, const Place& query) const {
+/// Whether the half-spaces of a primitive contain or exclude the block; Containment::depends if the test is not worth
+/// its time. The extremes of the half-spaces are needed for the comparison's instructions anyway.
+Containment Pruner::locate_primitive(std::uint32_t primitive, const SurfaceQuery& query) const {
   const double saved = comparison_instructions(primitive);
   if (!prices_.is_worthwhile(saved, prices_.box)) {
     ++tallies_.halfspaces.left;
-    return Known::depends;
+    return Containment::depends;
   }
   Excluder* const excluder = kept_ == nullptr ? nullptr : kept_->excluder(query.set.front(), primitive);
-  const Known known = locate(view_, geometry_, primitive, query.block, counted_, excluder);
+  const Containment known = locate(view_, geometry_, primitive, query.block, counted_, excluder);
   if (excluder != nullptr && excluder->held) kept_->count_certificate();
-  tallies_.halfspaces.add(known != Known::depends, saved, prices_.box);
+  tallies_.halfspaces.add(known != Containment::depends, saved, prices_.box);
   return known;
 }
 
 /// Location of the block relative to a leaf, complemented or not. The cheaper test comes first.
-Known Pruner::leaf_known(const PositiveNode& leaf, const Place& query) const {
-  Known known = pruning_.halfspaces ? located(leaf.primitive, query) : Known::depends;
+Containment Pruner::locate_leaf(const PositiveNode& leaf, const SurfaceQuery& query) const {
+  Containment known = pruning_.halfspaces ? locate_primitive(leaf.primitive, query) : Containment::depends;
   const auto is_apart = [&](std::uint32_t primitive) { return are_apart(leaf.primitive, primitive); };
-  if (known == Known::depends && pruning_.separation && std::any_of(query.set.begin(), query.set.end(), is_apart))
-    known = Known::out;
-  if (known == Known::depends || !leaf.complemented) return known;
-  return known == Known::in ? Known::out : Known::in;
+  if (known == Containment::depends && pruning_.separation && std::any_of(query.set.begin(), query.set.end(), is_apart))
+    known = Containment::out;
+  if (known == Containment::depends || !leaf.complemented) return known;
+  return known == Containment::in ? Containment::out : Containment::in;
 }
 
 /// Location of the block relative to a leaf that is not disjoint from it. Leaves of the set itself contain its surface.
-Known Pruner::known(const PositiveNode& leaf, const Place& query) const {
+Containment Pruner::known(const PositiveNode& leaf, const SurfaceQuery& query) const {
   const bool in_set = std::binary_search(query.set.begin(), query.set.end(), leaf.primitive);
-  return in_set ? Known::in : leaf_known(leaf, query);
+  return in_set ? Containment::in : locate_leaf(leaf, query);
 }
 
 /// The leading primitives of `primitives` that are below the node; at least the first must be.
@@ -280,9 +281,10 @@ bool Pruner::is_decided_elsewhere(std::uint32_t node, Primitives meeting) const 
 
 /// Prunes a part of the tree without recursion, so that deep trees do not overflow the stack. It visits only the
 /// operators at which the paths to primitives that meet the block join.
-class Pruner::Walk {
+class Pruner::Traversal {
  public:
-  Walk(const Pruner& pruner, const Place& query, ActiveTree& into) : pruner_(pruner), place_(query), into_(into) {}
+  Traversal(const Pruner& pruner, const SurfaceQuery& query, ActiveTree& into)
+      : pruner_(pruner), query_(query), into_(into) {}
 
   /// `meeting`: the primitives at or below the root that are not disjoint from the block; at least one.
   Pruned prune(std::uint32_t root, Primitives meeting) {
@@ -320,27 +322,27 @@ class Pruner::Walk {
     const std::uint32_t index = paths.common_ancestor(leaf_of[some.front()], leaf_of[some.back()]);
     const PositiveNode& node = pruner_.tree_.nodes[index];
     if (paths.is_decided_between(index, top) || pruner_.is_decided_elsewhere(index, some)) {
-      result_ = {paths.in_elsewhere(top) ? Known::in : Known::out, model::no_index};
+      result_ = {paths.is_inside_elsewhere(top) ? Containment::in : Containment::out, model::no_index};
       return false;
     }
     if (!node.is_leaf) {
       open_.push_back({index, some, into_.nodes.size()});
       return true;
     }
-    const auto test = [&] { return pruner_.known(node, place_); };
-    result_ = {place_.search == nullptr ? test() : place_.search->in_walk(node.primitive, test), model::no_index};
-    if (result_.known == Known::depends) add({true, node.complemented, node.op, node.primitive, 0, {}, {}});
+    const auto test = [&] { return pruner_.known(node, query_); };
+    result_ = {query_.search == nullptr ? test() : query_.search->test_once(node.primitive, test), model::no_index};
+    if (result_.known == Containment::depends) add({true, node.complemented, node.op, node.primitive, 0, {}, {}});
     return false;
   }
 
   /// Takes the result of an operand. Returns false if it decides the operator.
   bool take_result(Visit& visit) {
     const PositiveOperator op = pruner_.tree_.nodes[visit.node].op;
-    if (result_.known == (op == PositiveOperator::intersect ? Known::out : Known::in)) {
+    if (result_.known == (op == PositiveOperator::intersect ? Containment::out : Containment::in)) {
       into_.nodes.resize(visit.first_node);
       return false;
     }
-    if (result_.known == Known::depends) keep(into_, result_.node, op, visit.kept);
+    if (result_.known == Containment::depends) keep(into_, result_.node, op, visit.kept);
     return true;
   }
 
@@ -349,9 +351,9 @@ class Pruner::Walk {
     std::vector<std::uint32_t>& kept = visit.kept;
     pruner_.join_leaves(into_, op, kept);
     if (kept.empty()) {
-      result_ = {op == PositiveOperator::intersect ? Known::in : Known::out, model::no_index};
+      result_ = {op == PositiveOperator::intersect ? Containment::in : Containment::out, model::no_index};
     } else if (kept.size() == 1) {
-      result_ = {Known::depends, kept.front()};
+      result_ = {Containment::depends, kept.front()};
     } else {
       std::stable_sort(kept.begin(), kept.end(),
                        [&](std::uint32_t a, std::uint32_t b) { return into_.nodes[a].bits > into_.nodes[b].bits; });
@@ -360,12 +362,12 @@ class Pruner::Walk {
   }
 
   void add(ActiveNode node) {
-    result_ = {Known::depends, static_cast<std::uint32_t>(into_.nodes.size())};
+    result_ = {Containment::depends, static_cast<std::uint32_t>(into_.nodes.size())};
     into_.nodes.push_back(std::move(node));
   }
 
   const Pruner& pruner_;
-  const Place& place_;
+  const SurfaceQuery& query_;
   ActiveTree& into_;
   std::vector<Visit> open_;
   Pruned result_;
@@ -392,29 +394,29 @@ void Pruner::join_leaves(ActiveTree& into, PositiveOperator op, std::vector<std:
 /// Adds the remaining operands of `node`, an intersection above the set's first primitive. Returns false if the
 /// intersection is empty. `meeting`: the primitives below the node that are not disjoint from the block, and the set's
 /// first.
-bool Pruner::add_operands(std::uint32_t node, Primitives meeting, const Place& query, ActiveTree& into) const {
+bool Pruner::add_operands(std::uint32_t node, Primitives meeting, const SurfaceQuery& query, ActiveTree& into) const {
   const std::uint32_t own = paths_.child_towards(node, query.set.front());
-  Walk walk(*this, query, into);
+  Traversal walk(*this, query, into);
   while (!meeting.empty()) {
     const std::uint32_t child = paths_.child_towards(node, meeting.front());
     const Primitives some = below(child, meeting);
     meeting = meeting.subspan(some.size());
     if (child == own) continue;
     const Pruned pruned = walk.prune(child, some);
-    if (pruned.known == Known::out) return false;
-    if (pruned.known == Known::depends) keep(into, pruned.node, PositiveOperator::intersect, into.operands);
+    if (pruned.known == Containment::out) return false;
+    if (pruned.known == Containment::depends) keep(into, pruned.node, PositiveOperator::intersect, into.operands);
   }
   return true;
 }
 
 ActiveTree Pruner::active_tree(std::span<const std::uint32_t> set, const Block& block) const {
   std::vector<std::uint32_t> found = meeting(set, block);
-  Place query{block, set};
+  SurfaceQuery query{block, set};
   // A traversal without other primitives is faster than a look-up.
-  if (kept_ == nullptr || found.empty()) return walked(query, std::move(found));
+  if (kept_ == nullptr || found.empty()) return build_active_tree(query, std::move(found));
   KeptResults::Search search = kept_->search(set, found);
-  while (const std::optional<std::uint32_t> primitive = search.question())
-    search.answer(known(tree_.nodes[tree_.leaf_of[*primitive]], query));
+  while (const std::optional<std::uint32_t> primitive = search.next_primitive())
+    search.continue_with(known(tree_.nodes[tree_.leaf_of[*primitive]], query));
   const std::uint64_t looked_up = search.visits();
   counted_.add(&isa::Preparation::nodes, looked_up);
   if (const ActiveTree* const tree = search.tree()) {
@@ -423,13 +425,13 @@ ActiveTree Pruner::active_tree(std::span<const std::uint32_t> set, const Block& 
   }
   query.search = &search;
   const std::uint64_t before = visits_;
-  ActiveTree active = walked(query, std::move(found));
+  ActiveTree active = build_active_tree(query, std::move(found));
   search.keep(active, visits_ - before);
   return active;
 }
 
 /// Builds the active tree by a traversal of the CSG tree; `found` are the primitives that meet the block.
-ActiveTree Pruner::walked(const Place& query, std::vector<std::uint32_t> found) const {
+ActiveTree Pruner::build_active_tree(const SurfaceQuery& query, std::vector<std::uint32_t> found) const {
   ActiveTree active;
   ActiveTree nothing{true, {}, {}};
   const std::span<const std::uint32_t> set = query.set;

@@ -113,23 +113,24 @@ class Pruner {
 
  private:
   struct Pruned;
-  class Walk;
-  struct Place;
+  class Traversal;
+  struct SurfaceQuery;
   using Primitives = std::span<const std::uint32_t>;
-  [[nodiscard]] bool disjoint(std::uint32_t primitive, const Place& query) const;
+  [[nodiscard]] bool disjoint(std::uint32_t primitive, const SurfaceQuery& query) const;
   [[nodiscard]] double comparison_instructions(std::uint32_t primitive) const;
   [[nodiscard]] bool have_disjoint_boxes(std::uint32_t first, std::uint32_t second) const;
   [[nodiscard]] bool are_apart(std::uint32_t first, std::uint32_t second) const;
-  [[nodiscard]] Known located(std::uint32_t primitive, const Place& query) const;
-  [[nodiscard]] Known leaf_known(const PositiveNode& leaf, const Place& query) const;
-  [[nodiscard]] Known known(const PositiveNode& leaf, const Place& query) const;
+  [[nodiscard]] Containment locate_primitive(std::uint32_t primitive, const SurfaceQuery& query) const;
+  [[nodiscard]] Containment locate_leaf(const PositiveNode& leaf, const SurfaceQuery& query) const;
+  [[nodiscard]] Containment known(const PositiveNode& leaf, const SurfaceQuery& query) const;
   void visit() const;
   [[nodiscard]] Primitives below(std::uint32_t node, Primitives primitives) const;
   [[nodiscard]] bool is_decided_elsewhere(std::uint32_t node, Primitives meeting) const;
-  [[nodiscard]] bool add_operands(std::uint32_t node, Primitives meeting, const Place& query, ActiveTree& into) const;
+  [[nodiscard]] bool add_operands(std::uint32_t node, Primitives meeting, const SurfaceQuery& query,
+                                  ActiveTree& into) const;
   void join_leaves(ActiveTree& into, PositiveOperator op, std::vector<std::uint32_t>& operands) const;
-  void find(std::uint32_t first, std::uint32_t end, const Place& query, std::vector<std::uint32_t>& found) const;
-  [[nodiscard]] ActiveTree walked(const Place& query, std::vector<std::uint32_t> found) const;
+  void find(std::uint32_t first, std::uint32_t end, const SurfaceQuery& query, std::vector<std::uint32_t>& found) const;
+  [[nodiscard]] ActiveTree build_active_tree(const SurfaceQuery& query, std::vector<std::uint32_t> found) const;
 
   const facet::Geometry& geometry_;
   const view::View& view_;

@@ -101,15 +101,15 @@ class Development {
 };
 
 /// Adds the AND of two siblings; extends the last run if it continues there.
-void add_and_run(std::vector<Meeting>& meetings, const Siblings& siblings) {
-  if (!meetings.empty()) {
-    Meeting& last = meetings.back();
+void add_and_run(std::vector<AndRun>& and_runs, const Siblings& siblings) {
+  if (!and_runs.empty()) {
+    AndRun& last = and_runs.back();
     if (siblings.first == last.first + last.bits && siblings.second == last.second + last.bits) {
       ++last.bits;
       return;
     }
   }
-  meetings.push_back({siblings.first, siblings.second, 1});
+  and_runs.push_back({siblings.first, siblings.second, 1});
 }
 
 }  // namespace
@@ -144,7 +144,7 @@ BitString make_bit_string(const std::vector<ActiveNode>& nodes, std::uint32_t ro
         if (inverted[position] != wanted) level.inverted.push_back(position);
       }
       inverted[first] = wanted;
-      add_and_run(level.meetings, {first, second, op});
+      add_and_run(level.and_runs, {first, second, op});
     }
     std::sort(level.inverted.begin(), level.inverted.end());
     string.levels.push_back(std::move(level));

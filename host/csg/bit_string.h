@@ -10,18 +10,18 @@
 namespace csgsim::csg {
 
 /// An AND of two runs of `bits` bits: each bit from position `first` on with the corresponding one from `second` on.
-struct Meeting {
+struct AndRun {
   std::uint32_t first = 0;
   std::uint32_t second = 0;
   std::uint32_t bits = 0;
 
-  bool operator==(const Meeting&) const = default;
+  bool operator==(const AndRun&) const = default;
 };
 
 /// One level of the tree: some bits are inverted, and then runs of bits are ANDed with their siblings.
 struct StringLevel {
   std::vector<std::uint32_t> inverted;  ///< positions of the bits to invert, ascending
-  std::vector<Meeting> meetings;
+  std::vector<AndRun> and_runs;
 };
 
 /// A tree that is evaluated level by level, all nodes of a level at once (bit-parallel evaluation, thesis 4.4.2).

@@ -31,10 +31,10 @@ class Counted {
   bool test_if_new(const view::FixedLinear& plane, const view::PixelRect& pixels) const {
     constexpr std::uint64_t values_of_row = 2;
     if (into_ == nullptr) return false;
-    switch (tested_ == nullptr ? Finding::by_test : tested_->add(plane, pixels)) {
-      case Finding::by_test: add(&isa::Preparation::halfspaces); return true;
-      case Finding::from_row: add(&isa::Preparation::values, values_of_row); return true;
-      case Finding::known: break;
+    switch (tested_ == nullptr ? ExtremesSource::by_test : tested_->add(plane, pixels)) {
+      case ExtremesSource::by_test: add(&isa::Preparation::halfspaces); return true;
+      case ExtremesSource::from_row: add(&isa::Preparation::values, values_of_row); return true;
+      case ExtremesSource::known: break;
     }
     return false;
   }

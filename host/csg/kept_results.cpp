@@ -19,7 +19,7 @@ constexpr std::size_t numbers_of_excluder = 8;
 
 }  // namespace
 
-Reused& Reused::operator+=(const Reused& more) {
+ReuseCounts& ReuseCounts::operator+=(const ReuseCounts& more) {
   lookups += more.lookups;
   trees += more.trees;
   nodes += more.nodes;
@@ -49,7 +49,7 @@ void KeptResults::forget_geometry() {
   excluders_.clear();
 }
 
-std::shared_ptr<PairTable> KeptResults::pairs_for(const facet::Geometry& geometry) {
+std::shared_ptr<PairTable> KeptResults::pair_table_for(const facet::Geometry& geometry) {
   if (&geometry != geometry_) return std::make_shared<PairTable>(geometry);
   if (drawings_ == pairs_.size()) pairs_.push_back(std::make_shared<PairTable>(geometry));
   pairs_[drawings_]->begin_program();
@@ -92,13 +92,13 @@ Excluder* KeptResults::excluder(std::uint32_t set, std::uint32_t primitive) {
 KeptResults::Search::Search(KeptResults& kept, std::uint32_t* root, std::size_t key_length)
     : kept_(kept), root_(root), key_length_(key_length), at_(root == nullptr ? model::no_index : *root) {}
 
-std::optional<std::uint32_t> KeptResults::Search::question() const {
+std::optional<std::uint32_t> KeptResults::Search::next_primitive() const {
   if (at_ == model::no_index || kept_.steps_[at_].tree != model::no_index) return std::nullopt;
   return kept_.steps_[at_].primitive;
 }
 
-void KeptResults::Search::answer(Known known) {
-  answers_.push_back(known);
+void KeptResults::Search::continue_with(Containment known) {
+  results_.push_back(known);
   last_ = at_;
   at_ = kept_.steps_[at_].next[static_cast<std::size_t>(known)];
 }
@@ -108,7 +108,7 @@ const ActiveTree* KeptResults::Search::tree() const {
 }
 
 std::uint64_t KeptResults::Search::visits() const {
-  return 1 + (key_length_ + answers_.size() + looked_up_per_visit - 1) / looked_up_per_visit;
+  return 1 + (key_length_ + results_.size() + looked_up_per_visit - 1) / looked_up_per_visit;
 }
 
 void KeptResults::Search::count_found(std::uint64_t visits) {
@@ -120,11 +120,11 @@ void KeptResults::Search::count_found(std::uint64_t visits) {
 /// Makes `step` the successor of the test results until now.
 void KeptResults::Search::link(std::uint32_t step) {
   std::uint32_t& before =
-      last_ == model::no_index ? *root_ : kept_.steps_[last_].next[static_cast<std::size_t>(answers_.back())];
+      last_ == model::no_index ? *root_ : kept_.steps_[last_].next[static_cast<std::size_t>(results_.back())];
   before = step;
 }
 
-void KeptResults::Search::add(std::uint32_t primitive, Known known) {
+void KeptResults::Search::add(std::uint32_t primitive, Containment known) {
   if (root_ != nullptr && kept_.reserve(numbers_of_step)) {
     const auto step = static_cast<std::uint32_t>(kept_.steps_.size());
     kept_.steps_.push_back({.primitive = primitive});
@@ -133,8 +133,8 @@ void KeptResults::Search::add(std::uint32_t primitive, Known known) {
   } else {
     root_ = nullptr;
   }
-  answers_.push_back(known);
-  ++walked_;
+  results_.push_back(known);
+  ++next_result_;
 }
 
 void KeptResults::Search::keep(const ActiveTree& tree, std::uint64_t visits) {

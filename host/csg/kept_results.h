@@ -20,14 +20,14 @@
 namespace csgsim::csg {
 
 /// The work that a frame saved by reusing results of earlier frames.
-struct Reused {
+struct ReuseCounts {
   std::uint64_t lookups = 0;       ///< active trees that were looked up
   std::uint64_t trees = 0;         ///< active trees that were found
   std::uint64_t nodes = 0;         ///< visits of tree nodes that finding the trees has replaced
   std::uint64_t certificates = 0;  ///< primitives excluded again by the half-space that had excluded them before
 
-  Reused& operator+=(const Reused& more);
-  bool operator==(const Reused&) const = default;
+  ReuseCounts& operator+=(const ReuseCounts& more);
+  bool operator==(const ReuseCounts&) const = default;
 };
 
 /// Stores active trees, keyed by their set and the primitives that meet its block; the half-spaces that exclude
@@ -51,10 +51,10 @@ class KeptResults {
 
   /// The table of pairs for the next drawing of the Program. Drawings of another geometry, such as a reflected one, get
   /// a new table.
-  [[nodiscard]] std::shared_ptr<PairTable> pairs_for(const facet::Geometry& geometry);
+  [[nodiscard]] std::shared_ptr<PairTable> pair_table_for(const facet::Geometry& geometry);
 
   /// Work that was replaced in the last Program.
-  [[nodiscard]] const Reused& reused() const { return reused_; }
+  [[nodiscard]] const ReuseCounts& reused() const { return reused_; }
 
   /// Whether the kept results are those of this tree and these prunings, which the first call determines.
   [[nodiscard]] bool applies_to(const model::Tree& tree, const Pruning& pruning);
@@ -63,9 +63,9 @@ class KeptResults {
   class Search {
    public:
     /// The primitive to be tested next; empty if the test results until now determine the outcome of the search.
-    [[nodiscard]] std::optional<std::uint32_t> question() const;
+    [[nodiscard]] std::optional<std::uint32_t> next_primitive() const;
     /// Continues the search with the result of that test.
-    void answer(Known known);
+    void continue_with(Containment known);
     /// The kept tree; null if there is none.
     [[nodiscard]] const ActiveTree* tree() const;
     /// Cost of this search for the host, as a number of node visits.
@@ -74,9 +74,9 @@ class KeptResults {
     /// The result of testing a primitive during a traversal of the CSG tree: the one that the search has already used,
     /// if any; otherwise that of `test`, which is kept.
     template <class Test>
-    Known in_walk(std::uint32_t primitive, const Test& test) {
-      if (walked_ < answers_.size()) return answers_[walked_++];
-      const Known known = test();
+    Containment test_once(std::uint32_t primitive, const Test& test) {
+      if (next_result_ < results_.size()) return results_[next_result_++];
+      const Containment known = test();
       add(primitive, known);
       return known;
     }
@@ -89,7 +89,7 @@ class KeptResults {
    private:
     friend class KeptResults;
     Search(KeptResults& kept, std::uint32_t* root, std::size_t key_length);
-    void add(std::uint32_t primitive, Known known);
+    void add(std::uint32_t primitive, Containment known);
     void link(std::uint32_t step);
 
     KeptResults& kept_;
@@ -97,8 +97,8 @@ class KeptResults {
     std::size_t key_length_;
     std::uint32_t at_ = model::no_index;    ///< the current step
     std::uint32_t last_ = model::no_index;  ///< the step before
-    std::vector<Known> answers_;
-    std::size_t walked_ = 0;
+    std::vector<Containment> results_;
+    std::size_t next_result_ = 0;
   };
 
   /// Starts the search for the active tree of a set over a block that the primitives `meeting` meet.
@@ -136,7 +136,7 @@ class KeptResults {
   const facet::Geometry* geometry_ = nullptr;
   std::vector<std::shared_ptr<PairTable>> pairs_;  ///< by the order of the drawings
   std::size_t drawings_ = 0;                       ///< number of the Program's drawings until now
-  Reused reused_;
+  ReuseCounts reused_;
 };
 
 }  // namespace csgsim::csg

@@ -47,11 +47,11 @@ view::Range depth_range(const view::ScreenPlane& plane, unsigned fraction_bits, 
   return {exact.low >> fraction_bits, exact.high >> fraction_bits};
 }
 
-Known locate(const view::View& view, facet::Halfspace halfspace, const Block& block) {
+Containment locate(const view::View& view, facet::Halfspace halfspace, const Block& block) {
   return locate(view, view.planes[halfspace.plane], halfspace.positive, block);
 }
 
-Known locate(const view::View& view, const view::ScreenPlane& plane, bool positive, const Block& block) {
+Containment locate(const view::View& view, const view::ScreenPlane& plane, bool positive, const Block& block) {
   const auto range = [&] {
     if (!plane.representable) return real_range(view, plane.real, block.pixels);
     return plane.kind == view::PlaneKind::edge ? view::range_over(plane.linear, block.pixels)
@@ -59,28 +59,30 @@ Known locate(const view::View& view, const view::ScreenPlane& plane, bool positi
   }();
   switch (view::side_of(plane, positive)) {
     case view::Side::front:
-      if (range.high <= block.z_low) return Known::in;
-      return range.low > block.z_high ? Known::out : Known::depends;
+      if (range.high <= block.z_low) return Containment::in;
+      return range.low > block.z_high ? Containment::out : Containment::depends;
     case view::Side::back:
-      if (range.low > block.z_high) return Known::in;
-      return range.high <= block.z_low ? Known::out : Known::depends;
+      if (range.low > block.z_high) return Containment::in;
+      return range.high <= block.z_low ? Containment::out : Containment::depends;
     case view::Side::edge_positive:
-      if (range.low >= 0) return Known::in;
-      return range.high < 0 ? Known::out : Known::depends;
+      if (range.low >= 0) return Containment::in;
+      return range.high < 0 ? Containment::out : Containment::depends;
     case view::Side::edge_negative:
-      if (range.high < 0) return Known::in;
-      return range.low >= 0 ? Known::out : Known::depends;
+      if (range.high < 0) return Containment::in;
+      return range.low >= 0 ? Containment::out : Containment::depends;
   }
-  return Known::depends;
+  return Containment::depends;
 }
 
-Known locate(const view::View& view, facet::QuadricSide side, const Block& block) {
+Containment locate(const view::View& view, facet::QuadricSide side, const Block& block) {
   const view::ScreenQuadric& quadric = view.quadrics[side.quadric];
-  if (quadric.kind == view::ScreenQuadricKind::unfit) return Known::depends;
+  if (quadric.kind == view::ScreenQuadricKind::unfit) return Containment::depends;
   const view::RootRanges ranges = view::ranges_over(quadric, view.sampling.fraction_bits, block.pixels);
   const bool all = ranges.discriminant.low >= 0;
   const bool none = ranges.discriminant.high < 0;
-  const auto known = [](bool in, bool out) { return in ? Known::in : out ? Known::out : Known::depends; };
+  const auto known = [](bool in, bool out) {
+    return in ? Containment::in : out ? Containment::out : Containment::depends;
+  };
   switch (view::role_of(quadric, side)) {
     case view::QuadricRole::between:
       return known(all && ranges.near.high <= block.z_low && ranges.far.low > block.z_high,
@@ -91,37 +93,38 @@ Known locate(const view::View& view, facet::QuadricSide side, const Block& block
       return known(all && ranges.far.high <= block.z_low, none || ranges.far.low > block.z_high);
     case view::QuadricRole::edge: return known(all, none);
   }
-  return Known::depends;
+  return Containment::depends;
 }
 
-Known locate(const view::View& view, const facet::Geometry& geometry, std::uint32_t primitive, const Block& block,
-             const Counted& counted, Excluder* excluder) {
+Containment locate(const view::View& view, const facet::Geometry& geometry, std::uint32_t primitive, const Block& block,
+                   const Counted& counted, Excluder* excluder) {
   if (excluder != nullptr) excluder->held = false;
   counted.add(&isa::Preparation::boxes);
   const view::Extent& extent = view.extents[primitive];
   const view::PixelRect shared = common(extent.pixels, block.pixels);
-  if (extent.empty() || shared.empty() || extent.z_low > block.z_high || extent.z_high < block.z_low) return Known::out;
+  if (extent.empty() || shared.empty() || extent.z_low > block.z_high || extent.z_high < block.z_low)
+    return Containment::out;
   bool inside = shared == block.pixels;
   const Block part{shared, block.z_low, block.z_high};
   const auto is_out = [&](const auto& bound) {
     count_test(view, bound, shared, counted);
-    const Known known = locate(view, bound, part);
-    inside = inside && known == Known::in;
-    return known == Known::out;
+    const Containment known = locate(view, bound, part);
+    inside = inside && known == Containment::in;
+    return known == Containment::out;
   };
   const facet::Convex& solid = geometry.solids[primitive];
   const std::size_t first = excluder == nullptr ? model::no_index : excluder->halfspace;
   if (first < solid.halfspaces.size() && is_out(solid.halfspaces[first])) {
     excluder->held = true;
-    return Known::out;
+    return Containment::out;
   }
   for (std::size_t i = 0; i < solid.halfspaces.size(); ++i) {
     if (i == first || !is_out(solid.halfspaces[i])) continue;
     if (excluder != nullptr) excluder->halfspace = static_cast<std::uint32_t>(i);
-    return Known::out;
+    return Containment::out;
   }
-  if (std::ranges::any_of(solid.quadrics, is_out)) return Known::out;
-  return inside ? Known::in : Known::depends;
+  if (std::ranges::any_of(solid.quadrics, is_out)) return Containment::out;
+  return inside ? Containment::in : Containment::depends;
 }
 
 bool holds(const view::View& view, const facet::Geometry& geometry, std::uint32_t primitive, const Block& block,
@@ -133,7 +136,7 @@ bool holds(const view::View& view, const facet::Geometry& geometry, std::uint32_
                          extent.z_high >= block.z_low;
   const auto holds_block = [&](const auto& bound) {
     count_test(view, bound, block.pixels, counted);
-    return locate(view, bound, block) == Known::in;
+    return locate(view, bound, block) == Containment::in;
   };
   const facet::Convex& solid = geometry.solids[primitive];
   return is_inside && std::ranges::all_of(solid.halfspaces, holds_block) &&

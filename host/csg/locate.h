@@ -12,7 +12,7 @@
 namespace csgsim::csg {
 
 /// Location of a block relative to an object: outside everywhere, inside everywhere, or undecided.
-enum class Known : std::uint8_t { out, in, depends };
+enum class Containment : std::uint8_t { out, in, depends };
 
 /// A block of picture and depth that contains the surface of a primitive.
 struct Block {
@@ -26,13 +26,13 @@ view::Range depth_range(const view::ScreenPlane& plane, unsigned fraction_bits, 
 
 /// Whether every point of the block, or none, is in the half-space, by the integers that the machine uses. The extremes
 /// of a plane over a rectangle are at its corners.
-Known locate(const view::View& view, facet::Halfspace halfspace, const Block& block);
+Containment locate(const view::View& view, facet::Halfspace halfspace, const Block& block);
 
 /// Whether every point of the block, or none, is on the positive or negative side of the plane.
-Known locate(const view::View& view, const view::ScreenPlane& plane, bool positive, const Block& block);
+Containment locate(const view::View& view, const view::ScreenPlane& plane, bool positive, const Block& block);
 
 /// Whether every point of the block, or none, is inside that side of a quadric; `depends` if the quadric is unfit.
-Known locate(const view::View& view, facet::QuadricSide side, const Block& block);
+Containment locate(const view::View& view, facet::QuadricSide side, const Block& block);
 
 /// A half-space of a primitive that excluded a block.
 struct Excluder {
@@ -43,8 +43,8 @@ struct Excluder {
 /// Locates the block relative to a convex primitive: out if one half-space or quadric is out; in if all are in and the
 /// block is inside the primitive's extent. The half-space of `excluder` is tested first; the one that excludes the
 /// block is stored there.
-Known locate(const view::View& view, const facet::Geometry& geometry, std::uint32_t primitive, const Block& block,
-             const Counted& counted = {}, Excluder* excluder = nullptr);
+Containment locate(const view::View& view, const facet::Geometry& geometry, std::uint32_t primitive, const Block& block,
+                   const Counted& counted = {}, Excluder* excluder = nullptr);
 
 /// Whether locate() returns `in`. Stops at the first half-space or quadric for which this is false.
 bool holds(const view::View& view, const facet::Geometry& geometry, std::uint32_t primitive, const Block& block,

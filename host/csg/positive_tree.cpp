@@ -15,7 +15,7 @@ PositiveOperator positive_operator(model::Operator op, bool complemented) {
 
 }  // namespace
 
-PositiveTree make_positive(const model::Tree& tree) {
+PositiveTree make_positive_tree(const model::Tree& tree) {
   PositiveTree positive;
   positive.nodes.resize(tree.nodes.size());
   positive.root = tree.root;

@@ -29,6 +29,6 @@ struct PositiveTree {
   std::vector<std::uint32_t> leaf_of;  ///< the leaf node of each primitive
 };
 
-PositiveTree make_positive(const model::Tree& tree);
+PositiveTree make_positive_tree(const model::Tree& tree);
 
 }  // namespace csgsim::csg

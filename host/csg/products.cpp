@@ -2,7 +2,7 @@
 
 namespace csgsim::csg {
 
-RootedTree with_root(const ActiveTree& active) {
+RootedTree make_rooted_tree(const ActiveTree& active) {
   RootedTree rooted{active.nodes, active.operands.front()};
   if (active.operands.size() > 1) {
     rooted.root = static_cast<std::uint32_t>(rooted.nodes.size());

@@ -20,7 +20,7 @@ struct RootedTree {
 };
 
 /// The nodes of an active tree, which must have operands, under one root.
-RootedTree with_root(const ActiveTree& active);
+RootedTree make_rooted_tree(const ActiveTree& active);
 
 /// Number of products of the sum that each node of a tree expands to (thesis 6.3.1): unions add, intersections
 /// multiply. `countless` on overflow.

@@ -14,7 +14,7 @@
 namespace csgsim::csg {
 
 /// How the extremes of a plane over a rectangle are found.
-enum class Finding : std::uint8_t {
+enum class ExtremesSource : std::uint8_t {
   by_test,   ///< at the corners
   from_row,  ///< by additions, from the extremes in the row above
   known,     ///< they have been found before
@@ -28,13 +28,13 @@ class Tested {
   void follow(const Tested& above) { above_ = &above; }
 
   /// Adds a plane and a rectangle. Returns how the host finds the plane's extremes there.
-  Finding add(const view::FixedLinear& plane, const view::PixelRect& pixels) {
+  ExtremesSource add(const view::FixedLinear& plane, const view::PixelRect& pixels) {
     const std::uint64_t place = hash(plane, pixels);
-    if (is_sealed(place) || !open_.insert(place).second) return Finding::known;
+    if (is_sealed(place) || !open_.insert(place).second) return ExtremesSource::known;
     const bool is_row = pixels.y0 == pixels.y1;
     const bool follows = is_row && above_ != nullptr &&
                          above_->is_sealed(hash(plane, {pixels.x0, pixels.y0 - 1, pixels.x1, pixels.y1 - 1}));
-    return follows ? Finding::from_row : Finding::by_test;
+    return follows ? ExtremesSource::from_row : ExtremesSource::by_test;
   }
 
   /// Adds all sealed entries of `others`.

@@ -24,7 +24,7 @@ void TreePaths::note_below(std::uint32_t index) {
   const PositiveNode& node = tree_.nodes[index];
   Note& note = notes_[index];
   if (node.is_leaf) {
-    note.in_elsewhere = node.complemented;
+    note.is_inside_elsewhere = node.complemented;
     note.first = note.last = node.primitive;
     return;
   }
@@ -33,12 +33,12 @@ void TreePaths::note_below(std::uint32_t index) {
     Note& below = notes_[child];
     if (note.first != model::no_index && below.first <= note.last)
       throw std::logic_error("primitives are not in tree order");
-    below.decides = below.in_elsewhere == dominant;
+    below.decides = below.is_inside_elsewhere == dominant;
     note.deciding_children += below.decides ? 1U : 0U;
     note.first = std::min(note.first, below.first);
     note.last = std::max(note.last, below.last);
   }
-  note.in_elsewhere = (note.deciding_children > 0) == dominant;
+  note.is_inside_elsewhere = (note.deciding_children > 0) == dominant;
 }
 
 void TreePaths::note_above(std::uint32_t index, bool is_heavy) {

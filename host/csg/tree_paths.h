@@ -27,7 +27,7 @@ class TreePaths {
   [[nodiscard]] std::uint32_t last(std::uint32_t node) const { return notes_[node].last; }
 
   /// Whether a place outside all primitives of the subtree is inside the subtree.
-  [[nodiscard]] bool in_elsewhere(std::uint32_t node) const { return notes_[node].in_elsewhere; }
+  [[nodiscard]] bool is_inside_elsewhere(std::uint32_t node) const { return notes_[node].is_inside_elsewhere; }
 
   /// Whether that value decides the parent: outside in an intersection, inside in a union.
   [[nodiscard]] bool decides_elsewhere(std::uint32_t node) const { return notes_[node].decides; }
@@ -54,7 +54,7 @@ class TreePaths {
 
  private:
   struct Note {
-    bool in_elsewhere = false;
+    bool is_inside_elsewhere = false;
     bool decides = false;
     std::uint32_t first = model::no_index;
     std::uint32_t last = 0;

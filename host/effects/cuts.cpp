@@ -110,7 +110,7 @@ class Cuts final : public emit::EffectOf<std::vector<Cut>> {
     const Cut& cut = settings.at(section);
     if (cut.hatch == 0) return true;
     emit_lines(out, cut, context.view.sampling.offset);
-    out.plain(isa::Opcode::set_constant, field, {}, emit::packed(cut.hatch_colour, context.options.colour_bits));
+    out.plain(isa::Opcode::set_constant, field, {}, emit::packed_colour(cut.hatch_colour, context.options.colour_bits));
     return true;
   }
 };

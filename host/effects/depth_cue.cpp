@@ -126,7 +126,7 @@ class DepthCue final : public emit::EffectOf<CueSettings, Fading> {
   void finish(const emit::EffectCall& call, emit::Broadcast& out) const override {
     const emit::Options& options = call.context.options;
     const std::optional<glm::dvec3>& colour = settings.colour;
-    const std::uint32_t cue = colour ? emit::packed(*colour, options.colour_bits)
+    const std::uint32_t cue = colour ? emit::packed_colour(*colour, options.colour_bits)
                                      : emit::packed_background(options.scene, options.colour_bits);
     Fader(call.context, out, prepared(call), settings.bits).fade(cue);
   }

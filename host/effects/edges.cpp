@@ -53,7 +53,7 @@ std::vector<bool> find_curved(const model::Primitive& primitive, const facet::Co
   for (const facet::Halfspace& halfspace : solid.halfspaces)
     curved.push_back(!emit::is_flat(primitive, planes.planes()[halfspace.plane].normal));
   const auto count = static_cast<std::size_t>(std::count(curved.begin(), curved.end(), true));
-  const bool is_smooth = count > 0 && model::angle_between(primitive.shape, count) * 180 / std::numbers::pi < crease;
+  const bool is_smooth = count > 0 && model::facet_angle(primitive.shape, count) * 180 / std::numbers::pi < crease;
   if (!is_smooth) curved.assign(curved.size(), false);
   return curved;
 }
@@ -138,7 +138,8 @@ class Edges final : public emit::EffectOf<EdgeSettings, Numbers> {
       plain(Opcode::enable_store, line);
     }
     if (context.base.width > 0) plain(Opcode::enable_and, context.base);
-    plain(Opcode::set_constant, context.layout.colour, {}, emit::packed(settings.colour, context.options.colour_bits));
+    plain(Opcode::set_constant, context.layout.colour, {},
+          emit::packed_colour(settings.colour, context.options.colour_bits));
   }
 
  private:

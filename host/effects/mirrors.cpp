@@ -242,7 +242,7 @@ class MirrorEmitter {
 
 class Mirrors final : public emit::EffectOf<Settings, PreparedMirrors> {
  public:
-  [[nodiscard]] bool called_by(const emit::Look& look) const override {
+  [[nodiscard]] bool is_implied_by(const emit::Look& look) const override {
     return std::any_of(look.finishes.begin(), look.finishes.end(),
                        [](const lighting::Finish& one) { return scaled_reflectance(one) > 0; });
   }

@@ -89,7 +89,7 @@ lighting::Lighting reflected(const lighting::Lighting& lighting, const facet::Ge
   };
   const Mirroring mirroring(turned(mirror.normal), mirror.offset + glm::dot(mirror.normal, camera.eye));
   lighting::Lighting result = lighting;
-  for (lighting::SeenLight& light : result.lights)
+  for (lighting::CameraSpaceLight& light : result.lights)
     light.where = light.is_point ? mirroring.place(light.where) : mirroring.direction(light.where);
   return result;
 }

@@ -9,7 +9,7 @@ std::vector<scene::Section> sections() {
   return sections;
 }
 
-model::Tree reshaped(model::Tree&& tree, const scene::Scene& scene) {
+model::Tree reshape_model(model::Tree&& tree, const scene::Scene& scene) {
   for (const emit::EffectRow* const row : all()) {
     for (const scene::EffectRequest& one : scene.effects)
       if (one.is_on && one.name == row->section.name) tree = row->parts.make(one.tables)->reshape(std::move(tree));

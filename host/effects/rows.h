@@ -21,6 +21,6 @@ std::vector<scene::Section> sections();
 
 /// The model after the changes by effects that the scene requests. Throws InputError if the settings of an effect do
 /// not fit the model.
-model::Tree reshaped(model::Tree&& tree, const scene::Scene& scene);
+model::Tree reshape_model(model::Tree&& tree, const scene::Scene& scene);
 
 }  // namespace csgsim::effects

@@ -44,13 +44,14 @@ using SidesOfPlanes = std::vector<std::vector<ReceiverSide>>;
 /// Volumes over receivers. Volumes and planes are removed as long as the shadowed part of the receivers stays the same.
 class Covering {
  public:
-  Covering(const std::vector<SeenVolume>& volumes, const Receivers& receivers, unsigned fraction_bits, const Work& work)
+  Covering(const std::vector<ShadowVolumeInView>& volumes, const Receivers& receivers, unsigned fraction_bits,
+           const Work& work)
       : receivers_(receivers.facets),
         sides_(receivers_, fraction_bits),
         fraction_bits_(fraction_bits),
         work_(work),
         volumes_by_receiver_(receivers.facets.size()) {
-    for (const SeenVolume& one : volumes) {
+    for (const ShadowVolumeInView& one : volumes) {
       Volume volume{one.planes, one.primitive, {}};
       volume.touches = touches(volume.planes);
       if (volume.touches.empty()) continue;
@@ -227,8 +228,8 @@ class Covering {
 
 }  // namespace
 
-ShadowParts touching_parts(const std::vector<SeenVolume>& volumes, const Receivers& receivers, unsigned fraction_bits,
-                           const Work& work) {
+ShadowParts find_touching_parts(const std::vector<ShadowVolumeInView>& volumes, const Receivers& receivers,
+                                unsigned fraction_bits, const Work& work) {
   Covering covering(volumes, receivers, fraction_bits, work);
   covering.reduce();
   ShadowParts result = covering.take();

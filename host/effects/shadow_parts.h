@@ -27,7 +27,7 @@ struct ShadowParts {
 /// The volumes that touch receivers, without redundant volumes, each with as few planes as possible: a part may be
 /// larger than its volume only where another part covers the excess. `fraction_bits`: fraction bits of surfaces. Throws
 /// WorkError if the work limit is exceeded.
-ShadowParts touching_parts(const std::vector<SeenVolume>& volumes, const Receivers& receivers, unsigned fraction_bits,
-                           const Work& work);
+ShadowParts find_touching_parts(const std::vector<ShadowVolumeInView>& volumes, const Receivers& receivers,
+                                unsigned fraction_bits, const Work& work);
 
 }  // namespace csgsim::effects

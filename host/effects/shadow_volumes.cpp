@@ -15,7 +15,7 @@ namespace csgsim::effects {
 
 namespace {
 
-convex::Light in_model(const lighting::SeenLight& light, const view::Camera& camera) {
+convex::Light in_model(const lighting::CameraSpaceLight& light, const view::Camera& camera) {
   const view::Basis axes = view::basis(camera);
   const glm::dvec3 turned = axes.right * light.where.x + axes.up * light.where.y + axes.forward * light.where.z;
   return light.is_point ? convex::Light{{camera.eye + turned, 1}} : convex::Light{{turned, 0}};
@@ -40,32 +40,32 @@ class Volume {
   }
 
   /// The volume; empty if it contains no point of the picture.
-  [[nodiscard]] std::optional<SeenVolume> take() {
+  [[nodiscard]] std::optional<ShadowVolumeInView> take() {
     return is_empty_ ? std::nullopt : std::optional(std::move(volume_));
   }
 
  private:
   /// Whether the result depends on the plane. If it does and the plane's coefficients do not fit, throws InputError.
   bool decides(const view::ScreenPlane& plane, bool positive) {
-    const csg::Known known = csg::locate(drawing_.view, plane, positive, picture_);
-    if (known == csg::Known::depends) {
+    const csg::Containment known = csg::locate(drawing_.view, plane, positive, picture_);
+    if (known == csg::Containment::depends) {
       throw InputError(fmt::format(
           "{}: a plane of this primitive's shadow is too large for the picture: its coefficients do not fit {} "
           "bits; move the camera back, lower --z-bits or --fraction-bits, or turn the light a little",
-          model::place_of(*drawing_.tree, volume_.primitive), isa::max_linear_width));
+          model::location_text(*drawing_.tree, volume_.primitive), isa::max_linear_width));
     }
-    is_empty_ = is_empty_ || known == csg::Known::out;
+    is_empty_ = is_empty_ || known == csg::Containment::out;
     return false;
   }
 
   const emit::Drawing& drawing_;
   csg::Block picture_;
-  SeenVolume volume_;
+  ShadowVolumeInView volume_;
   bool is_empty_ = false;
 };
 
-std::optional<SeenVolume> seen_volume(const emit::Drawing& drawing, const convex::ShadowVolume& volume,
-                                      std::uint32_t primitive) {
+std::optional<ShadowVolumeInView> seen_volume(const emit::Drawing& drawing, const convex::ShadowVolume& volume,
+                                              std::uint32_t primitive) {
   const view::View& view = drawing.view;
   Volume result(drawing, primitive);
   for (const facet::Plane& plane : volume.silhouette)

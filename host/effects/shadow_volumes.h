@@ -32,7 +32,7 @@ struct ShadowPlane {
 
 /// The region in which a convex piece of the model blocks a light, in a view: the intersection of the half-spaces; if
 /// there are none, the whole space.
-struct SeenVolume {
+struct ShadowVolumeInView {
   std::vector<ShadowPlane> planes;
   std::uint32_t primitive = 0;  ///< primitive of the piece
 };
@@ -40,7 +40,7 @@ struct SeenVolume {
 /// A light that casts shadows.
 struct ShadowLight {
   std::size_t light = 0;  ///< index into Lighting::lights
-  std::vector<SeenVolume> volumes;
+  std::vector<ShadowVolumeInView> volumes;
 };
 
 /// The primitives that cast shadows, as a range of lines of the model's file; all primitives if from_line is empty.

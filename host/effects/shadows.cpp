@@ -92,7 +92,7 @@ class CastShadows final : public emit::EffectOf<Settings, Prepared> {
     for (std::size_t i = 0; i < lights.size(); ++i) {
       const Receivers receivers = find_receivers(context, lights[i].light);
       const ShadowParts found =
-          touching_parts(lights[i].volumes, receivers, context.view.sampling.fraction_bits, context.options.work);
+          find_touching_parts(lights[i].volumes, receivers, context.view.sampling.fraction_bits, context.options.work);
       if (found.parts.empty()) continue;
       emit::ShadowBit bit{lights[i].light, field(flag_name(i)), {}};
       emit_shadows(context, out, found.parts, bit.bit, field("marks"));

@@ -61,8 +61,8 @@ std::vector<Sample> take_samples(const emit::Context& context, const emit::Facet
     if (!own || (space.perspective && in_eye.z <= 0)) return {};
     const glm::dvec3 normal = sign * glm::normalize(glm::transpose(glm::dmat3(to_own)) * *own);
     context.counted.add(&isa::Preparation::colours);
-    const glm::dvec3 colour = lighting::lit(context.lighting(), finish.material, finish.colour,
-                                            {in_eye, emit::in_camera_axes(context.view.camera, normal)});
+    const glm::dvec3 colour = lighting::lit_colour(context.lighting(), finish.material, finish.colour,
+                                                   {in_eye, emit::in_camera_axes(context.view.camera, normal)});
     samples.push_back({glm::dvec2(space.to_picture(in_eye)), glm::clamp(colour, 0.0, 1.0) * top});
   }
   return samples;

@@ -92,7 +92,7 @@ void complete(Texture& texture) {
 
 const Texture* find_texture(const Settings& settings, const model::Primitive& primitive) {
   const auto found = std::find_if(settings.rbegin(), settings.rend(),
-                                  [&](const Texture& one) { return lighting::is_chosen(one, primitive); });
+                                  [&](const Texture& one) { return lighting::is_selected(one, primitive); });
   return found == settings.rend() ? nullptr : &*found;
 }
 
@@ -131,7 +131,7 @@ class Shader {
   [[nodiscard]] isa::Field part(unsigned begin, unsigned width) const { return subfield(texel_, begin, width); }
 
   [[noreturn]] void fail(std::string_view what) const {
-    throw InputError(fmt::format("{}: {}", model::place_of(context_.tree, facet_.primitive), what));
+    throw InputError(fmt::format("{}: {}", model::location_text(context_.tree, facet_.primitive), what));
   }
 
   [[noreturn]] void fail_size() const {
@@ -250,7 +250,7 @@ class Textures final : public emit::EffectOf<Settings> {
       throw InputError(
           fmt::format("{}: textures are only for flat facets, and this is a {}; name cubes, polyhedra or cylinders, "
                       "whose ends are flat, in [[effects.textures]]",
-                      model::place_of(*drawing.tree, i), model::name_of(primitives[i].shape)));
+                      model::location_text(*drawing.tree, i), model::name_of(primitives[i].shape)));
     }
   }
 };

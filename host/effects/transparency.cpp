@@ -43,7 +43,7 @@ struct Prepared : emit::EffectState {
 
 class Transparency final : public emit::EffectOf<Settings, Prepared> {
  public:
-  [[nodiscard]] bool called_by(const emit::Look& look) const override {
+  [[nodiscard]] bool is_implied_by(const emit::Look& look) const override {
     return std::any_of(look.finishes.begin(), look.finishes.end(),
                        [](const lighting::Finish& one) { return one.opacity < 1; });
   }
@@ -86,7 +86,7 @@ class Transparency final : public emit::EffectOf<Settings, Prepared> {
 
 }  // namespace
 
-std::optional<scene::Scene> by_screen_door(scene::Scene scene) {
+std::optional<scene::Scene> with_screen_doors(scene::Scene scene) {
   const bool sets_effect = std::any_of(scene.effects.begin(), scene.effects.end(), [](const scene::EffectRequest& one) {
     return one.name == transparency.section.name;
   });

@@ -10,6 +10,6 @@ namespace csgsim::effects {
 
 /// The scene with its transparent primitives drawn as screen-door patterns, which need no memory. Empty if the scene
 /// requests a transparency effect itself or has transparent materials.
-std::optional<scene::Scene> by_screen_door(scene::Scene scene);
+std::optional<scene::Scene> with_screen_doors(scene::Scene scene);
 
 }  // namespace csgsim::effects

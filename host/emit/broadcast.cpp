@@ -71,7 +71,7 @@ void Broadcast::plain(isa::Opcode opcode, isa::Field first, isa::Field second, s
   append({opcode, {first, second, {}}, {}, constant, origin});
 }
 
-void Broadcast::bitwise(isa::Opcode opcode, isa::Field target, isa::Field left, isa::Field right) {
+void Broadcast::append_bitwise(isa::Opcode opcode, isa::Field target, isa::Field left, isa::Field right) {
   append({opcode, {target, left, right}, {}, 0, origin});
 }
 

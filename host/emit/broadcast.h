@@ -42,7 +42,7 @@ class Broadcast {
   void plain(isa::Opcode opcode, isa::Field first = {}, isa::Field second = {}, std::uint64_t constant = 0);
 
   /// Appends an instruction that combines three fields bit by bit.
-  void bitwise(isa::Opcode opcode, isa::Field target, isa::Field left, isa::Field right);
+  void append_bitwise(isa::Opcode opcode, isa::Field target, isa::Field left, isa::Field right);
 
   /// field := constant where E is 1. The field may have any width.
   void constant(isa::Field field, std::uint64_t value);

@@ -110,7 +110,7 @@ auto with_primitive_in_errors(const model::Tree& tree, const Broadcast& out, con
   } catch (const WorkError& error) {
     const std::uint32_t primitive = out.origin.primitive;
     if (primitive >= tree.primitives.size()) throw;
-    throw InputError(fmt::format("{}: {}", model::place_of(tree, primitive), error.what()));
+    throw InputError(fmt::format("{}: {}", model::location_text(tree, primitive), error.what()));
   }
 }
 
@@ -189,7 +189,7 @@ isa::Preparation count_preparation(const std::vector<const Drawing*>& drawings) 
   std::map<const facet::Geometry*, DistinctNumbers> distinct;
   for (const Drawing* const one : drawings) {
     const auto [found, is_new] = distinct.try_emplace(one->geometry.get());
-    if (is_new) found->second = count_distinct(*one->geometry);
+    if (is_new) found->second = count_distinct_numbers(*one->geometry);
     all += emit::count_preparation(*one->geometry, one->view, found->second, one->sampled_from != nullptr);
   }
   return all;
@@ -206,7 +206,7 @@ isa::Preparation count_model_preparation(const std::vector<const Drawing*>& draw
     all += one->plan.pairs->work();
     if (!one->plan.pairs->is_in_first_frame()) continue;
     all.nodes += one->plan.positive.nodes.size();
-    all += count_sharing(*one->geometry);
+    all += count_sharing_work(*one->geometry);
   }
   return all;
 }
@@ -259,7 +259,7 @@ isa::Program compile_as(const Input& input, const Options& options) {
                                      has_owners ? owner_bits(drawings) : 0, effect_fields(drawing, inputs), quadrics},
                                     memory_bits);
   isa::Program program;
-  program.machine = machines::record_of(input.machine);
+  program.machine = machines::machine_record(input.machine);
   program.shape = {sampling.width, sampling.height, memory_bits};
   program.colour = layout.colour;
   name_primitives(drawings, *program.facts);
@@ -283,7 +283,7 @@ isa::Program compile_as(const Input& input, const Options& options) {
   // Products search pairs while they are emitted.
   *program.model_preparation = count_model_preparation(drawings);
   program.facts->prunings = list_prunings(drawings);
-  if (machines::keeps_active_list(input.machine)) program.extents = isa::extents_of(program.segments);
+  if (machines::keeps_active_list(input.machine)) program.extents = isa::compute_row_extents(program.segments);
   program.facts->compile = {std::string(name_of(options.strategy)),
                             has_owners ? "deferred" : std::string(name_of(options.colouring)),
                             sampling.z_bits,
@@ -365,10 +365,10 @@ isa::Program compile_within(const model::Tree& tree, const facet::Geometry& geom
                             const machines::Machine& machine, const Options& wanted, const ClockCounter& count,
                             csg::KeptResults* kept) {
   const std::optional<machines::Division> division = machines::division(machine);
-  Options options = with_prices(division ? options_for(*division, wanted) : wanted, machine);
+  Options options = with_prices(division ? options_for_division(*division, wanted) : wanted, machine);
   options.work = wanted.work.with_zero_count();
   const std::vector<EffectRequest> called =
-      called_effects(options, make_look(options.scene, tree, csg::make_positive(tree), view.camera));
+      called_effects(options, make_look(options.scene, tree, csg::make_positive_tree(tree), view.camera));
   if (division) refuse_effects(called, machine);
   if (kept != nullptr) kept->begin_program(geometry);
   const auto drawing =

@@ -90,9 +90,9 @@ class Painter {
 
   void paint() {
     brightest_ = finish_.colour * context_.lighting().ambient * finish_.material.ambient;
-    const std::uint32_t ambient = packed(brightest_, field_.width);
+    const std::uint32_t ambient = packed_colour(brightest_, field_.width);
     std::vector<Light> lights;
-    for (const lighting::SeenLight& light : context_.lighting().lights) {
+    for (const lighting::CameraSpaceLight& light : context_.lighting().lights) {
       const LightFit fit = fit_light(context_, facet_, light);
       const glm::dvec3 brightness = finish_.colour * light.colour * finish_.material.diffuse;
       const auto cosine = scaled(fit, std::ldexp(1.0, static_cast<int>(cosine_.width) - 3), context_.view.sampling);

@@ -20,16 +20,18 @@ static_assert(curve_names.size() == curve_choices.size());
 
 std::string_view name_of(Curves curves) { return curve_names.at(static_cast<std::size_t>(curves)); }
 
-std::optional<std::string> why_no_quadrics(const machines::Machine& machine, const Options& options, const Look& look) {
+std::optional<std::string> quadrics_unsupported_reason(const machines::Machine& machine, const Options& options,
+                                                       const Look& look) {
   if (machine.evaluator_degree < 2)
     return fmt::format(
         "{} evaluates only linear expressions, and a curved surface needs quadratic ones; take a machine whose "
         "evaluator.degree is 2, such as pixel-powers",
         machine.name);
-  return why_no_curves(machine, options, look);
+  return curves_unsupported_reason(machine, options, look);
 }
 
-std::optional<std::string> why_no_curves(const machines::Machine& machine, const Options& options, const Look& look) {
+std::optional<std::string> curves_unsupported_reason(const machines::Machine& machine, const Options& options,
+                                                     const Look& look) {
   if (machines::division(machine))
     return fmt::format(
         "{} divides the model itself, and its divider supports only half-spaces; take a machine for which the host "

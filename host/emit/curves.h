@@ -29,10 +29,12 @@ std::string_view name_of(Curves curves);
 
 /// Error text: the reason why the machine or the scene's effects do not support quadrics, and what to do. Empty if they
 /// do.
-std::optional<std::string> why_no_quadrics(const machines::Machine& machine, const Options& options, const Look& look);
+std::optional<std::string> quadrics_unsupported_reason(const machines::Machine& machine, const Options& options,
+                                                       const Look& look);
 
 /// Error text: the reason why only facets can be drawn, even on a machine that evaluates quadrics, and what to do.
 /// Empty if curves can be drawn.
-std::optional<std::string> why_no_curves(const machines::Machine& machine, const Options& options, const Look& look);
+std::optional<std::string> curves_unsupported_reason(const machines::Machine& machine, const Options& options,
+                                                     const Look& look);
 
 }  // namespace csgsim::emit

@@ -18,7 +18,7 @@ namespace csgsim::emit {
 namespace {
 
 [[noreturn]] void refuse_face(const model::Tree& tree, std::uint32_t primitive) {
-  throw InputError(model::place_of(tree, primitive) +
+  throw InputError(model::location_text(tree, primitive) +
                    ": a face of this primitive is too large for the divider: its coefficients do not fit " +
                    std::to_string(isa::max_linear_width) +
                    " bits; move the camera back, move the picture's centre onto it, lower --z-bits or "
@@ -64,7 +64,7 @@ std::vector<division::Halfspace> list_halfspaces(const Context& context, std::ui
     const view::ScreenPlane& plane = context.view.planes[halfspace.plane];
     if (!plane.representable) {
       const csg::Block anywhere{extent.pixels, 0, context.farthest()};
-      if (csg::locate(context.view, halfspace, anywhere) != csg::Known::in) refuse_face(context.tree, primitive);
+      if (csg::locate(context.view, halfspace, anywhere) != csg::Containment::in) refuse_face(context.tree, primitive);
       continue;
     }
     const view::Side side = view::side_of(plane, halfspace);
@@ -145,7 +145,7 @@ division::DisplayModel make_display_model(const model::Tree& tree, const facet::
   const view::Sampling& sampling = view.sampling;
   const Layout layout =
       plan_layout({sampling.z_bits, options.colour_bits, options.colouring == Colouring::field, {}}, memory_bits);
-  const csg::PositiveTree positive = csg::make_positive(tree);
+  const csg::PositiveTree positive = csg::make_positive_tree(tree);
   const SegmentPlan segment;
   const machines::Machine machine;
   const Look look = make_look(options.scene, tree, positive, view.camera);

@@ -80,7 +80,7 @@ isa::Region enclosing_group(const isa::Region& region, const isa::ArrayShape& pi
 
 }  // namespace
 
-Options options_for(const machines::Division& /*division*/, const Options& options) {
+Options options_for_division(const machines::Division& /*division*/, const Options& options) {
   if (options.strategy != Strategy::stack && options.strategy != Strategy::automatic) {
     throw InputError(fmt::format(
         "the machine divides the model itself, and its divider supports only --strategy stack, not {}; take that, "
@@ -99,8 +99,8 @@ Options options_for(const machines::Division& /*division*/, const Options& optio
 void add_division(isa::Program& program, const machines::Division& division, const model::Tree& tree,
                   const facet::Geometry& geometry, const view::View& view, const machines::Machine& machine,
                   const Options& options) {
-  *program.preparation = count_preparation(geometry, view, count_distinct(geometry));
-  *program.model_preparation = count_sharing(geometry);
+  *program.preparation = count_preparation(geometry, view, count_distinct_numbers(geometry));
+  *program.model_preparation = count_sharing_work(geometry);
   program.facts->prunings.clear();
   program.display_model = to_bytes(division::encode(make_display_model(
       tree, geometry, view, options, program.shape.memory_bits, csg::Counted(*program.preparation))));
@@ -125,7 +125,7 @@ void add_division(isa::Program& program, const machines::Division& division, con
     next = static_cast<std::size_t>(end - segments.begin());
     const std::span<isa::Segment> squares = segments.subspan(first, next - first);
     const std::vector<isa::Region> regions = list_regions(squares);
-    const GroupCounts counts = count_group(tree, geometry, view, options, group, regions);
+    const GroupCounts counts = count_group_division(tree, geometry, view, options, group, regions);
     const bool fits = counts.entries <= division.list_entries;
     const auto square_counts = fits ? counts.squares : count_division(tree, geometry, view, options, regions);
     for (std::size_t i = 0; i < squares.size(); ++i) store_counts(square_counts[i], squares[i]);

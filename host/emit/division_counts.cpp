@@ -40,7 +40,7 @@ class Counter {
         geometry_(geometry),
         view_(view),
         options_(divider_options(options)),
-        positive_(csg::make_positive(tree)) {
+        positive_(csg::make_positive_tree(tree)) {
     // Only the leaders at the corners of a rectangle decide which half-spaces are dropped.
     options_.pruning.pixels = false;
     boxes_.resize(positive_.nodes.size());
@@ -71,9 +71,9 @@ class Counter {
       const csg::Block column{pixels, 0, context.farthest()};
       bool nothing = false;
       for (const facet::Halfspace& halfspace : sent(i)) {
-        const csg::Known known = csg::locate(view_, halfspace, column);
-        nothing = nothing || known == csg::Known::out;
-        if (view_.planes[halfspace.plane].kind == view::PlaneKind::edge && known != csg::Known::in)
+        const csg::Containment known = csg::locate(view_, halfspace, column);
+        nothing = nothing || known == csg::Containment::out;
+        if (view_.planes[halfspace.plane].kind == view::PlaneKind::edge && known != csg::Containment::in)
           listed.halfspaces[i].push_back(halfspace);
       }
       for (const view::Side side : {view::Side::front, view::Side::back}) {
@@ -95,7 +95,7 @@ class Counter {
     std::vector<SquareCounts> counts;
     const csg::Pruner pruner(geometry_, view_, positive_, *plan.pairs, {options_.pruning});
     const std::vector<csg::ConvexSet> sets = csg::convex_sets(positive_, true);
-    const std::vector<std::vector<std::uint32_t>> active = sets_in(squares, sets, view_);
+    const std::vector<std::vector<std::uint32_t>> active = sets_by_region(squares, sets, view_);
     const std::vector<std::uint64_t> boxes = boxes_before(sets, listed);
     for (std::size_t i = 0; i < squares.size(); ++i) {
       SquareCounts& square = counts.emplace_back();
@@ -291,8 +291,9 @@ std::vector<SquareCounts> count_division(const model::Tree& tree, const facet::G
   return counter.squares(squares, counter.list_all());
 }
 
-GroupCounts count_group(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view,
-                        const Options& options, const isa::Region& group, std::span<const isa::Region> squares) {
+GroupCounts count_group_division(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view,
+                                 const Options& options, const isa::Region& group,
+                                 std::span<const isa::Region> squares) {
   const Counter counter(tree, geometry, view, options);
   GroupCounts counts;
   const Listed listed = counter.divide_group(group, counts.group);

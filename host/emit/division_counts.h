@@ -40,7 +40,8 @@ struct GroupCounts {
   std::vector<SquareCounts> squares;
 };
 
-GroupCounts count_group(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view,
-                        const Options& options, const isa::Region& group, std::span<const isa::Region> squares);
+GroupCounts count_group_division(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view,
+                                 const Options& options, const isa::Region& group,
+                                 std::span<const isa::Region> squares);
 
 }  // namespace csgsim::emit

@@ -75,13 +75,13 @@ namespace {
 void plan_and_prepare(Drawing& drawing, const DrawingInputs& inputs, std::shared_ptr<csg::PairTable> pairs) {
   const Options& options = inputs.options;
   csg::Pruning pruning = pruning_of(options);
-  drawing.look = make_look(options.scene, *drawing.tree, csg::make_positive(*drawing.tree), drawing.view.camera);
+  drawing.look = make_look(options.scene, *drawing.tree, csg::make_positive_tree(*drawing.tree), drawing.view.camera);
   if (drawing.reflection) {
     drawing.look.lighting = drawing.reflection->lighting;
     // A primitive that hides others may itself be in front of the mirror and not be drawn.
     pruning.hidden = false;
   }
-  if (pairs == nullptr && inputs.kept != nullptr) pairs = inputs.kept->pairs_for(*drawing.geometry);
+  if (pairs == nullptr && inputs.kept != nullptr) pairs = inputs.kept->pair_table_for(*drawing.geometry);
   // A divider prunes without its host.
   csg::KeptResults* const kept = machines::division(inputs.machine) ? nullptr : inputs.kept;
   drawing.plan = make_plan(*drawing.tree, *drawing.geometry, drawing.view, machines::regions(inputs.machine),

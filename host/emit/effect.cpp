@@ -18,14 +18,14 @@ std::vector<EffectRequest> called_effects(const Options& options, const Look& lo
       if (found->is_on) called.push_back({row, row->parts.make(found->tables)});
     } else {
       auto effect = row->parts.make({});
-      if (effect->called_by(look)) called.push_back({row, std::move(effect)});
+      if (effect->is_implied_by(look)) called.push_back({row, std::move(effect)});
     }
   }
   return called;
 }
 
-const EffectRow* transparency_in(const Options& options, const model::Tree& tree, const view::Camera& camera) {
-  const Look look = make_look(options.scene, tree, csg::make_positive(tree), camera);
+const EffectRow* find_transparency_effect(const Options& options, const model::Tree& tree, const view::Camera& camera) {
+  const Look look = make_look(options.scene, tree, csg::make_positive_tree(tree), camera);
   for (const EffectRequest& one : called_effects(options, look))
     if (one.row->sees_through) return one.row;
   return nullptr;

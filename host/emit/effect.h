@@ -37,7 +37,7 @@ class Effect {
   virtual ~Effect() = default;
 
   /// Whether a model with this look requires the effect although the scene does not mention it.
-  [[nodiscard]] virtual bool called_by(const Look& /*look*/) const { return false; }
+  [[nodiscard]] virtual bool is_implied_by(const Look& /*look*/) const { return false; }
   /// Returns the model to draw in place of the file's. Throws InputError if the settings do not fit it.
   virtual model::Tree reshape(model::Tree&& tree) const { return std::move(tree); }
   /// Computes the effect's state for a drawing, once per drawing. Throws InputError if the settings do not fit the
@@ -150,7 +150,7 @@ struct EffectRow {
 std::vector<EffectRequest> called_effects(const Options& options, const Look& look);
 
 /// The first of these effects that makes something transparent; null if there is none.
-const EffectRow* transparency_in(const Options& options, const model::Tree& tree, const view::Camera& camera);
+const EffectRow* find_transparency_effect(const Options& options, const model::Tree& tree, const view::Camera& camera);
 
 /// Fields of pixel memory that the effects request for the camera's drawing.
 std::vector<EffectFields> effect_fields(const Drawing& drawing, const DrawingInputs& inputs);

@@ -22,8 +22,9 @@ void check_products(const model::Tree& tree, const Plan& plan, const Options& op
       const std::uint64_t products = one.active.operands.empty() ? 1 : strategy.products(one.active, options);
       if (products <= 1) continue;
       if (!__builtin_add_overflow(total, products, &total) && total <= max_products) continue;
-      throw InputError(model::place_of(tree, one.primitive()) + ": the tree of this primitive expands to more than " +
-                       std::to_string(max_products) + " products; take --strategy stack, list or auto" +
+      throw InputError(model::location_text(tree, one.primitive()) +
+                       ": the tree of this primitive expands to more than " + std::to_string(max_products) +
+                       " products; take --strategy stack, list or auto" +
                        (strategy.has_stack_bits ? ", or more --stack-bits" : ""));
     }
   }

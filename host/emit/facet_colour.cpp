@@ -35,8 +35,8 @@ std::uint32_t facet_colour(const Context& context, const Facet& facet, const glm
       !is_local && context.lights == nullptr && context.nesting == 0 && context.known_colours != nullptr;
   if (!can_be_known || context.known_colours->add(normal, finish.material, colour))
     context.counted.add(&isa::Preparation::colours);
-  const glm::dvec3 seen = lighting::lit(light, finish.material, colour, {place, normal});
-  return packed(seen, context.options.colour_bits);
+  const glm::dvec3 seen = lighting::lit_colour(light, finish.material, colour, {place, normal});
+  return packed_colour(seen, context.options.colour_bits);
 }
 
 }  // namespace csgsim::emit

@@ -16,7 +16,7 @@ void visit_keys(NoSettings& /*settings*/, const auto& /*visit*/) {}
 
 class FlatShading final : public EffectOf<NoSettings> {
  public:
-  [[nodiscard]] bool called_by(const Look& /*look*/) const override { return true; }
+  [[nodiscard]] bool is_implied_by(const Look& /*look*/) const override { return true; }
 
   bool shade(const EffectCall& call, Broadcast& out, const Facet& facet, isa::Field field,
              const view::PixelRect& pixels) const override {

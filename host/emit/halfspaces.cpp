@@ -20,7 +20,7 @@ using view::Side;
 /// Throws InputError, naming the primitive, unless the machine can represent the plane's coefficients.
 void require_representable(const Context& context, std::uint32_t primitive, facet::Halfspace halfspace) {
   if (context.view.planes[halfspace.plane].representable) return;
-  throw InputError(model::place_of(context.tree, primitive) +
+  throw InputError(model::location_text(context.tree, primitive) +
                    ": a face of this primitive is too large for the picture: its coefficients do not fit " +
                    std::to_string(isa::max_linear_width) +
                    " bits; move the camera back, move the picture's centre onto it, lower --z-bits or --fraction-bits, "
@@ -30,16 +30,16 @@ void require_representable(const Context& context, std::uint32_t primitive, face
 /// Values compared for each half-space of a surface in a usual block.
 constexpr double usual_values = 8;
 
-csg::Known locate_block(const Context& context, facet::Halfspace halfspace, const csg::Block& block) {
+csg::Containment locate_block(const Context& context, facet::Halfspace halfspace, const csg::Block& block) {
   context.counted.test(context.linear_plane(halfspace), block.pixels);
-  const csg::Known known = csg::locate(context.view, halfspace, block);
+  const csg::Containment known = csg::locate(context.view, halfspace, block);
   const bool representable = context.view.planes[halfspace.plane].representable;
-  return context.options.pruning.halfspaces || !representable ? known : csg::Known::depends;
+  return context.options.pruning.halfspaces || !representable ? known : csg::Containment::depends;
 }
 
 bool is_edge_test(const Context& context, facet::Halfspace halfspace, const csg::Block& block) {
   return context.view.planes[halfspace.plane].kind == view::PlaneKind::edge &&
-         locate_block(context, halfspace, block) != csg::Known::in;
+         locate_block(context, halfspace, block) != csg::Containment::in;
 }
 
 template <class Item>
@@ -109,10 +109,10 @@ DecidingFacets cutting_facets(const Context& context, std::span<const std::uint3
   for (const std::uint32_t primitive : set) {
     for (const facet::Halfspace& halfspace : context.geometry.solids[primitive].halfspaces) {
       if (view::side_of(context.view.planes[halfspace.plane], halfspace) != side) continue;
-      const csg::Known known = locate_block(context, halfspace, block);
-      if (known == csg::Known::in) continue;
-      result.nothing = result.nothing || known == csg::Known::out;
-      if (known == csg::Known::depends) require_representable(context, primitive, halfspace);
+      const csg::Containment known = locate_block(context, halfspace, block);
+      if (known == csg::Containment::in) continue;
+      result.nothing = result.nothing || known == csg::Containment::out;
+      if (known == csg::Containment::depends) require_representable(context, primitive, halfspace);
       result.facets.push_back({primitive, halfspace});
     }
   }
@@ -155,9 +155,9 @@ Sides deciding_sides(const Context& context, const PlannedSurface& planned) {
         std::count_if(halfspaces.begin(), halfspaces.end(),
                       [&](const facet::Halfspace& halfspace) { return is_edge_test(context, halfspace, column); }));
     for (const QuadricBound& bound : quadric_bounds(context, primitive)) {
-      const csg::Known known = locate_block(context, bound, column);
-      sides.nothing = sides.nothing || known == csg::Known::out;
-      if (known == csg::Known::in && !is_seen_at_near(context, planned, bound)) continue;
+      const csg::Containment known = locate_block(context, bound, column);
+      sides.nothing = sides.nothing || known == csg::Containment::out;
+      if (known == csg::Containment::in && !is_seen_at_near(context, planned, bound)) continue;
       if (bound.role == view::QuadricRole::edge) {
         ++sides.edges;
       } else {
@@ -191,7 +191,7 @@ view::FixedLinear facet_plane(const Context& context, const Facet& facet) {
 bool has_edges(const Context& context, std::uint32_t primitive, const csg::Block& block) {
   const auto cuts = [&](const facet::Halfspace& halfspace) { return is_edge_test(context, halfspace, block); };
   const auto cuts_too = [&](const QuadricBound& bound) {
-    return bound.role == view::QuadricRole::edge && locate_block(context, bound, block) != csg::Known::in;
+    return bound.role == view::QuadricRole::edge && locate_block(context, bound, block) != csg::Containment::in;
   };
   return std::ranges::any_of(context.geometry.solids[primitive].halfspaces, cuts) ||
          std::ranges::any_of(quadric_bounds(context, primitive), cuts_too);
@@ -206,7 +206,7 @@ void emit_edges(const Context& context, Broadcast& out, std::uint32_t primitive,
     out.edge(positive ? isa::Opcode::edge_not_negative : isa::Opcode::edge_negative, plane.linear, block.pixels);
   }
   for (const QuadricBound& bound : quadric_bounds(context, primitive)) {
-    if (bound.role == view::QuadricRole::edge && locate_block(context, bound, block) != csg::Known::in)
+    if (bound.role == view::QuadricRole::edge && locate_block(context, bound, block) != csg::Containment::in)
       emit_outline(context, out, bound, block.pixels);
   }
 }

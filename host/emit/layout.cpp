@@ -245,10 +245,10 @@ unsigned total_bits(const Needs& needs) { return plan(needs).bits + needs.shown.
 Layout plan_layout(const Needs& needs, std::uint32_t memory_bits) {
   const Planned planned = plan(needs);
   if (total_bits(needs) > memory_bits) {
-    throw NoRoom("the picture needs " + std::to_string(total_bits(needs)) + " memory bits a pixel (" +
-                     purposes_text(needs, planned.bits - planned.without_scratch) + ") and the machine has " +
-                     std::to_string(memory_bits) + "; " + suggest_options(needs, memory_bits),
-                 total_bits(needs));
+    throw OutOfPixelMemory("the picture needs " + std::to_string(total_bits(needs)) + " memory bits a pixel (" +
+                               purposes_text(needs, planned.bits - planned.without_scratch) + ") and the machine has " +
+                               std::to_string(memory_bits) + "; " + suggest_options(needs, memory_bits),
+                           total_bits(needs));
   }
   return planned.layout;
 }

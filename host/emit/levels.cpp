@@ -52,7 +52,7 @@ class Classifier {
   }
 
   void run_as_products() {
-    const csg::RootedTree whole = csg::with_root(planned_.active);
+    const csg::RootedTree whole = csg::make_rooted_tree(planned_.active);
     sum_products(whole.nodes, whole.root, context_.layout.stack[0]);
     narrow_mask_by(context_.layout.stack[0]);
   }

@@ -29,12 +29,12 @@ constexpr int along = 13;
 constexpr double min_pivot = 1e-12;
 
 /// Sample positions on a shape; empty if it has no curved surface.
-std::vector<model::SurfacePlace> sample_places(const model::Shape& shape) {
-  std::vector<model::SurfacePlace> places;
+std::vector<model::SurfacePosition> sample_places(const model::Shape& shape) {
+  std::vector<model::SurfacePosition> places;
   for (int ring = 0; ring < along; ++ring) {
     for (int i = 0; i < around; ++i) {
       const double angle = 2 * std::numbers::pi * i / around;
-      const auto place = model::place_at(shape, {std::cos(angle), std::sin(angle)}, (ring + 0.5) / along);
+      const auto place = model::surface_position_at(shape, {std::cos(angle), std::sin(angle)}, (ring + 0.5) / along);
       if (place) places.push_back(*place);
     }
   }
@@ -49,7 +49,7 @@ struct Sample {
   double cosine;
 };
 
-double cosine_at(const lighting::SeenLight& light, const glm::dvec3& place, const glm::dvec3& normal) {
+double cosine_at(const lighting::CameraSpaceLight& light, const glm::dvec3& place, const glm::dvec3& normal) {
   return glm::dot(light.is_point ? glm::normalize(light.where - place) : light.where, normal);
 }
 
@@ -71,14 +71,14 @@ double off_steps(const view::View& view, const Facet& facet) {
   return 0.5 - static_cast<double>(quadric.middle.c & (one - 1)) / static_cast<double>(one);
 }
 
-std::vector<Sample> take_samples(const Context& context, const Facet& facet, const lighting::SeenLight& light) {
+std::vector<Sample> take_samples(const Context& context, const Facet& facet, const lighting::CameraSpaceLight& light) {
   const model::Primitive& primitive = context.tree.primitives[facet.primitive];
   const glm::dmat3 normals = glm::transpose(glm::inverse(glm::dmat3(primitive.transform)));
   const double sign = context.complemented(facet.primitive) ? -1.0 : 1.0;
   const view::View& view = context.view;
   const view::EyeSpace space = view::eye_space(view.camera, view.sampling);
   std::vector<Sample> samples;
-  for (const model::SurfacePlace& own : sample_places(primitive.shape)) {
+  for (const model::SurfacePosition& own : sample_places(primitive.shape)) {
     const glm::dvec3 in_eye = space.to_eye(glm::dvec3(primitive.transform * glm::dvec4(own.at, 1)));
     const glm::dvec3 normal = in_camera_axes(view.camera, sign * glm::normalize(normals * own.normal));
     const glm::dvec3 from_eye = space.perspective ? in_eye : glm::dvec3(0, 0, 1);
@@ -132,7 +132,7 @@ Coordinates solve(std::array<std::array<double, 5>, 4> equations) {
 
 }  // namespace
 
-LightFit fit_light(const Context& context, const Facet& facet, const lighting::SeenLight& light) {
+LightFit fit_light(const Context& context, const Facet& facet, const lighting::CameraSpaceLight& light) {
   const std::vector<Sample> samples = take_samples(context, facet, light);
   const Coordinates sizes = coordinate_sizes(samples);
   std::array<std::array<double, 5>, 4> equations{};

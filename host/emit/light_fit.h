@@ -20,6 +20,6 @@ struct LightFit {
 /// The linear function nearest (least squares, over the visible part of a curved facet) to the cosine between a light
 /// and the facet's normal, clamped to at least -1. In an orthographic view, the fit is exact for directional light on
 /// spheres and round cylinders, whose normals are linear in position.
-LightFit fit_light(const Context& context, const Facet& facet, const lighting::SeenLight& light);
+LightFit fit_light(const Context& context, const Facet& facet, const lighting::CameraSpaceLight& light);
 
 }  // namespace csgsim::emit

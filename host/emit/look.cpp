@@ -4,12 +4,12 @@
 
 namespace csgsim::emit {
 
-std::uint32_t packed(const glm::dvec3& colour, unsigned colour_bits) {
+std::uint32_t packed_colour(const glm::dvec3& colour, unsigned colour_bits) {
   return isa::pack_colour({colour.r, colour.g, colour.b}, colour_bits);
 }
 
 std::uint32_t packed_background(const scene::Scene& scene, unsigned colour_bits) {
-  return packed(scene.background.colour.value_or(lighting::background_colour), colour_bits);
+  return packed_colour(scene.background.colour.value_or(lighting::background_colour), colour_bits);
 }
 
 Look make_look(const scene::Scene& scene, const model::Tree& tree, const csg::PositiveTree& positive,

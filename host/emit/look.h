@@ -18,7 +18,7 @@ struct Look {
 };
 
 /// A colour, red, green, blue in [0, 1], in the format of a field of `colour_bits` bits.
-std::uint32_t packed(const glm::dvec3& colour, unsigned colour_bits);
+std::uint32_t packed_colour(const glm::dvec3& colour, unsigned colour_bits);
 
 /// The background colour in the format of a field of `colour_bits` bits.
 std::uint32_t packed_background(const scene::Scene& scene, unsigned colour_bits);

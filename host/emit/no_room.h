@@ -9,9 +9,9 @@
 namespace csgsim::emit {
 
 /// Pixel memory is too small for a picture.
-class NoRoom : public InputError {
+class OutOfPixelMemory : public InputError {
  public:
-  NoRoom(std::string_view message, unsigned needed_bits) : InputError(message), needed(needed_bits) {}
+  OutOfPixelMemory(std::string_view message, unsigned needed_bits) : InputError(message), needed(needed_bits) {}
 
   unsigned needed;  ///< required bits per pixel
 };

@@ -100,11 +100,11 @@ void emit_string_levels(Broadcast& out, const csg::BitString& string, unsigned b
     for (const Piece& piece : make_pieces(level.inverted, alu_bits)) {
       out.plain(Opcode::xor_constant, field_at(base + piece.begin, piece.end - piece.begin), {}, piece.pattern);
     }
-    for (const csg::Meeting& meeting : level.meetings) {
+    for (const csg::AndRun& meeting : level.and_runs) {
       for (std::uint32_t done = 0; done < meeting.bits; done += most) {
         const std::uint32_t bits = std::min(meeting.bits - done, most);
         const isa::Field first = field_at(base + meeting.first + done, bits);
-        out.bitwise(Opcode::bit_and, first, first, field_at(base + meeting.second + done, bits));
+        out.append_bitwise(Opcode::bit_and, first, first, field_at(base + meeting.second + done, bits));
       }
     }
   }

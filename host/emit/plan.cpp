@@ -151,7 +151,8 @@ void charge_comparisons(const csg::ActiveTree& active, const facet::Geometry& ge
   try {
     work.charge(comparison_steps(active, geometry), "comparing primitives with others");
   } catch (const WorkError& error) {
-    throw InputError(fmt::format("{}: from this primitive on, {}", model::place_of(tree, primitive), error.what()));
+    throw InputError(
+        fmt::format("{}: from this primitive on, {}", model::location_text(tree, primitive), error.what()));
   }
 }
 
@@ -188,7 +189,7 @@ Plan make_plan(const model::Tree& tree, const facet::Geometry& geometry, const v
   Plan plan;
   const csg::Pruning& pruning = settings.pruning;
   plan.pairs = settings.pairs != nullptr ? settings.pairs : std::make_shared<csg::PairTable>(geometry);
-  plan.positive = csg::make_positive(tree);
+  plan.positive = csg::make_positive_tree(tree);
   const std::vector<csg::ConvexSet> sets = split_by_opacity(csg::convex_sets(plan.positive, pruning.sets), opacity);
   isa::Preparation counted;
   csg::Tested tested;
@@ -196,7 +197,7 @@ Plan make_plan(const model::Tree& tree, const facet::Geometry& geometry, const v
   const csg::Pruner pruner(
       geometry, view, plan.positive, *plan.pairs,
       {pruning, settings.prices, csg::Counted(counted, &tested), is_kept ? settings.kept : nullptr});
-  const std::vector<std::vector<std::uint32_t>> active_sets = sets_in(regions, sets, view);
+  const std::vector<std::vector<std::uint32_t>> active_sets = sets_by_region(regions, sets, view);
   plan.segments.resize(regions.size());
   for (std::size_t i = 0; i < regions.size(); ++i) plan.segments[i].region = regions[i];
   count_active(plan.segments, regions, geometry, view);

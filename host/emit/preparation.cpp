@@ -42,7 +42,7 @@ constexpr std::uint64_t coordinates_of_box = 6;
 
 }  // namespace
 
-DistinctNumbers count_distinct(const facet::Geometry& geometry) {
+DistinctNumbers count_distinct_numbers(const facet::Geometry& geometry) {
   DistinctNumbers distinct;
   std::vector<Long> numbers;
   const double unit = unit_of(geometry);
@@ -66,7 +66,7 @@ DistinctNumbers count_distinct(const facet::Geometry& geometry) {
   return distinct;
 }
 
-isa::Preparation count_sharing(const facet::Geometry& geometry) {
+isa::Preparation count_sharing_work(const facet::Geometry& geometry) {
   isa::Preparation preparation;
   preparation.nodes = geometry.halfspaces() + (axes + 1) * geometry.planes.planes().size();
   for (const facet::Convex& solid : geometry.solids)

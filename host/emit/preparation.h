@@ -19,11 +19,11 @@ struct DistinctNumbers {
   std::uint64_t directions = 0;   ///< normals of planes that are not parallel
 };
 
-DistinctNumbers count_distinct(const facet::Geometry& geometry);
+DistinctNumbers count_distinct_numbers(const facet::Geometry& geometry);
 
 /// The host work of finding the planes and numbers that half-spaces and corners of a model share, for any camera: a
 /// table look-up of the plane for each half-space, and of the number for each coordinate, component and direction.
-isa::Preparation count_sharing(const facet::Geometry& geometry);
+isa::Preparation count_sharing_work(const facet::Geometry& geometry);
 
 /// The host work of transforming a model for a camera (docs/host.md): its planes and quadrics, and the points of its
 /// solids. `is_sample`: the same camera's products and quotients are known, because only the sample positions differ.

@@ -21,7 +21,7 @@ unsigned stack_levels(const Options& options) { return options.stack_bits - min_
 bool merges_each_product(const Options& options) { return options.stack_bits == min_stack_bits; }
 
 std::uint64_t all_products(const csg::ActiveTree& active) {
-  const csg::RootedTree rooted = csg::with_root(active);
+  const csg::RootedTree rooted = csg::make_rooted_tree(active);
   return csg::count_products(rooted.nodes)[rooted.root];
 }
 
@@ -64,7 +64,7 @@ bool is_empty(const Context& context, const std::vector<csg::ActiveNode>& nodes,
 
 /// The non-empty products of thesis 6.3: each is rendered, classified and merged.
 void emit_rendered_products(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides) {
-  const csg::RootedTree rooted = csg::with_root(planned.active);
+  const csg::RootedTree rooted = csg::make_rooted_tree(planned.active);
   csg::ProductTraversal traversal(rooted.nodes, rooted.root);
   do {
     if (is_empty(context, rooted.nodes, traversal.leaves())) continue;
@@ -87,7 +87,7 @@ void emit_nothing_elsewhere(const Context& context, Broadcast& out, const Planne
 void emit_kept_products(const Context& context, Broadcast& out, const PlannedSurface& planned, const Surface& surface) {
   emit_admission(context, out, planned);
   emit_nothing_elsewhere(context, out, planned);
-  const csg::RootedTree rooted = csg::with_root(planned.active);
+  const csg::RootedTree rooted = csg::make_rooted_tree(planned.active);
   csg::ProductTraversal traversal(rooted.nodes, rooted.root);
   std::size_t after_first_test = 0;
   do {
@@ -114,7 +114,7 @@ void emit_products(const Context& context, Broadcast& out, const PlannedSurface&
   const Surface surface = emit_surface(context, out, planned, sides);
   if (surface.nothing) return;
   if (all_products(planned.active) > 1) return emit_kept_products(context, out, planned, surface);
-  const csg::RootedTree rooted = csg::with_root(planned.active);
+  const csg::RootedTree rooted = csg::make_rooted_tree(planned.active);
   const csg::ProductTraversal only(rooted.nodes, rooted.root);
   const PlannedSurface product = with_product(planned, rooted.nodes, only.leaves());
   emit_visible(context, out, planned, surface, {emit_by_all_levels, product});

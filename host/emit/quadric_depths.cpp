@@ -17,7 +17,7 @@ namespace csgsim::emit {
 
 namespace {
 
-using csg::Known;
+using csg::Containment;
 using isa::Opcode;
 using view::QuadricRole;
 using view::RootRanges;
@@ -61,7 +61,7 @@ void emit_clamp(const Context& context, Broadcast& out, isa::Field sum, const vi
   // The OR of the bits between the depth's bits and the sign.
   const isa::Field beyond = subfield(sum, depth.width, 1);
   for (unsigned bit = depth.width + 1U; bit + 1U < sum.width; ++bit)
-    out.bitwise(Opcode::bit_or, beyond, beyond, subfield(sum, bit, 1));
+    out.append_bitwise(Opcode::bit_or, beyond, beyond, subfield(sum, bit, 1));
   out.plain(Opcode::enable_and, beyond);
   if (range.low < 0) out.plain(Opcode::enable_and_not, sign);
   out.constant(depth, static_cast<std::uint64_t>(farthest));
@@ -106,7 +106,7 @@ void refuse_unfit(const Context& context, std::uint32_t primitive) {
   throw InputError(fmt::format(
       "{}: the depths of this primitive's surface exceed the machine's number range, because the camera looks along a "
       "straight line in the surface or from a point on it; move the camera, or draw facets with --curves auto",
-      model::place_of(context.tree, primitive)));
+      model::location_text(context.tree, primitive)));
 }
 
 }  // namespace
@@ -134,14 +134,14 @@ RelevantParts relevant_parts(const Context& context, const QuadricBound& bound, 
   return matters;
 }
 
-Known locate_block(const Context& context, const QuadricBound& bound, const csg::Block& block) {
+Containment locate_block(const Context& context, const QuadricBound& bound, const csg::Block& block) {
   context.counted.add(&isa::Preparation::halfspaces, csg::tests_of_quadric);
-  if (!context.options.pruning.halfspaces) return Known::depends;
+  if (!context.options.pruning.halfspaces) return Containment::depends;
   const RootRanges ranges = root_ranges(context, bound, block.pixels);
-  if (is_outside(bound, ranges, block)) return Known::out;
-  if (bound.role == QuadricRole::edge) return ranges.discriminant.low >= 0 ? Known::in : Known::depends;
+  if (is_outside(bound, ranges, block)) return Containment::out;
+  if (bound.role == QuadricRole::edge) return ranges.discriminant.low >= 0 ? Containment::in : Containment::depends;
   const RelevantParts matters = relevant_parts(context, bound, block);
-  return matters.outline || matters.near || matters.far ? Known::depends : Known::in;
+  return matters.outline || matters.near || matters.far ? Containment::depends : Containment::in;
 }
 
 bool may_reach_near(const Context& context, const QuadricBound& bound, const view::PixelRect& pixels) {
@@ -265,7 +265,7 @@ isa::Field emit_depth(const Context& context, Broadcast& out, const QuadricBound
 
 void emit_comparison(const Context& context, Broadcast& out, const QuadricBound& bound, const csg::Block& block) {
   if (bound.role == QuadricRole::edge) return;  // handled by emit_edges
-  if (locate_block(context, bound, block) == Known::out) {
+  if (locate_block(context, bound, block) == Containment::out) {
     out.disable_all();
     return;
   }

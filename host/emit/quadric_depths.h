@@ -21,8 +21,9 @@ struct QuadricBound {
 /// The bounds of a primitive. Throws InputError, naming the primitive, if one does not fit the machine.
 std::vector<QuadricBound> quadric_bounds(const Context& context, std::uint32_t primitive);
 
-/// Whether every point of the block, or none, is within the bound; Known::depends if the pruning `halfspaces` is off.
-csg::Known locate_block(const Context& context, const QuadricBound& bound, const csg::Block& block);
+/// Whether every point of the block, or none, is within the bound; Containment::depends if the pruning `halfspaces` is
+/// off.
+csg::Containment locate_block(const Context& context, const QuadricBound& bound, const csg::Block& block);
 
 /// The parts of a bound that matter to the points of a block.
 struct RelevantParts {

@@ -21,8 +21,8 @@ view::PixelRect region_pixels(const isa::Region& region) {
 
 RegionIndex::RegionIndex(std::span<const isa::Region> regions) : index_(index_of(regions)) {}
 
-std::vector<std::vector<std::uint32_t>> sets_in(std::span<const isa::Region> regions,
-                                                std::span<const csg::ConvexSet> sets, const view::View& view) {
+std::vector<std::vector<std::uint32_t>> sets_by_region(std::span<const isa::Region> regions,
+                                                       std::span<const csg::ConvexSet> sets, const view::View& view) {
   std::vector<std::vector<std::uint32_t>> found(regions.size());
   RegionIndex index(regions);
   for (std::uint32_t i = 0; i < sets.size(); ++i) {

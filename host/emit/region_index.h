@@ -36,7 +36,7 @@ class RegionIndex {
 
 /// The numbers, in ascending order for each region, of the sets whose primitives' rectangles have common pixels with
 /// it.
-std::vector<std::vector<std::uint32_t>> sets_in(std::span<const isa::Region> regions,
-                                                std::span<const csg::ConvexSet> sets, const view::View& view);
+std::vector<std::vector<std::uint32_t>> sets_by_region(std::span<const isa::Region> regions,
+                                                       std::span<const csg::ConvexSet> sets, const view::View& view);
 
 }  // namespace csgsim::emit

@@ -99,7 +99,7 @@ bool has_back(QuadricRole role) { return role == QuadricRole::between || role ==
 std::vector<QuadricBound> bounds_in(const Context& context, std::uint32_t primitive, const csg::Block& column) {
   std::vector<QuadricBound> bounds = quadric_bounds(context, primitive);
   std::erase_if(bounds, [&](const QuadricBound& bound) {
-    return bound.role == QuadricRole::edge || locate_block(context, bound, column) == csg::Known::in;
+    return bound.role == QuadricRole::edge || locate_block(context, bound, column) == csg::Containment::in;
   });
   return bounds;
 }
@@ -151,7 +151,7 @@ DecidingParts deciding_parts(const Context& context, std::uint32_t primitive, co
   DecidingParts decides{any(Side::front), any(Side::back), has_edges(context, primitive, part)};
   for (const QuadricBound& bound : quadric_bounds(context, primitive)) {
     if (bound.role == QuadricRole::edge) continue;
-    const bool is_out = locate_block(context, bound, part) == csg::Known::out;
+    const bool is_out = locate_block(context, bound, part) == csg::Containment::out;
     const RelevantParts matters = relevant_parts(context, bound, part);
     const bool is_front = has_front(bound.role);
     const bool is_back = has_back(bound.role);

@@ -67,7 +67,7 @@ bool are_near(const Key<size>& first, const Key<size>& second) {
 
 /// Calls visit(cell) for each cell that may hold a surface coincident with the key.
 template <std::size_t size, class Visit>
-void for_cells_near(const Key<size>& key, const Visit& visit) {
+void for_each_near_cell(const Key<size>& key, const Visit& visit) {
   Key<size> cell;
   std::array<std::size_t, size> split;  // components that may be in two cells
   std::array<double, size> others;      // the second cell of each of these components

@@ -132,7 +132,7 @@ Solid make_solid_at(const model::Tree& tree, std::uint32_t primitive, const Face
     reject_far(solid);
     return solid;
   } catch (const InputError& error) {
-    throw InputError(model::place_of(tree, primitive) + ": " + error.what());
+    throw InputError(model::location_text(tree, primitive) + ": " + error.what());
   }
 }
 

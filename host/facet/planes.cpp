@@ -25,7 +25,7 @@ std::optional<std::uint32_t> PlaneTable::find(const Plane& canonical) const {
   const Key<4> key = make_key(canonical, diagonal_);
   const std::size_t last = slots_.size() - 1;
   std::uint32_t first = free_slot;
-  for_cells_near(key, [&](const Key<4>& cell) {
+  for_each_near_cell(key, [&](const Key<4>& cell) {
     for (std::size_t at = hash_of(cell) & last; slots_[at] != free_slot; at = (at + 1) & last) {
       if (are_near(key, make_key(planes_[slots_[at]], diagonal_))) first = std::min(first, slots_[at]);
     }

@@ -201,7 +201,7 @@ QuadricTable::Known QuadricTable::make_key(const Quadric& canonical) const {
 /// The first quadric that coincides with the given one.
 std::optional<std::uint32_t> QuadricTable::find(const Known& key, QuadricKind kind) const {
   std::optional<std::uint32_t> first;
-  for_cells_near(key, [&](const Known& cell) {
+  for_each_near_cell(key, [&](const Known& cell) {
     const auto found = at_.find(hash_of(cell));
     if (found == at_.end()) return;
     for (const std::uint32_t one : found->second) {

@@ -118,10 +118,12 @@ Area combined(std::span<const Area> areas, ClipperLib::ClipType operation, const
   return to_area(result);
 }
 
-Area even_odd(const ClipperLib::Paths& paths, const Work& work) {
-  return united(without_overlaps(paths, work), ClipperLib::pftEvenOdd, work);
+Area even_odd_area(const ClipperLib::Paths& paths, const Work& work) {
+  return united(remove_coincident_sides(paths, work), ClipperLib::pftEvenOdd, work);
 }
 
-Area non_zero(const ClipperLib::Paths& paths, const Work& work) { return united(paths, ClipperLib::pftNonZero, work); }
+Area nonzero_area(const ClipperLib::Paths& paths, const Work& work) {
+  return united(paths, ClipperLib::pftNonZero, work);
+}
 
 }  // namespace csgsim::flat

@@ -43,9 +43,9 @@ Area to_area(const ClipperLib::PolyTree& tree);
 Area combined(std::span<const Area> areas, ClipperLib::ClipType operation, const Work& work = {});
 
 /// The points inside an odd number of the paths.
-Area even_odd(const ClipperLib::Paths& paths, const Work& work = {});
+Area even_odd_area(const ClipperLib::Paths& paths, const Work& work = {});
 
 /// The points around which the winding number of the paths is not 0.
-Area non_zero(const ClipperLib::Paths& paths, const Work& work = {});
+Area nonzero_area(const ClipperLib::Paths& paths, const Work& work = {});
 
 }  // namespace csgsim::flat

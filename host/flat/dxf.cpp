@@ -58,15 +58,19 @@ void DxfReader::take(const dxf::Tag& tag) {
   const bool raw = section_ == Section::blocks;
   switch (tag.code) {
     case 10:
-    case 11: entity_.xs.push_back(raw ? real(tag) : (real(tag) - options_.origin.x) * options_.scale); break;
+    case 11:
+      entity_.xs.push_back(raw ? parse_real(tag) : (parse_real(tag) - options_.origin.x) * options_.scale);
+      break;
     case 20:
-    case 21: entity_.ys.push_back(raw ? real(tag) : (real(tag) - options_.origin.y) * options_.scale); break;
-    case 40: entity_.size = raw ? real(tag) : real(tag) * options_.scale; break;
-    case 41: entity_.first = real(tag); break;
-    case 42: entity_.second = real(tag); break;
-    case 50: entity_.start = real(tag); break;
-    case 51: entity_.stop = real(tag); break;
-    case 70: entity_.flags = integer(tag); break;
+    case 21:
+      entity_.ys.push_back(raw ? parse_real(tag) : (parse_real(tag) - options_.origin.y) * options_.scale);
+      break;
+    case 40: entity_.size = raw ? parse_real(tag) : parse_real(tag) * options_.scale; break;
+    case 41: entity_.first = parse_real(tag); break;
+    case 42: entity_.second = parse_real(tag); break;
+    case 50: entity_.start = parse_real(tag); break;
+    case 51: entity_.stop = parse_real(tag); break;
+    case 70: entity_.flags = parse_integer(tag); break;
     default: break;
   }
 }
@@ -138,7 +142,7 @@ Area DxfReader::read(std::string_view bytes) {
   }
   if (!any) throw InputError("line 1: not a DXF file: no section found; save it as ASCII DXF");
   if (entity_.type != "EOF") throw InputError("the DXF file is truncated: its last group is not 0, EOF; save it again");
-  return even_odd(to_paths({segments_.outlines()}), options_.work);
+  return even_odd_area(to_paths({segments_.outlines()}), options_.work);
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ Area polygon(std::span<const glm::dvec2> points, std::span<const std::vector<std
   Area area;
   if (paths.empty()) area.outlines.emplace_back(points.begin(), points.end());
   for (std::size_t i = 0; i < paths.size(); ++i) area.outlines.push_back(to_outline(points, paths[i], i));
-  return even_odd(to_paths(area), work);
+  return even_odd_area(to_paths(area), work);
 }
 
 }  // namespace csgsim::flat

@@ -64,7 +64,7 @@ Area sum(const Area& one, const Area& other, const Work& work) {
   }
   add_inner(terms, a, b);
   add_inner(terms, b, a);
-  return non_zero(terms, work);
+  return nonzero_area(terms, work);
 }
 
 }  // namespace

@@ -150,7 +150,7 @@ class Joiner {
 
 }  // namespace
 
-Paths without_overlaps(Paths paths, const Work& work) {
+Paths remove_coincident_sides(Paths paths, const Work& work) {
   const std::vector<LineSide> sides = sort_line_sides(paths);
   work.charge(search_steps * sides.size(), "finding coincident sides of 2-D shapes");
   if (!overlap_anywhere(sides)) return paths;

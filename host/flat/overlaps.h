@@ -13,6 +13,6 @@ namespace csgsim::flat {
 /// coincide.
 ///
 /// Without this step Clipper searches all outlines for each pair of coincident sides, in quadratic time.
-ClipperLib::Paths without_overlaps(ClipperLib::Paths paths, const Work& work = {});
+ClipperLib::Paths remove_coincident_sides(ClipperLib::Paths paths, const Work& work = {});
 
 }  // namespace csgsim::flat

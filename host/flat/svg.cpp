@@ -132,7 +132,7 @@ Area SvgReader::laid_out() const {
                              -page_.scale.y * (corner.y + page_.origin.y) + y);
       }
     }
-    areas.push_back(even_odd(to_paths(area), options_.work));
+    areas.push_back(even_odd_area(to_paths(area), options_.work));
   }
   return combined(areas, ClipperLib::ctUnion, options_.work);
 }

@@ -25,16 +25,16 @@ constexpr std::size_t max_length = 10'000;
 constexpr std::size_t max_corners = 1'000'000;
 
 #ifdef CSGSIM_WITHOUT_TEXT
-constexpr const char* left_out_by = "CSGSIM_TEXT";
+constexpr const char* disabling_option = "CSGSIM_TEXT";
 #else
-constexpr const char* left_out_by = nullptr;
+constexpr const char* disabling_option = nullptr;
 #endif
 
 const lettering::Module& opened_module() {
   static const void* const symbol = load_module_symbol({.file = lettering::module_file,
                                                         .symbol = lettering::module_symbol,
                                                         .does = "sets the letters of text()",
-                                                        .left_out_by = left_out_by});
+                                                        .disabling_option = disabling_option});
   return *static_cast<const lettering::Module*>(symbol);
 }
 

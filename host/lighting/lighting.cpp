@@ -22,8 +22,8 @@ glm::dvec3 turned(const glm::dvec3& direction, const view::Basis& axes) {
   return {glm::dot(direction, axes.right), glm::dot(direction, axes.up), glm::dot(direction, axes.forward)};
 }
 
-SeenLight seen_light(const scene::Light& light, const view::Camera& camera) {
-  SeenLight result{light.kind == scene::LightKind::point, {}, light.colour * light.intensity};
+CameraSpaceLight seen_light(const scene::Light& light, const view::Camera& camera) {
+  CameraSpaceLight result{light.kind == scene::LightKind::point, {}, light.colour * light.intensity};
   const bool in_model = light.axes == scene::Axes::model;
   if (result.is_point) {
     result.where = in_model ? turned(light.position - camera.eye, view::basis(camera)) : light.position;
@@ -36,11 +36,12 @@ SeenLight seen_light(const scene::Light& light, const view::Camera& camera) {
 }  // namespace
 
 bool Lighting::is_local(const scene::Material& material) const {
-  const bool has_points = std::any_of(lights.begin(), lights.end(), [](const SeenLight& one) { return one.is_point; });
+  const bool has_points =
+      std::any_of(lights.begin(), lights.end(), [](const CameraSpaceLight& one) { return one.is_point; });
   return has_points || (material.specular > 0 && is_perspective);
 }
 
-bool is_chosen(const scene::PrimitiveSelection& selection, const model::Primitive& primitive) {
+bool is_selected(const scene::PrimitiveSelection& selection, const model::Primitive& primitive) {
   if (selection.of_colour && !(primitive.colour && same_colour(*selection.of_colour, *primitive.colour))) return false;
   return !selection.from_line || (primitive.location.line >= *selection.from_line &&
                                   primitive.location.line <= selection.to_line.value_or(*selection.from_line));
@@ -55,11 +56,11 @@ Lighting make_lighting(const scene::Scene& scene, const view::Camera& camera) {
   return lighting;
 }
 
-glm::dvec3 lit(const Lighting& lighting, const scene::Material& material, const glm::dvec3& colour,
-               const SurfacePoint& point) {
+glm::dvec3 lit_colour(const Lighting& lighting, const scene::Material& material, const glm::dvec3& colour,
+                      const SurfacePoint& point) {
   glm::dvec3 light = lighting.ambient * material.ambient;
   glm::dvec3 highlights{0};
-  for (const SeenLight& one : lighting.lights) {
+  for (const CameraSpaceLight& one : lighting.lights) {
     const glm::dvec3 to_light = one.is_point ? glm::normalize(one.where - point.place) : one.where;
     const double cosine = glm::dot(to_light, point.normal);
     if (!(cosine > 0)) continue;
@@ -78,7 +79,7 @@ Finish make_finish(const scene::Scene& scene, const model::Primitive& primitive,
       is_cut ? usual.cut_face.value_or(default_cut_colour) : usual.face.value_or(default_colour);
   Finish finish{primitive.colour.value_or(uncoloured), {}, primitive.opacity};
   for (const scene::MaterialRule& rule : scene.materials) {
-    if (!is_chosen(rule, primitive)) continue;
+    if (!is_selected(rule, primitive)) continue;
     finish.material = rule.material;
     finish.colour = rule.colour.value_or(finish.colour);
     finish.opacity = rule.opacity.value_or(finish.opacity);

@@ -17,7 +17,7 @@ inline constexpr glm::dvec3 default_cut_colour{0.616, 0.796, 0.318};
 inline constexpr glm::dvec3 background_colour{1.0, 1.0, 0.898};
 
 /// A light in camera space: the axes are right, up and forward, and the origin is the eye.
-struct SeenLight {
+struct CameraSpaceLight {
   bool is_point = false;
   glm::dvec3 where{0};   ///< point light: position in model units; directional light: unit vector towards the light
   glm::dvec3 colour{0};  ///< colour times intensity
@@ -26,10 +26,10 @@ struct SeenLight {
 /// All lights of a scene as one camera sees them.
 struct Lighting {
   glm::dvec3 ambient{0};
-  std::vector<SeenLight> lights;
+  std::vector<CameraSpaceLight> lights;
   bool is_perspective = false;
 
-  /// Whether the light on the material depends on more than the normal, so that lit() reads `place`.
+  /// Whether the light on the material depends on more than the normal, so that lit_colour() reads `place`.
   [[nodiscard]] bool is_local(const scene::Material& material) const;
 };
 
@@ -43,11 +43,11 @@ struct SurfacePoint {
 };
 
 /// The visible colour: ambient light, Lambert's law and Blinn's highlight. Components may exceed 1.
-glm::dvec3 lit(const Lighting& lighting, const scene::Material& material, const glm::dvec3& colour,
-               const SurfacePoint& point);
+glm::dvec3 lit_colour(const Lighting& lighting, const scene::Material& material, const glm::dvec3& colour,
+                      const SurfacePoint& point);
 
 /// Whether the selection contains the primitive.
-bool is_chosen(const scene::PrimitiveSelection& selection, const model::Primitive& primitive);
+bool is_selected(const scene::PrimitiveSelection& selection, const model::Primitive& primitive);
 
 /// The appearance of a primitive: from the scene if it has settings, otherwise from the model if it has any, otherwise
 /// the defaults.

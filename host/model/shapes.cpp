@@ -21,12 +21,13 @@ struct Flat {
 
   [[nodiscard]] bool has_flat_faces() const { return true; }
   [[nodiscard]] bool is_flat(const glm::dvec3& /*normal*/) const { return true; }
-  [[nodiscard]] double angle_between(double facets) const { return 2 * std::numbers::pi / facets; }
+  [[nodiscard]] double facet_angle(double facets) const { return 2 * std::numbers::pi / facets; }
   [[nodiscard]] std::optional<glm::dvec3> normal_at(const glm::dvec3& /*vertex*/,
                                                     const glm::dvec3& /*of_facet*/) const {
     return std::nullopt;
   }
-  [[nodiscard]] std::optional<SurfacePlace> place_at(const glm::dvec2& /*direction*/, double /*part*/) const {
+  [[nodiscard]] std::optional<SurfacePosition> surface_position_at(const glm::dvec2& /*direction*/,
+                                                                   double /*part*/) const {
     return std::nullopt;
   }
 };
@@ -36,14 +37,14 @@ struct Ball : Flat {
 
   [[nodiscard]] bool has_flat_faces() const { return false; }
   [[nodiscard]] bool is_flat(const glm::dvec3& /*normal*/) const { return false; }
-  [[nodiscard]] double angle_between(double facets) const { return std::sqrt(4 * std::numbers::pi / facets); }
+  [[nodiscard]] double facet_angle(double facets) const { return std::sqrt(4 * std::numbers::pi / facets); }
   [[nodiscard]] std::optional<glm::dvec3> normal_at(const glm::dvec3& vertex, const glm::dvec3& /*of_facet*/) const {
     return glm::length(vertex) > 0 ? std::optional(glm::normalize(vertex)) : std::nullopt;
   }
-  [[nodiscard]] std::optional<SurfacePlace> place_at(const glm::dvec2& direction, double part) const {
+  [[nodiscard]] std::optional<SurfacePosition> surface_position_at(const glm::dvec2& direction, double part) const {
     const double angle = std::numbers::pi * (part - 0.5);
     const glm::dvec3 normal(direction * std::cos(angle), std::sin(angle));
-    return SurfacePlace{normal * radius, normal};
+    return SurfacePosition{normal * radius, normal};
   }
 };
 
@@ -57,10 +58,10 @@ struct Frustum : Flat {
     const glm::dvec2 around = is_apex ? glm::dvec2(of_facet) : glm::dvec2(vertex);
     return normal_towards(around / glm::length(around));
   }
-  [[nodiscard]] std::optional<SurfacePlace> place_at(const glm::dvec2& direction, double part) const {
+  [[nodiscard]] std::optional<SurfacePosition> surface_position_at(const glm::dvec2& direction, double part) const {
     const double radius = of.r1 + (of.r2 - of.r1) * part;
     const double z = of.height * (part - (of.center ? 0.5 : 0.0));
-    return SurfacePlace{{direction * radius, z}, normal_towards(direction)};
+    return SurfacePosition{{direction * radius, z}, normal_towards(direction)};
   }
 
  private:
@@ -94,17 +95,19 @@ bool is_flat(const Shape& shape, const glm::dvec3& normal) {
   return visit_surface(shape, [&](const auto& surface) { return surface.is_flat(normal); });
 }
 
-double angle_between(const Shape& shape, std::size_t facet_count) {
+double facet_angle(const Shape& shape, std::size_t facet_count) {
   return visit_surface(shape,
-                       [&](const auto& surface) { return surface.angle_between(static_cast<double>(facet_count)); });
+                       [&](const auto& surface) { return surface.facet_angle(static_cast<double>(facet_count)); });
 }
 
 std::optional<glm::dvec3> normal_at(const Shape& shape, const glm::dvec3& vertex, const glm::dvec3& facet_normal) {
   return visit_surface(shape, [&](const auto& surface) { return surface.normal_at(vertex, facet_normal); });
 }
 
-std::optional<SurfacePlace> place_at(const Shape& shape, const glm::dvec2& direction, double height_fraction) {
-  return visit_surface(shape, [&](const auto& surface) { return surface.place_at(direction, height_fraction); });
+std::optional<SurfacePosition> surface_position_at(const Shape& shape, const glm::dvec2& direction,
+                                                   double height_fraction) {
+  return visit_surface(shape,
+                       [&](const auto& surface) { return surface.surface_position_at(direction, height_fraction); });
 }
 
 }  // namespace csgsim::model

@@ -21,20 +21,21 @@ bool has_flat_faces(const Shape& shape);
 bool is_flat(const Shape& shape, const glm::dvec3& normal);
 
 /// Angle in radians between neighbouring facets, if `facet_count` facets approximate the curved surface.
-double angle_between(const Shape& shape, std::size_t facet_count);
+double facet_angle(const Shape& shape, std::size_t facet_count);
 
 /// The normal at `vertex` of the curved surface that a facet with the given normal approximates; empty if there is
 /// none.
 std::optional<glm::dvec3> normal_at(const Shape& shape, const glm::dvec3& vertex, const glm::dvec3& facet_normal);
 
 /// A point of a surface and the unit normal there.
-struct SurfacePlace {
+struct SurfacePosition {
   glm::dvec3 at;
   glm::dvec3 normal;
 };
 
 /// The point of the curved surface in a direction (a unit vector) from the z axis, at a fraction, from 0 to 1, of the
 /// height or, for a sphere, of the latitudes from pole to pole; empty if the shape has no curved surface.
-std::optional<SurfacePlace> place_at(const Shape& shape, const glm::dvec2& direction, double height_fraction);
+std::optional<SurfacePosition> surface_position_at(const Shape& shape, const glm::dvec2& direction,
+                                                   double height_fraction);
 
 }  // namespace csgsim::model

@@ -32,7 +32,7 @@ std::uint32_t add_leaf(Tree& tree, Primitive primitive) {
   return static_cast<std::uint32_t>(tree.nodes.size() - 1);
 }
 
-std::string place_of(const Tree& tree, std::uint32_t primitive) {
+std::string location_text(const Tree& tree, std::uint32_t primitive) {
   const Location& at = tree.primitives[primitive].location;
   return fmt::format("{}:{}:{}", tree.file, at.line, at.column);
 }

@@ -114,6 +114,6 @@ struct Counts {
 Counts count(const Tree& tree);
 
 /// The position of the primitive as a prefix for messages: file:line:column.
-std::string place_of(const Tree& tree, std::uint32_t primitive);
+std::string location_text(const Tree& tree, std::uint32_t primitive);
 
 }  // namespace csgsim::model

@@ -18,7 +18,7 @@ namespace {
 
 /// Returns the maker of a node without children.
 Maker leaf(flat::Area area) {
-  return [area = std::move(area)](const Operands& /*none*/) { return Made{{}, area, {}, 2}; };
+  return [area = std::move(area)](const Operands& /*none*/) { return NodeResult{{}, area, {}, 2}; };
 }
 
 std::vector<std::vector<std::uint32_t>> read_paths(const Arguments& arguments, std::size_t points) {
@@ -74,7 +74,7 @@ Maker read_polygon(const Arguments& arguments) {
   const std::optional<std::vector<glm::dvec2>> points = read_points<2>(arguments, "polygon", "it is empty");
   if (!points) return leaf({});
   return [points = *points, paths = read_paths(arguments, points->size())](const Operands& operands) {
-    return Made{{}, flat::polygon(points, paths, operands.work), {}, 2};
+    return NodeResult{{}, flat::polygon(points, paths, operands.work), {}, 2};
   };
 }
 
@@ -96,7 +96,7 @@ Maker read_text(const Arguments& arguments) {
   text.spacing = arguments.number("spacing").value_or(text.spacing);
   text.facets = read_facets(arguments);
   warn_of_replacement(arguments, text);
-  return [text](const Operands& /*none*/) { return Made{{}, flat::text(text), {}, 2}; };
+  return [text](const Operands& /*none*/) { return NodeResult{{}, flat::text(text), {}, 2}; };
 }
 
 Maker read_offset(const Arguments& arguments) {
@@ -107,10 +107,10 @@ Maker read_offset(const Arguments& arguments) {
   const flat::Corner corner = !delta ? flat::Corner::round : is_cut ? flat::Corner::cut : flat::Corner::sharp;
   const double distance = delta ? *delta : radius.value_or(1);
   return [=, facets = read_facets(arguments)](const Operands& operands) {
-    return Made{{},
-                flat::offset(union_of_areas(operands), distance, corner, facets, operands.work),
-                {},
-                has_area(operands) ? 2U : 0U};
+    return NodeResult{{},
+                      flat::offset(union_of_areas(operands), distance, corner, facets, operands.work),
+                      {},
+                      has_area(operands) ? 2U : 0U};
   };
 }
 

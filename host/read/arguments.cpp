@@ -29,7 +29,7 @@ Arguments::Arguments(Source& source, const Statement& statement, const NodeType&
 void Arguments::bind(std::string_view name, const Argument& argument) {
   if (std::ranges::find(node_->parameters, name) == node_->parameters.end() &&
       std::ranges::find(node_->harmless, name) == node_->harmless.end()) {
-    source_->fail(argument.offset, unknown_argument(*node_, name));
+    source_->fail(argument.offset, unknown_argument_text(*node_, name));
   }
   if (std::ranges::find(bound_, name, &Bound::name) != bound_.end()) {
     source_->fail(argument.offset, fmt::format("{} is given twice in {}(...); remove one", name, node_->name));

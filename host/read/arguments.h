@@ -70,7 +70,7 @@ class Arguments {
   /// and where Source::import() does.
   [[nodiscard]] std::optional<ImportedFile> file(const InputKind& kind) const;
 
-  /// The work counter of the source; see Source::charge_to().
+  /// The work counter of the source; see Source::set_work_counter().
   [[nodiscard]] const Work& work() const { return source_->work(); }
 
   /// The argument `name`. Throws InputError if it is absent; `form`, as in `size = [x, y, z]`, is part of the message.

@@ -19,10 +19,10 @@ namespace csgsim::read {
 namespace {
 
 const NodeType& usable_node(Source& source, const Statement& statement) {
-  const NodeType* node = find_node(statement.name);
-  if (node == nullptr) source.fail(statement.offset, unknown_node(statement.name));
+  const NodeType* node = find_node_type(statement.name);
+  if (node == nullptr) source.fail(statement.offset, unknown_node_text(statement.name));
   if (node->kind == NodeKind::unsupported || node->kind == NodeKind::source) {
-    source.fail(statement.offset, unusable_node(*node));
+    source.fail(statement.offset, unusable_node_text(*node));
   }
   return *node;
 }
@@ -35,7 +35,7 @@ TreeBuilder::TreeBuilder(Source& source, const Options& options, Meetings meetin
   open_.back().mesh_placement.meets_others = meetings_.at_top_level;
 }
 
-TreeBuilder::OpenNode TreeBuilder::make_open(const Statement& statement) const {
+TreeBuilder::OpenNode TreeBuilder::make_open_node(const Statement& statement) const {
   OpenNode open;
   open.offset = statement.offset;
   open.location = source_.locate(statement.offset);
@@ -66,7 +66,7 @@ void TreeBuilder::begin(const Statement& statement) {
                              open_.back().name, node.name));
   }
   const Arguments arguments(source_, statement, node, open_.back().mesh_placement);
-  open_.push_back(make_open(statement));
+  open_.push_back(make_open_node(statement));
   OpenNode& open = open_.back();
   open.name = node.name;
   switch (node.kind) {
@@ -102,7 +102,7 @@ void TreeBuilder::begin(const Statement& statement) {
 /// The matrix of the innermost statement.
 glm::dmat4 TreeBuilder::placement(const Arguments& arguments) {
   const glm::dmat4 written = read_matrix(arguments);
-  if (!options_.restores_rotations || empties(written) || is_along_axes(written)) return written;
+  if (!options_.restores_rotations || is_degenerate(written) || is_along_axes(written)) return written;
   const std::optional<glm::dmat4> found = restored(written);
   if (!found && restored_.as_written++ == 0) restored_.first_as_written = open_.back().location;
   if (found) ++restored_.restored;
@@ -124,7 +124,7 @@ void TreeBuilder::add_solid(const NodeType& node, const Arguments& arguments) {
   open.takes_children = false;
   open.made = 3;
   std::optional<model::Shape> shape = node.solid(arguments);
-  if (shape && !empties(open.transform)) add_leaf(open, *std::move(shape), open.transform);
+  if (shape && !is_degenerate(open.transform)) add_leaf(open, *std::move(shape), open.transform);
 }
 
 void TreeBuilder::add_leaf(const OpenNode& open, model::Shape shape, const glm::dmat4& transform) {
@@ -162,8 +162,8 @@ void TreeBuilder::drop_operands(const OpenNode& open) {
 }
 
 /// Replaces the operands of a node by its result.
-void TreeBuilder::make(OpenNode& open) {
-  Made made;
+void TreeBuilder::make_node(OpenNode& open) {
+  NodeResult made;
   try {
     made = open.maker(take_operands(open));
   } catch (const InputError& error) {
@@ -172,7 +172,7 @@ void TreeBuilder::make(OpenNode& open) {
   for (const std::string& warning : made.warnings)
     source_.print_message(open.offset, fmt::format("warning: {}(): {}", open.name, warning));
   open.made = made.dimensions;
-  if (empties(open.outer)) return;
+  if (is_degenerate(open.outer)) return;
   add_pieces(open, std::move(made.pieces));
   if (!made.holes.empty()) open.op = model::Operator::subtract;
   add_pieces(open, std::move(made.holes));
@@ -189,7 +189,7 @@ void TreeBuilder::add_pieces(const OpenNode& open, std::vector<model::Polyhedron
 }
 
 /// The combination of areas by the node's operator.
-flat::Area TreeBuilder::combined(OpenNode& open) const {
+flat::Area TreeBuilder::combine_areas(OpenNode& open) const {
   if (open.areas.empty()) return {};
   if (open.areas.size() == 1) return std::move(open.areas.front());
   try {
@@ -205,7 +205,7 @@ flat::Area TreeBuilder::combined(OpenNode& open) const {
 }
 
 void TreeBuilder::close_innermost() {
-  if (open_.back().maker) make(open_.back());
+  if (open_.back().maker) make_node(open_.back());
   OpenNode open = std::move(open_.back());
   open_.pop_back();
   if (open.is_empty) {
@@ -213,13 +213,13 @@ void TreeBuilder::close_innermost() {
   } else {
     join_operands(open, static_cast<bool>(open.maker));
   }
-  if (!open_.empty()) pass_on(open, make_result(open));
+  if (!open_.empty()) add_to_enclosing(open, make_result(open));
 }
 
 TreeBuilder::Result TreeBuilder::make_result(OpenNode& open) const {
   Result result;
   result.dimensions = result_dimensions(open);
-  result.area = combined(open);
+  result.area = combine_areas(open);
   result.is_empty = result.area.empty() && children_.size() == open.first_child;
   return result;
 }
@@ -248,7 +248,7 @@ void TreeBuilder::join_operands(const OpenNode& open, bool of_pieces) {
 }
 
 /// Passes the result to the enclosing statement. Areas at the top level become plates, as OpenSCAD shows them.
-void TreeBuilder::pass_on(OpenNode& open, Result result) {
+void TreeBuilder::add_to_enclosing(OpenNode& open, Result result) {
   if (result.dimensions != 0 && !accepts(open, result)) {
     drop_operands(open);
     result = {};

@@ -68,21 +68,21 @@ class TreeBuilder : public StatementVisitor {
   };
 
   void charge_statement(const Statement& statement);
-  [[nodiscard]] OpenNode make_open(const Statement& statement) const;
+  [[nodiscard]] OpenNode make_open_node(const Statement& statement) const;
   [[nodiscard]] glm::dmat4 placement(const Arguments& arguments);
   void report_restored() const;
   void add_solid(const NodeType& node, const Arguments& arguments);
   void add_leaf(const OpenNode& open, model::Shape shape, const glm::dmat4& transform);
-  void make(OpenNode& open);
+  void make_node(OpenNode& open);
   void add_pieces(const OpenNode& open, std::vector<model::Polyhedron> pieces);
   [[nodiscard]] Operands take_operands(OpenNode& open);
   void drop_operands(const OpenNode& open);
-  [[nodiscard]] flat::Area combined(OpenNode& open) const;
+  [[nodiscard]] flat::Area combine_areas(OpenNode& open) const;
   [[nodiscard]] Result make_result(OpenNode& open) const;
   [[nodiscard]] std::uint32_t result_dimensions(const OpenNode& open) const;
   void close_innermost();
   void join_operands(const OpenNode& open, bool of_pieces);
-  void pass_on(OpenNode& open, Result result);
+  void add_to_enclosing(OpenNode& open, Result result);
   [[nodiscard]] bool accepts(const OpenNode& open, const Result& result);
   static void count_operand(OpenNode& parent, const Result& result);
 

@@ -61,9 +61,9 @@ void charge_extrusion(const flat::Area& area, const Work& work) {
     work.charge(corner_steps * outline.size(), "extruding a 2-D shape");
 }
 
-Made extruded(const flat::Area& area, const solids::LinearExtrude& extrusion, const Work& work) {
+NodeResult extruded(const flat::Area& area, const solids::LinearExtrude& extrusion, const Work& work) {
   charge_extrusion(area, work);
-  if (std::optional<solids::HoledPrism> prism = solids::holed_prism(area, extrusion)) {
+  if (std::optional<solids::HoledPrism> prism = solids::make_holed_prism(area, extrusion)) {
     return {{std::move(prism->whole)}, {}, std::move(prism->holes), 3};
   }
   return {solids::linear_extrude(area, extrusion, work), {}, {}, 3};
@@ -97,7 +97,7 @@ Maker read_linear_extrude(const Arguments& arguments) {
   }
   return [extrusion, file = drawn(arguments, 1)](const Operands& operands) {
     const std::optional<flat::Area> area = extruded_area(file, operands);
-    return area ? extruded(*area, extrusion, operands.work) : Made{};
+    return area ? extruded(*area, extrusion, operands.work) : NodeResult{};
   };
 }
 
@@ -110,9 +110,9 @@ Maker read_rotate_extrude(const Arguments& arguments) {
   const double scale = arguments.has("file") ? arguments.number("scale").value_or(1) : 1;
   return [extrusion, file = drawn(arguments, scale)](const Operands& operands) {
     const std::optional<flat::Area> area = extruded_area(file, operands);
-    if (!area || extrusion.angle == 0) return Made{};
+    if (!area || extrusion.angle == 0) return NodeResult{};
     charge_extrusion(*area, operands.work);
-    return Made{solids::rotate_extrude(*area, extrusion), {}, {}, 3};
+    return NodeResult{solids::rotate_extrude(*area, extrusion), {}, {}, 3};
   };
 }
 

@@ -20,18 +20,18 @@ namespace csgsim::read {
 
 namespace {
 
-Made make_hull(Operands operands) {
+NodeResult make_hull(Operands operands) {
   if (operands.dimensions == 2) return {{}, flat::hull(operands.areas), {}, 2};
   if (operands.solids.empty()) return {};
   const Work work = operands.work;
   const model::Tree all = union_of_solids(std::move(operands));
-  Made made;
+  NodeResult made;
   if (std::optional<model::Polyhedron> piece = solids::hull_piece(solids::evaluate_vertices(all, work), work))
     made.pieces.push_back(*std::move(piece));
   return made;
 }
 
-Made make_sum(const Operands& operands) {
+NodeResult make_sum(const Operands& operands) {
   if (operands.dimensions == 2)
     return {{}, flat::minkowski(operands.areas, operands.work), {}, has_area(operands) ? 2U : 0U};
   if (operands.solids.empty()) return {};
@@ -79,7 +79,7 @@ bool is_single_solid(const model::Tree& solid) {
   return std::ranges::all_of(solid.nodes, [](const model::Node& node) { return node.is_leaf || node.of_pieces; });
 }
 
-Made resized(Operands operands, NewSize to) {
+NodeResult resized(Operands operands, NewSize to) {
   if (operands.dimensions == 2) {
     const flat::Area area = union_of_areas(operands);
     return {{},
@@ -140,7 +140,7 @@ Maker read_projection(const Arguments& arguments) {
     const Work work = operands.work;
     const model::Tree solid = union_of_solids(std::move(operands));
     const solids::Projection projection = cut ? solids::section(solid, work) : solids::shadow(solid, work);
-    Made made{{}, projection.area};
+    NodeResult made{{}, projection.area};
     if (projection.coarse_size > 0)
       made.warnings.push_back(
           fmt::format("an outline of size {:g} is rounded to {:.2g}, which is more than 1e-6 of its size, because "

@@ -50,10 +50,10 @@ flat::Area dxf_area(const Arguments& arguments, std::string_view bytes, double s
 
 namespace {
 
-Made make_meshes(const Arguments& arguments, const ImportedFile& file, const std::string& kind) {
+NodeResult make_meshes(const Arguments& arguments, const ImportedFile& file, const std::string& kind) {
   const double tolerance =
       kind == ".stl" || kind == ".3mf" ? solids::single_precision_tolerance : solids::printed_tolerance;
-  Made made;
+  NodeResult made;
   made.dimensions = 3;
   for (const solids::Mesh& mesh : solids::parse_meshes(file.bytes, file.path)) {
     const MeshPieces found = pieces_of(mesh, tolerance, arguments.mesh_placement(), arguments.work());
@@ -66,7 +66,7 @@ Made make_meshes(const Arguments& arguments, const ImportedFile& file, const std
   return made;
 }
 
-Made make_import(const Arguments& arguments) {
+NodeResult make_import(const Arguments& arguments) {
   const std::optional<ImportedFile> file = arguments.file(mesh_or_drawing);
   const std::string kind =
       solids::lower_case_extension(file ? file->path : fs::path(arguments.text("file").value_or("")));
@@ -87,7 +87,7 @@ Maker read_surface(const Arguments& arguments) {
   const bool center = arguments.boolean("center").value_or(false);
   const bool invert = arguments.boolean("invert").value_or(false);
   const std::optional<ImportedFile> file = arguments.file(solids::surface_file);
-  if (!file) return [](const Operands& /*none*/) { return Made{{}, {}, {}, 3}; };
+  if (!file) return [](const Operands& /*none*/) { return NodeResult{{}, {}, {}, 3}; };
   MeshPieces found;
   try {
     found = pieces_of(solids::parse_surface_file(file->bytes, file->path, center, invert),
@@ -96,7 +96,7 @@ Maker read_surface(const Arguments& arguments) {
     arguments.fail("{}", error.what());
   }
   if (found.defect) arguments.fail("{}", found.defect->what);
-  return [pieces = std::move(found.pieces)](const Operands& /*none*/) { return Made{pieces, {}, {}, 3}; };
+  return [pieces = std::move(found.pieces)](const Operands& /*none*/) { return NodeResult{pieces, {}, {}, 3}; };
 }
 
 Maker read_import(const Arguments& arguments) {

@@ -5,7 +5,7 @@
 namespace csgsim::read {
 
 void MeetingFinder::begin(const Statement& statement) {
-  const NodeType* const node = find_node(statement.name);
+  const NodeType* const node = find_node_type(statement.name);
   const bool is_shape =
       node != nullptr && (node->kind == NodeKind::solid || (node->kind == NodeKind::made && !node->has_children));
   open_.push_back({statement.offset, is_shape, 0});

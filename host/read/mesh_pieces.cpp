@@ -58,7 +58,7 @@ struct Divided {
   std::optional<Remark> crossing{};  ///< set for a mesh that crosses itself
 };
 
-Divided divide(const solids::Checked& checked, const solids::Limits& limits) {
+Divided divide(const solids::CheckedMesh& checked, const solids::Limits& limits) {
   if (checked.crossing) return {solids::enclosed_pieces(checked.mesh, limits), crossing_faces(*checked.crossing)};
   try {
     return {solids::convex_pieces(checked.mesh, limits)};
@@ -79,7 +79,7 @@ std::optional<model::Polyhedron> replacement_hull(const solids::Mesh& mesh, std:
 MeshPieces pieces_of(const solids::Mesh& mesh, double tolerance, const solids::MeshPlacement& mesh_placement,
                      const Work& work) {
   work.charge(check_steps * mesh.faces.size(), "checking a mesh of " + std::to_string(mesh.faces.size()) + " faces");
-  solids::Checked checked = solids::check(mesh, tolerance, mesh_placement);
+  solids::CheckedMesh checked = solids::check(mesh, tolerance, mesh_placement);
   if (checked.defect) return {{}, std::move(checked.defect)};
   solids::Limits limits;
   limits.tolerance = tolerance;

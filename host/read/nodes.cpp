@@ -99,7 +99,7 @@ constexpr std::array other_nodes{
     source("translate"),
 };
 
-std::array<std::span<const NodeType>, 3> node_tables() { return {operator_nodes, solid_nodes(), other_nodes}; }
+std::array<std::span<const NodeType>, 3> node_tables() { return {operator_nodes, solid_node_types(), other_nodes}; }
 
 bool is_usable(const NodeType& node) { return node.kind != NodeKind::unsupported && node.kind != NodeKind::source; }
 
@@ -129,7 +129,7 @@ std::string_view near_name(std::string_view name, Names candidates) {
 
 }  // namespace
 
-const NodeType* find_node(std::string_view name) {
+const NodeType* find_node_type(std::string_view name) {
   for (const std::span<const NodeType> table : node_tables()) {
     const auto found = std::ranges::find(table, name, &NodeType::name);
     if (found != table.end()) return &*found;
@@ -137,13 +137,13 @@ const NodeType* find_node(std::string_view name) {
   return nullptr;
 }
 
-std::string unknown_node(std::string_view name) {
+std::string unknown_node_text(std::string_view name) {
   const std::string_view near = near_name(name, names_of(false));
   if (!near.empty()) return fmt::format("unknown node {}(); did you mean {}()?", shown(name), near);
   return fmt::format("unknown node {}(); use one of {}", shown(name), fmt::join(names_of(true), ", "));
 }
 
-std::string unknown_argument(const NodeType& node, std::string_view name) {
+std::string unknown_argument_text(const NodeType& node, std::string_view name) {
   const std::string_view near = near_name(name, node.parameters);
   if (!near.empty()) return fmt::format("{}() has no argument {}; did you mean {}?", node.name, shown(name), near);
   if (node.parameters.empty()) return fmt::format("{}() has no argument {}; remove it", node.name, shown(name));
@@ -151,7 +151,7 @@ std::string unknown_argument(const NodeType& node, std::string_view name) {
                      fmt::join(node.parameters, ", "));
 }
 
-std::string unusable_node(const NodeType& node) {
+std::string unusable_node_text(const NodeType& node) {
   if (node.kind == NodeKind::source) {
     return fmt::format("{}() is OpenSCAD source, not .csg; export it first: openscad -o model.csg model.scad",
                        node.name);

@@ -52,18 +52,18 @@ inline constexpr std::array<std::string_view, 2> common_extras{"convexity", "tim
 inline constexpr std::array<std::string_view, 5> solid_extras{"convexity", "timestamp", "$fn", "$fa", "$fs"};
 
 /// The rows of convex solids (solids.cpp).
-std::span<const NodeType> solid_nodes();
+std::span<const NodeType> solid_node_types();
 
 /// The node type with the given name; null if there is none.
-const NodeType* find_node(std::string_view name);
+const NodeType* find_node_type(std::string_view name);
 
-/// The error text for a name unknown to find_node(), with a suggestion.
-std::string unknown_node(std::string_view name);
+/// The error text for a name unknown to find_node_type(), with a suggestion.
+std::string unknown_node_text(std::string_view name);
 
 /// The error text for an argument name that the node does not have, with a suggestion.
-std::string unknown_argument(const NodeType& node, std::string_view name);
+std::string unknown_argument_text(const NodeType& node, std::string_view name);
 
 /// The error text for a node of kind `unsupported` or `source`, with a suggestion.
-std::string unusable_node(const NodeType& node);
+std::string unusable_node_text(const NodeType& node);
 
 }  // namespace csgsim::read

@@ -22,7 +22,7 @@ struct Operands {
 };
 
 /// The result of a node that is not a Boolean, in the node's own space: a solid as convex pieces, an area, or neither.
-struct Made {
+struct NodeResult {
   std::vector<model::Polyhedron> pieces{};
   flat::Area area{};
   std::vector<model::Polyhedron> holes{};  ///< solids subtracted from the first and only piece
@@ -42,6 +42,6 @@ bool has_area(const Operands& operands);
 model::Tree union_of_solids(Operands operands);
 
 /// Makes the result of a node from its operands, when the node ends. Throws InputError without a position.
-using Maker = std::function<Made(Operands)>;
+using Maker = std::function<NodeResult(Operands)>;
 
 }  // namespace csgsim::read

@@ -50,7 +50,7 @@ glm::dmat4 read_matrix(const Arguments& arguments) {
   return matrix[3][3] == 1 ? matrix : matrix / matrix[3][3];
 }
 
-bool empties(const glm::dmat4& matrix) {
+bool is_degenerate(const glm::dmat4& matrix) {
   if (!is_finite(matrix)) return true;
   std::array<glm::dvec3, 3> columns{};
   for (int i = 0; i < 3; ++i) {

@@ -15,7 +15,7 @@ namespace csgsim::read {
 glm::dmat4 read_matrix(const Arguments& arguments);
 
 /// Whether a transformation by the matrix makes every solid empty: it is singular or not finite.
-bool empties(const glm::dmat4& matrix);
+bool is_degenerate(const glm::dmat4& matrix);
 
 /// The colour of a `color` node, each component in [0, 1].
 struct Colour {

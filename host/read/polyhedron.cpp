@@ -37,7 +37,7 @@ ValueView find_faces(const Arguments& arguments) {
   return *triangles;
 }
 
-Made make_polyhedron(const Arguments& arguments) {
+NodeResult make_polyhedron(const Arguments& arguments) {
   // OpenSCAD writes a polyhedron without points or faces this way.
   if (arguments.is_undefined("points") || arguments.is_undefined("faces")) return {};
   const std::optional<std::vector<glm::dvec3>> points = read_points<3>(arguments, "polyhedron", "it is dropped");
@@ -61,7 +61,7 @@ Made make_polyhedron(const Arguments& arguments) {
 }  // namespace
 
 Maker read_polyhedron(const Arguments& arguments) {
-  Made made = make_polyhedron(arguments);
+  NodeResult made = make_polyhedron(arguments);
   made.dimensions = 3;
   return [made = std::move(made)](const Operands& /*none*/) { return made; };
 }

@@ -34,8 +34,8 @@ Meetings find_meetings(Source& source, std::optional<std::uint32_t> root) {
 }
 
 model::Tree read_source(Source& source, const Options& options) {
-  source.charge_to(options.work);
-  const std::optional<std::uint32_t> root = find_root(source);
+  source.set_work_counter(options.work);
+  const std::optional<std::uint32_t> root = find_root_statement(source);
   TreeBuilder builder(source, options, find_meetings(source, root));
   visit_drawn(source, root, builder);
   return builder.finish();

@@ -29,7 +29,7 @@ class RootFinder : public StatementVisitor {
 
 }  // namespace
 
-std::optional<std::uint32_t> find_root(Source& source) {
+std::optional<std::uint32_t> find_root_statement(Source& source) {
   if (source.text().find('!') == std::string_view::npos) return std::nullopt;
   RootFinder finder;
   visit_statements(source, finder);

@@ -11,7 +11,7 @@ namespace csgsim::read {
 
 /// Index, in file order, of the statement that `!` selects as the whole model: the first such statement that is not
 /// under `*`. Throws InputError as visit_statements() does.
-std::optional<std::uint32_t> find_root(Source& source);
+std::optional<std::uint32_t> find_root_statement(Source& source);
 
 /// Passes on only the statements that are drawn: those of the file, or of the root's subtree, that are not under `%` or
 /// `*`. Modifiers of the root itself are ignored.

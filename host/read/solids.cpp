@@ -71,6 +71,6 @@ constexpr std::array solid_rows{
 
 }  // namespace
 
-std::span<const NodeType> solid_nodes() { return solid_rows; }
+std::span<const NodeType> solid_node_types() { return solid_rows; }
 
 }  // namespace csgsim::read

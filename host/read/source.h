@@ -56,7 +56,7 @@ class Source {
 
   /// Sets the work counter that everything using this text is charged to; see read::Options. Without a call, work is
   /// unlimited.
-  void charge_to(Work work) { work_ = std::move(work); }
+  void set_work_counter(Work work) { work_ = std::move(work); }
   [[nodiscard]] const Work& work() const { return work_; }
 
   /// Line and column of a byte, counted in UTF-8 characters. Fast for ascending offsets.

@@ -65,7 +65,7 @@ class Reader {
  private:
   [[noreturn]] void fail(const toml::node& at, std::string_view message) const {
     if (is_set(at)) throw SetError(fmt::format("{}: {}", *at.source().path, message));
-    throw InputError(fmt::format("{}: {}", show(at.source().begin, file_), message));
+    throw InputError(fmt::format("{}: {}", position_text(at.source().begin, file_), message));
   }
 
   /// `key` is a key of the table, for messages.
@@ -82,7 +82,7 @@ class Reader {
       const std::string message = prefix == effects_prefix ? unknown_name_text("effect", key.str(), known)
                                                            : unknown_key(key.str(), known, prefix);
       if (const toml::node* const value = set_value(node)) fail(*value, message);
-      throw InputError(fmt::format("{}: {}", show(key.source().begin, file_), message));
+      throw InputError(fmt::format("{}: {}", position_text(key.source().begin, file_), message));
     }
   }
 
@@ -103,11 +103,11 @@ class Reader {
     const toml::node* const node = table.get(key);
     if (node == nullptr) {
       const bool always_holds = !section.is_list && !section.name.starts_with(effects_prefix);
-      if (always_holds) report_values(section, section.blank());
+      if (always_holds) report_values(section, section.blank_machine());
       return;
     }
     const std::string_view example =
-        section.name.starts_with(effects_prefix) ? on_key : section.blank().front().key.name;
+        section.name.starts_with(effects_prefix) ? on_key : section.blank_machine().front().key.name;
     if (!section.is_list) return read_section(require_table(*node, section.name, example), section);
     const toml::array* const list = node->as_array();
     if (list == nullptr) {
@@ -130,7 +130,7 @@ class Reader {
 
   void read_section(const toml::table& table, const Section& section) {
     std::vector<std::string_view> known;
-    Values read = section.blank();
+    Values read = section.blank_machine();
     for (const KeyValue& one : read) known.push_back(one.key.name);
     const bool is_effect = section.name.starts_with(effects_prefix);
     if (is_effect) known.push_back(on_key);

@@ -13,8 +13,8 @@ bool is_complete(const CameraChoice& choice) { return choice.given || (choice.ey
 facet::Box shown_box(const CameraChoice& choice, const model::Tree& tree, const facet::Geometry& scene) {
   if (is_complete(choice) && !choice.shows_all) return scene.box;
   const bool has_quadrics = !scene.quadrics.quadrics().empty();
-  return has_quadrics ? convex::extent(facet::make_geometry(tree), csg::make_positive(tree))
-                      : convex::extent(scene, csg::make_positive(tree));
+  return has_quadrics ? convex::extent(facet::make_geometry(tree), csg::make_positive_tree(tree))
+                      : convex::extent(scene, csg::make_positive_tree(tree));
 }
 
 }  // namespace

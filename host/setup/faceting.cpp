@@ -98,7 +98,7 @@ std::string others_text(std::size_t count) {
 
 void report_faceted(const std::vector<std::uint32_t>& left, const FacetingInput& input) {
   if (left.empty()) return;
-  const std::string place = model::place_of(input.tree, left.front());
+  const std::string place = model::location_text(input.tree, left.front());
   const bool is_perspective = input.camera.projection == view::Projection::perspective;
   const std::string reason = why_faceted(input.tree.primitives[left.front()], is_perspective);
   report_line(
@@ -109,7 +109,7 @@ void report_faceted(const std::vector<std::uint32_t>& left, const FacetingInput&
 
 /// Those spheres that can be drawn as fast spheres, beside planar facets.
 facet::Faceting with_fast_spheres(facet::Faceting faceting, const FacetingInput& input, const emit::Look& look) {
-  if (const auto reason = emit::why_no_curves(input.machine, input.choices.options, look))
+  if (const auto reason = emit::curves_unsupported_reason(input.machine, input.choices.options, look))
     throw InputError(*reason + ", or draw facets with --curves facets");
   if (input.camera.projection != view::Projection::perspective) {
     faceting.exact_curves = true;
@@ -122,7 +122,8 @@ facet::Faceting with_fast_spheres(facet::Faceting faceting, const FacetingInput&
 
 facet::Faceting with_quadrics(facet::Faceting faceting, const FacetingInput& input, const emit::Look& look) {
   const bool is_exact = input.choices.faceting.curves == Curves::exact;
-  const std::optional<std::string> reason = emit::why_no_quadrics(input.machine, input.choices.options, look);
+  const std::optional<std::string> reason =
+      emit::quadrics_unsupported_reason(input.machine, input.choices.options, look);
   if (reason && is_exact) throw InputError(*reason + ", or allow facets with --curves auto");
   if (reason) return faceting;
   faceting.exact_curves = true;
@@ -134,7 +135,7 @@ facet::Faceting with_curves(facet::Faceting faceting, const FacetingInput& input
   const FacetingChoice& choice = input.choices.faceting;
   if (!has_curves(choice, input.machine)) return faceting;
   const emit::Look look =
-      emit::make_look(input.choices.options.scene, input.tree, csg::make_positive(input.tree), input.camera);
+      emit::make_look(input.choices.options.scene, input.tree, csg::make_positive_tree(input.tree), input.camera);
   return choice.curves == Curves::fast ? with_fast_spheres(std::move(faceting), input, look)
                                        : with_quadrics(std::move(faceting), input, look);
 }

@@ -155,7 +155,7 @@ class SliceSides {
   [[nodiscard]] double volume() const {
     double six_times = 0;
     for (const Fragment& fragment : soup_.fragments) {
-      for_triangles(soup_, fragment, [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+      for_each_triangle(soup_, fragment, [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
         six_times += glm::dot(a, glm::cross(b, c));
       });
     }
@@ -165,7 +165,8 @@ class SliceSides {
   /// A cell around the slice, with a margin of a tenth of its size.
   convex::Polytope make_cell() {
     const double margin = 0.1 * size();
-    return convex::intersection(box_, convex::box_walls({box_.low - margin, box_.high + margin}, planes_), planes_);
+    return convex::intersection(box_, convex::add_box_halfspaces({box_.low - margin, box_.high + margin}, planes_),
+                                planes_);
   }
 
   void add(const flat::Outline& outline) {

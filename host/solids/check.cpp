@@ -148,7 +148,7 @@ std::optional<Defect> find_far_point(const NumberedMesh& numbered) {
 
 std::optional<Defect> find_open_edge(const NumberedMesh& numbered) {
   std::optional<Defect> found;
-  for_edges(sorted_sides(numbered.mesh), [&](auto begin, auto end) {
+  for_each_edge(sorted_sides(numbered.mesh), [&](auto begin, auto end) {
     const auto forward = std::count_if(begin, end, [](const EdgeSide& side) { return side.forward; });
     const auto backward = end - begin - forward;
     if (found || forward == backward) return;
@@ -165,16 +165,16 @@ void turn_shells(Mesh& mesh) {
   const std::vector<FaceList> shells = collect_shells(mesh);
   const std::vector<std::uint32_t> depths = nesting_depths(mesh, shells);
   for (std::size_t i = 0; i < shells.size(); ++i) {
-    const bool faces_out = six_volumes(mesh, shells[i]) >= 0;
+    const bool faces_out = six_times_volume(mesh, shells[i]) >= 0;
     if (faces_out == (depths[i] % 2 == 0)) continue;
     for (const std::uint32_t face : shells[i]) std::ranges::reverse(mesh.faces[face]);
   }
 }
 
-Checked check(const Mesh& mesh, double tolerance, const MeshPlacement& placement) {
+CheckedMesh check(const Mesh& mesh, double tolerance, const MeshPlacement& placement) {
   NumberedMesh numbered = join_points(mesh);
   if (std::optional<Defect> defect = find_far_point(numbered)) return {std::move(numbered.mesh), std::move(defect)};
-  Checked checked;
+  CheckedMesh checked;
   const double rounding = tolerance * largest_coordinate(numbered.mesh);
   checked.bent = cut_bent_faces(
       numbered, std::min(rounding, max_tolerance * facet::box_of(numbered.mesh.points).diagonal()), placement);

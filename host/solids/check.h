@@ -98,7 +98,7 @@ std::optional<Crossing> find_crossing(const NumberedMesh& numbered, double toler
 /// The result of all these checks: a closed mesh whose shells are correctly oriented and do not cross, or the reason
 /// why the mesh is not a solid. The tolerance is in units of the largest coordinate, and is limited to a fraction of
 /// the median edge (limits.h).
-struct Checked {
+struct CheckedMesh {
   Mesh mesh;
   std::optional<Defect> defect;
   std::optional<Crossing> crossing{};  ///< set only for a closed mesh; its shells are then unchanged
@@ -106,6 +106,6 @@ struct Checked {
   TurnedFaces turned{};
 };
 
-Checked check(const Mesh& mesh, double tolerance, const MeshPlacement& placement = {});
+CheckedMesh check(const Mesh& mesh, double tolerance, const MeshPlacement& placement = {});
 
 }  // namespace csgsim::solids

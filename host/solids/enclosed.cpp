@@ -135,7 +135,7 @@ class EnclosedDivision {
   [[nodiscard]] double winding(const glm::dvec3& from) const {
     double angle = 0;
     for (const Fragment& fragment : soup_.fragments) {
-      for_triangles(soup_, fragment, [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+      for_each_triangle(soup_, fragment, [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
         angle += solid_angle(a - from, b - from, c - from);
       });
     }

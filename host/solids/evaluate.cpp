@@ -28,7 +28,7 @@ std::vector<model::Polyhedron> evaluate_pieces(const model::Tree& tree, const Wo
   if (is_union(tree)) {
     for (const facet::Convex& solid : scene.solids) add(convex::make_polytope(solid, scene.planes, work));
   } else {
-    for (const convex::Piece& piece : convex::pieces(scene, csg::make_positive(tree), convex::max_pieces, work))
+    for (const convex::Piece& piece : convex::pieces(scene, csg::make_positive_tree(tree), convex::max_pieces, work))
       add(piece.polytope);
   }
   return made;

@@ -46,7 +46,7 @@ struct HoledPrism {
 /// linear_extrude() as a difference. Requires straight sides and convex outlines, all but one of which are holes. The
 /// convex pieces must have at least twice the half-spaces of the difference: the machine then draws the difference in
 /// fewer clocks. Empty if a requirement is not met.
-std::optional<HoledPrism> holed_prism(const flat::Area& area, const LinearExtrude& extrusion);
+std::optional<HoledPrism> make_holed_prism(const flat::Area& area, const LinearExtrude& extrusion);
 
 /// The solid that an area sweeps around the z axis, faceted as in OpenSCAD 2021.01, in convex pieces as above. A convex
 /// part that touches the axis along a side, and never narrows towards the axis, becomes at most one piece per half

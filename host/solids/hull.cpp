@@ -94,7 +94,7 @@ Mesh hull(std::span<const glm::dvec3> points, const Work& work) {
     }
   }
   // The triangles that CGAL makes of a face depend on the addresses of its edges, so they are replaced.
-  return with_sorted_faces(made);
+  return canonical_hull(made);
 }
 
 std::optional<model::Polyhedron> hull_piece(std::span<const glm::dvec3> points, const Work& work) {

@@ -132,7 +132,7 @@ std::vector<std::uint32_t> number_corners(const Mesh& hull, const std::vector<Lo
 
 }  // namespace
 
-Mesh with_sorted_faces(const Mesh& hull) {
+Mesh canonical_hull(const Mesh& hull) {
   std::vector<Loop> loops = collect_loops(collect_rims(hull));
   Mesh made;
   const std::vector<std::uint32_t> numbers = number_corners(hull, loops, made);

@@ -10,6 +10,6 @@ namespace csgsim::solids {
 /// exact orientation; its triangulation is not unique if more than three points are in one plane. The result has only
 /// the points at corners of the solid, sorted by their coordinates; a face with more than three corners becomes a fan
 /// of triangles around its first corner.
-Mesh with_sorted_faces(const Mesh& hull);
+Mesh canonical_hull(const Mesh& hull);
 
 }  // namespace csgsim::solids

@@ -113,7 +113,7 @@ std::vector<model::Polyhedron> linear_extrude(const flat::Area& area, const Line
   return pieces;
 }
 
-std::optional<HoledPrism> holed_prism(const flat::Area& area, const LinearExtrude& extrusion) {
+std::optional<HoledPrism> make_holed_prism(const flat::Area& area, const LinearExtrude& extrusion) {
   const std::optional<LinearExtrude> made = normalized(area, extrusion);
   if (!made || area.outlines.size() < 2 || !is_straight(*made)) return std::nullopt;
   const std::vector<flat::Outline> outlines = convex_outlines(area);

@@ -34,7 +34,7 @@ std::vector<EdgeSide> sorted_sides(const Mesh& mesh) {
 
 std::vector<Joint> find_joints(const Mesh& mesh) {
   std::vector<Joint> joints;
-  for_edges(sorted_sides(mesh), [&](auto begin, auto end) {
+  for_each_edge(sorted_sides(mesh), [&](auto begin, auto end) {
     if (end - begin == 2) joints.push_back({begin->face, begin[1].face, begin->forward == begin[1].forward});
   });
   return joints;
@@ -47,7 +47,7 @@ Neighbours find_neighbours(const Mesh& mesh) {
     found.first_side.push_back(found.first_side.back() + static_cast<std::uint32_t>(face.size()));
   }
   found.face.assign(found.first_side.back(), none);
-  for_edges(sorted_sides(mesh), [&](auto begin, auto end) {
+  for_each_edge(sorted_sides(mesh), [&](auto begin, auto end) {
     if (end - begin != 2 || begin->forward == begin[1].forward) return;
     found.face[begin->number] = begin[1].face;
     found.face[begin[1].number] = begin->face;
@@ -58,7 +58,7 @@ Neighbours find_neighbours(const Mesh& mesh) {
 std::vector<std::uint32_t> find_shells(const Mesh& mesh) {
   std::vector<std::uint32_t> parents(mesh.faces.size());
   std::iota(parents.begin(), parents.end(), 0U);
-  for_edges(sorted_sides(mesh), [&](auto begin, auto end) {
+  for_each_edge(sorted_sides(mesh), [&](auto begin, auto end) {
     for (auto side = begin; side != end; ++side) {
       const std::uint32_t one = union_root(parents, begin->face);
       const std::uint32_t other = union_root(parents, side->face);

@@ -33,7 +33,7 @@ std::vector<EdgeSide> sorted_sides(const Mesh& mesh);
 
 /// Calls visit(begin, end) for the sides along each edge.
 template <class Visit>
-void for_edges(const std::vector<EdgeSide>& sides, const Visit& visit) {
+void for_each_edge(const std::vector<EdgeSide>& sides, const Visit& visit) {
   for (auto begin = sides.begin(); begin != sides.end();) {
     const auto end = std::find_if(
         begin, sides.end(), [&](const EdgeSide& side) { return side.low != begin->low || side.high != begin->high; });

@@ -38,7 +38,7 @@ struct Soup {
 
 /// Calls visit(a, b, c) for the triangles that fan out from the first corner of a fragment.
 template <class Visit>
-void for_triangles(const Soup& soup, const Fragment& fragment, const Visit& visit) {
+void for_each_triangle(const Soup& soup, const Fragment& fragment, const Visit& visit) {
   const auto point = [&](std::uint32_t i) -> const glm::dvec3& { return soup.points[soup.corners[i].point]; };
   for (std::uint32_t i = fragment.begin + 1; i + 1 < fragment.end; ++i)
     visit(point(fragment.begin), point(i), point(i + 1));

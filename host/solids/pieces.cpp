@@ -80,7 +80,7 @@ class Division {
   }
 
   void accumulate(const FaceList& solid, std::span<const convex::Polytope> polytopes) {
-    gain_ -= six_volumes(mesh_, solid) / 6;
+    gain_ -= six_times_volume(mesh_, solid) / 6;
     for (const std::uint32_t face : solid) area_ += glm::length(area_vector(mesh_, mesh_.faces[face])) / 2;
     for (const convex::Polytope& polytope : polytopes) gain_ += convex::volume(polytope);
   }
@@ -153,7 +153,7 @@ class Division {
     const double margin = 0.1 * planes_.diagonal();
     box = {box.low - margin, box.high + margin};
     return convex::intersection({box.low - planes_.centre(), box.high - planes_.centre()},
-                                convex::box_walls(box, planes_), planes_);
+                                convex::add_box_halfspaces(box, planes_), planes_);
   }
 
   Mesh mesh_;

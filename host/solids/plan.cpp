@@ -83,7 +83,8 @@ facet::Geometry cut_off(const model::Tree& tree, const facet::Geometry& whole, c
     for (const facet::Face& face : facet::make_solid(tree.primitives[i]).faces)
       solid.halfspaces.push_back(cut.planes.add(scaled(face.plane, slab.scale)));
     if (solid.box != box) {
-      for (const facet::Halfspace& wall : convex::box_walls(region, cut.planes)) solid.halfspaces.push_back(wall);
+      for (const facet::Halfspace& wall : convex::add_box_halfspaces(region, cut.planes))
+        solid.halfspaces.push_back(wall);
     }
     std::ranges::sort(solid.halfspaces, {},
                       [](const facet::Halfspace& side) { return std::pair(side.plane, side.positive); });
@@ -98,7 +99,7 @@ bool reaches_far(const facet::Geometry& geometry) {
 
 void add_pieces(std::vector<Points>& plan, const facet::Geometry& geometry, const model::Tree& tree, const Work& work) {
   const glm::dvec2 centre(geometry.planes.centre());
-  for (const convex::Piece& piece : convex::pieces(geometry, csg::make_positive(tree), convex::max_pieces, work)) {
+  for (const convex::Piece& piece : convex::pieces(geometry, csg::make_positive_tree(tree), convex::max_pieces, work)) {
     Points& points = plan.emplace_back();
     for (const glm::dvec3& vertex : piece.polytope.vertices) points.push_back(glm::dvec2(vertex) + centre);
   }

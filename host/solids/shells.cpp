@@ -15,7 +15,7 @@ namespace {
 
 /// Calls visit(a, b, c) for the triangles that fan out from the first corner of each face.
 template <class Visit>
-void for_triangles(const Mesh& mesh, std::span<const std::uint32_t> faces, const Visit& visit) {
+void for_each_triangle(const Mesh& mesh, std::span<const std::uint32_t> faces, const Visit& visit) {
   for (const std::uint32_t i : faces) {
     const std::vector<std::uint32_t>& face = mesh.faces[i];
     for (std::size_t k = 1; k + 1 < face.size(); ++k) {
@@ -59,11 +59,11 @@ facet::Box box_of(const Mesh& mesh, std::span<const std::uint32_t> faces) {
   return box;
 }
 
-double six_volumes(const Mesh& mesh, std::span<const std::uint32_t> faces) {
+double six_times_volume(const Mesh& mesh, std::span<const std::uint32_t> faces) {
   if (faces.empty()) return 0;
   const glm::dvec3 apex = mesh.points[mesh.faces[faces[0]][0]];
   double sum = 0;
-  for_triangles(mesh, faces, [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  for_each_triangle(mesh, faces, [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     sum += glm::dot(a - apex, glm::cross(b - apex, c - apex));
   });
   return sum;
@@ -79,7 +79,7 @@ double solid_angle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c
 
 double winding(const Mesh& mesh, std::span<const std::uint32_t> faces, const glm::dvec3& point) {
   double angles = 0;
-  for_triangles(mesh, faces, [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  for_each_triangle(mesh, faces, [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     angles += solid_angle(a - point, b - point, c - point);
   });
   return angles / (4.0 * std::numbers::pi);
@@ -115,7 +115,7 @@ std::vector<FaceList> collect_solids(const Mesh& mesh, const Work& work) {
   std::vector<double> volumes;
   std::vector<facet::Box> boxes;
   for (const FaceList& shell : shells) {
-    volumes.push_back(six_volumes(mesh, shell));
+    volumes.push_back(six_times_volume(mesh, shell));
     boxes.push_back(box_of(mesh, shell));
   }
   std::vector<FaceList> solids;

@@ -18,7 +18,7 @@ using FaceList = std::vector<std::uint32_t>;
 facet::Box box_of(const Mesh& mesh, std::span<const std::uint32_t> faces);
 
 /// Six times the enclosed volume, with the first point as apex; negative if the faces are oriented inwards.
-double six_volumes(const Mesh& mesh, std::span<const std::uint32_t> faces);
+double six_times_volume(const Mesh& mesh, std::span<const std::uint32_t> faces);
 
 /// The solid angle of a triangle as seen from the origin; negative if seen from behind (A. van Oosterom and J.
 /// Strackee, 1983).

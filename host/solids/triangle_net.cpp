@@ -81,7 +81,7 @@ void TriangleNet::cut_parts() {
 }
 
 /// Cuts off the triangle of two consecutive halves. Returns the half of the closing edge that remains in the part.
-TriangleNet::Half TriangleNet::cut_off(Half first, Half second, std::list<Half>::iterator part) {
+TriangleNet::Half TriangleNet::cut_off_triangle(Half first, Half second, std::list<Half>::iterator part) {
   const Half before = previous(first);
   const Half after = next(second);
   const Half closing = add_edge({edges_[other(second)].from, edges_[first].from}, true);
@@ -103,18 +103,18 @@ void TriangleNet::cut_part(std::list<Half>::iterator part) {
   while (next(upper) != lower) {
     if (precedes(to(upper), from(lower))) {
       while (next(lower) != upper && (goes_left(next(lower)) || above(from(lower), to(lower), to(next(lower))) <= 0)) {
-        lower = cut_off(lower, next(lower), part);
+        lower = cut_off_triangle(lower, next(lower), part);
       }
       lower = previous(lower);
     } else {
       while (next(lower) != upper &&
              (goes_right(previous(upper)) || above(to(upper), from(upper), from(previous(upper))) >= 0)) {
-        upper = cut_off(previous(upper), upper, part);
+        upper = cut_off_triangle(previous(upper), upper, part);
       }
       upper = next(upper);
     }
   }
-  while (next(next(lower)) != upper) lower = cut_off(lower, next(lower), part);
+  while (next(next(lower)) != upper) lower = cut_off_triangle(lower, next(lower), part);
 }
 
 std::vector<TriangleNet::Half> TriangleNet::queue_diagonals() {

@@ -53,7 +53,7 @@ class TriangleNet {
   void join_around_points();
   void find_parts();
   void cut_part(std::list<Half>::iterator part);
-  Half cut_off(Half first, Half second, std::list<Half>::iterator part);
+  Half cut_off_triangle(Half first, Half second, std::list<Half>::iterator part);
   /// Marks both halves of each inner diagonal as queued; returns one half of each.
   [[nodiscard]] std::vector<Half> queue_diagonals();
   [[nodiscard]] float opposite_angle(Half half) const;

@@ -45,7 +45,7 @@ glm::dvec3 blossom(const Curve& curve, std::size_t span, const std::array<double
 
 }  // namespace
 
-std::string fault_of(const Curve& curve) {
+std::string validation_error(const Curve& curve) {
   const std::size_t points = curve.points.size();
   if (curve.degree > max_degree)
     return fmt::format("degree {} is above {}; use 0 (constant), 1, 2 or 3", curve.degree, max_degree);

@@ -33,7 +33,7 @@ struct Segment {
 inline constexpr std::size_t max_curve_points = 10'000;
 
 /// The error in a curve and how to fix it; empty if the curve is valid.
-std::string fault_of(const Curve& curve);
+std::string validation_error(const Curve& curve);
 
 /// One piece per knot span, in order. Adjacent pieces share their end point exactly, and so do the last and first piece
 /// of a closed curve. The curve must be valid.

@@ -93,7 +93,7 @@ class Filter {
 
   void hold(std::uint32_t vertex) { vertices_.hold_by_edge(vertex); }
   void drop(std::uint32_t vertex) {
-    if (vertex != nothing) vertices_.drop_by_edge(vertex);
+    if (vertex != nothing) vertices_.release_by_edge(vertex);
   }
   std::uint32_t new_edge();
   std::uint32_t new_element();
@@ -343,7 +343,7 @@ void Filter::move(std::uint32_t edge, std::uint32_t element, std::uint32_t start
 void Filter::release(std::uint32_t element) {
   if (element == nothing || --elements_[element].edges > 0) return;
   emit(elements_[element]);
-  for_vertices(elements_[element], [&](std::uint32_t vertex) { vertices_.drop_by_element(vertex); });
+  for_vertices(elements_[element], [&](std::uint32_t vertex) { vertices_.release_by_element(vertex); });
   free_elements_.push_back(element);
   --held_elements_;
 }

@@ -69,7 +69,7 @@ void HeldVertices::settle(std::uint32_t vertex) {
   free_if_unused(vertex);
 }
 
-void HeldVertices::drop_by_edge(std::uint32_t vertex) {
+void HeldVertices::release_by_edge(std::uint32_t vertex) {
   if (--slots_[vertex].edges > 0) return;
   if (!slots_[vertex].is_settled && !slots_[vertex].is_on_line) {
     settle(vertex);
@@ -78,7 +78,7 @@ void HeldVertices::drop_by_edge(std::uint32_t vertex) {
   }
 }
 
-void HeldVertices::drop_by_element(std::uint32_t vertex) {
+void HeldVertices::release_by_element(std::uint32_t vertex) {
   --slots_[vertex].elements;
   free_if_unused(vertex);
 }

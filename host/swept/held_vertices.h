@@ -29,9 +29,9 @@ class HeldVertices {
 
   void hold_by_edge(std::uint32_t vertex) { ++slots_[vertex].edges; }
   /// Releases the vertex for one edge. A vertex that no border edge holds is never placed on a line again.
-  void drop_by_edge(std::uint32_t vertex);
+  void release_by_edge(std::uint32_t vertex);
   void hold_by_element(std::uint32_t vertex) { ++slots_[vertex].elements; }
-  void drop_by_element(std::uint32_t vertex);
+  void release_by_element(std::uint32_t vertex);
 
   /// Number of the vertex in the output.
   [[nodiscard]] std::uint32_t number(std::uint32_t vertex) const { return slots_[vertex].number; }

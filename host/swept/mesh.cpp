@@ -177,7 +177,7 @@ Patchwork make_patchwork(Surface& surface, const Accuracy& accuracy, Repair repa
 }
 
 SweptSolid make_swept_solid(const Sweep& sweep, const Accuracy& accuracy, Repair repair) {
-  const std::unique_ptr<Surface> surface = surface_of(sweep);
+  const std::unique_ptr<Surface> surface = make_surface(sweep);
   std::optional<WireFrame> frame;
   SweptSolid solid;
   solid.patchwork = make_patchwork(*surface, accuracy, repair, frame);

@@ -126,7 +126,7 @@ class NetSurface : public Surface {
 
 }  // namespace
 
-std::string fault_of(const Net& net) {
+std::string validation_error(const Net& net) {
   if (net.rows.size() < 4) return fmt::format("a patch needs at least 4 rows of points, not {}", net.rows.size());
   for (const std::vector<glm::dvec3>& row : net.rows) {
     if (row.size() < 4) return fmt::format("a row of a patch needs at least 4 points, not {}", row.size());
@@ -139,6 +139,6 @@ std::string fault_of(const Net& net) {
   return "";
 }
 
-std::unique_ptr<Surface> surface_of(const Net& net) { return std::make_unique<NetSurface>(net); }
+std::unique_ptr<Surface> make_surface(const Net& net) { return std::make_unique<NetSurface>(net); }
 
 }  // namespace csgsim::swept

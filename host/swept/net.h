@@ -17,9 +17,9 @@ struct Net {
 };
 
 /// The error in a net and how to fix it; empty if the net is valid.
-std::string fault_of(const Net& net);
+std::string validation_error(const Net& net);
 
 /// The surface of a valid net.
-std::unique_ptr<Surface> surface_of(const Net& net);
+std::unique_ptr<Surface> make_surface(const Net& net);
 
 }  // namespace csgsim::swept

@@ -105,7 +105,7 @@ Orientation::Orientation(const Path& path) {
 
 /// Finds the boundary of a gap by bisection, between a position outside the gap (`upright`) and one inside (`along`,
 /// where the trajectory runs along the y axis). At corners there are no positions in between.
-double Orientation::edge(const Path& path, double upright, double along) {
+double Orientation::find_gap_boundary(const Path& path, double upright, double along) {
   if (path.has_corners) return upright;
   constexpr int halvings = 40;
   for (int i = 0; i < halvings; ++i) {
@@ -118,8 +118,8 @@ double Orientation::edge(const Path& path, double upright, double along) {
 void Orientation::add_gap(const Path& path, double upright_before, double first_along, double last_along,
                           double upright_after) {
   Gap gap;
-  gap.from = upright_before == nowhere ? first_along : edge(path, upright_before, first_along);
-  gap.to = upright_after == nowhere ? last_along : edge(path, upright_after, last_along);
+  gap.from = upright_before == nowhere ? first_along : find_gap_boundary(path, upright_before, first_along);
+  gap.to = upright_after == nowhere ? last_along : find_gap_boundary(path, upright_after, last_along);
   gap.tangent = path.tangent(upright_before == nowhere && upright_after != nowhere ? gap.to : gap.from);
   if (upright_before == nowhere && upright_after == nowhere) {
     const glm::dvec3 z_axis{0, 0, gap.tangent.y > 0 ? -1 : 1};

@@ -54,7 +54,7 @@ class Orientation {
   /// Adds a gap, given the first and last sampled position in it and the sampled positions before and after it, which
   /// are `nowhere` if there are none.
   void add_gap(const Path& path, double upright_before, double first_along, double last_along, double upright_after);
-  [[nodiscard]] static double edge(const Path& path, double upright, double along);
+  [[nodiscard]] static double find_gap_boundary(const Path& path, double upright, double along);
 
   std::vector<Gap> gaps_;
   double length_ = 0;  ///< number of segments of a closed path; otherwise 0

@@ -102,19 +102,20 @@ Spine::Spine(const Sweep& sweep)
       orientation_(path_),
       rotation_(bernstein_segments(sweep.rotation)),
       scale_(bernstein_segments(sweep.scale)) {
-  measure();
+  measure_lengths();
   const std::size_t count = path_.segments.size();
   for (std::size_t i = 0; i <= count; ++i) {
     planes_.push_back(joint_plane(path_.is_closed ? i % count : i));
     const Segment& segment = path_.segments[std::min(i, count - 1)];
-    joints_.push_back(placed(i < count ? segment.first() : segment.last(), planes_.back(), length_fraction(i, 0)));
+    joints_.push_back(
+        make_section(i < count ? segment.first() : segment.last(), planes_.back(), length_fraction(i, 0)));
   }
   if (!path_.is_closed) return;
   check_closing(joints_.front(), joints_.back());
   joints_.back() = joints_.front();
 }
 
-void Spine::measure() {
+void Spine::measure_lengths() {
   lengths_.assign(1, 0);
   for (const Segment& segment : path_.segments) lengths_.push_back(lengths_.back() + arc_length(segment, 1));
 }
@@ -156,7 +157,7 @@ Plane Spine::joint_plane(std::size_t number) const {
   return plane;
 }
 
-Section Spine::placed(const glm::dvec3& origin, const Plane& plane, double fraction) const {
+Section Spine::make_section(const glm::dvec3& origin, const Plane& plane, double fraction) const {
   const double angle = glm::radians(value(rotation_, fraction).x);
   const glm::dvec3 scale = value(scale_, fraction);
   return {origin, scale.x * (std::cos(angle) * plane.u + std::sin(angle) * plane.v),
@@ -166,11 +167,11 @@ Section Spine::placed(const glm::dvec3& origin, const Plane& plane, double fract
 Section Spine::section(std::size_t segment, double t, const glm::dvec3& origin) const {
   const double part = length_fraction(segment, t);
   if (path_.has_corners)
-    return placed(origin, between(planes_[segment], planes_[segment + 1], path_.leaving(segment), t), part);
+    return make_section(origin, between(planes_[segment], planes_[segment + 1], path_.leaving(segment), t), part);
   const double place = static_cast<double>(segment) + t;
   const glm::dvec3 tangent = path_.tangent(place);
   const glm::dvec3 v = orientation_.upward(place, tangent);
-  return placed(origin, {glm::cross(v, tangent), v}, part);
+  return make_section(origin, {glm::cross(v, tangent), v}, part);
 }
 
 }  // namespace csgsim::swept

@@ -49,8 +49,8 @@ class Spine {
 
  private:
   [[nodiscard]] Plane joint_plane(std::size_t number) const;
-  [[nodiscard]] Section placed(const glm::dvec3& origin, const Plane& plane, double fraction) const;
-  void measure();
+  [[nodiscard]] Section make_section(const glm::dvec3& origin, const Plane& plane, double fraction) const;
+  void measure_lengths();
 
   Path path_;
   Orientation orientation_;

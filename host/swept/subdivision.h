@@ -50,11 +50,11 @@ class Subdivision : public Stream {
   static constexpr std::uint64_t steps_of_section = 2'000;
 
   void halve(const Part& part, const Square& square) {
-    if (square.size <= whole_side >> std::min(accuracy_.most_levels, max_depth))
+    if (square.size <= whole_side >> std::min(accuracy_.max_levels, max_depth))
       throw InputError(
           fmt::format("a surface is not within {} of its elements after {} halvings; use a coarser tolerance, or a "
                       "smoother curve",
-                      accuracy_.tolerance, std::min(accuracy_.most_levels, max_depth)));
+                      accuracy_.tolerance, std::min(accuracy_.max_levels, max_depth)));
     const std::uint32_t half = square.size / 2;
     const std::uint64_t sections = counts_.sections;
     std::array<Part, 4> parts = shape_.parts(part, counts_);

@@ -20,7 +20,7 @@ enum class Flatness : std::uint8_t {
 struct Accuracy {
   double tolerance = 0.1;  ///< model units
   Flatness flatness = Flatness::sides;
-  std::uint32_t most_levels = 12;  ///< maximum number of halvings of a patch, at most `max_depth`
+  std::uint32_t max_levels = 12;  ///< maximum number of halvings of a patch, at most `max_depth`
   Work work{};
 };
 

@@ -206,10 +206,10 @@ double twice_signed_area(const Curve& contour) {
   return twice;
 }
 
-std::string fault_of(const Sweep& sweep) {
+std::string validation_error(const Sweep& sweep) {
   for (const auto& [name, curve] : {std::pair("contour", &sweep.contour), std::pair("trajectory", &sweep.trajectory),
                                     std::pair("rotation", &sweep.rotation), std::pair("scale", &sweep.scale)}) {
-    if (const std::string fault = fault_of(*curve); !fault.empty()) return with_name(name, fault);
+    if (const std::string fault = validation_error(*curve); !fault.empty()) return with_name(name, fault);
   }
   if (!sweep.contour.closed) return "the contour is open; write `closed` in its curve";
   if (sweep.trajectory.degree == 0) return "the trajectory is a point; use degree 1, 2 or 3";
@@ -223,6 +223,6 @@ std::string fault_of(const Sweep& sweep) {
   return "";
 }
 
-std::unique_ptr<Surface> surface_of(const Sweep& sweep) { return std::make_unique<SweptSurface>(sweep); }
+std::unique_ptr<Surface> make_surface(const Sweep& sweep) { return std::make_unique<SweptSurface>(sweep); }
 
 }  // namespace csgsim::swept

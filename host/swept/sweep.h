@@ -23,13 +23,13 @@ struct Sweep {
 
 /// The first error in a sweep that is detectable before its surface is built, and how to fix it; empty if there is
 /// none.
-std::string fault_of(const Sweep& sweep);
+std::string validation_error(const Sweep& sweep);
 
 /// Twice the signed area of a contour's control polygon; positive if counter-clockwise.
 double twice_signed_area(const Curve& contour);
 
 /// The swept surface: one column per segment of the contour, one row per segment of the trajectory. Throws InputError
 /// as Spine does.
-std::unique_ptr<Surface> surface_of(const Sweep& sweep);
+std::unique_ptr<Surface> make_surface(const Sweep& sweep);
 
 }  // namespace csgsim::swept

@@ -199,7 +199,8 @@ Extent make_extent(const facet::Convex& solid, const EyeSpace& space, const View
     extent.looseness = growth / (1 + growth) * (space.perspective ? farthest / nearest : 1.0);
   }
   narrow_by_planes(extent, solid, view);
-  for (const facet::QuadricSide side : solid.quadrics) narrow(extent, view.quadrics[side.quadric], side, view);
+  for (const facet::QuadricSide side : solid.quadrics)
+    narrow_to_quadric(extent, view.quadrics[side.quadric], side, view);
   if (!solid.quadrics.empty() && extent.corners.empty() && !extent.empty()) {
     extent.corners = block_corners(extent);
     extent.box = box_around(extent.corners, space, view);

@@ -139,7 +139,7 @@ double required_growth(const ScreenQuadric& quadric, facet::QuadricSide side, co
                                       : growth_beyond(quadric, role, inside, here, pixels);
 }
 
-void narrow(Extent& extent, const ScreenQuadric& quadric, facet::QuadricSide side, const View& view) {
+void narrow_to_quadric(Extent& extent, const ScreenQuadric& quadric, facet::QuadricSide side, const View& view) {
   if (quadric.kind == ScreenQuadricKind::unfit || extent.empty()) return;
   const QuadricRole role = role_of(quadric, side);
   if (role != QuadricRole::until) narrow_pixels(extent.pixels, quadric);

@@ -14,6 +14,6 @@ double required_growth(const ScreenQuadric& quadric, facet::QuadricSide side, co
                        const View& view, const PixelRect& pixels);
 
 /// Narrows an extent to the pixels and depths that the quadric's integers allow.
-void narrow(Extent& extent, const ScreenQuadric& quadric, facet::QuadricSide side, const View& view);
+void narrow_to_quadric(Extent& extent, const ScreenQuadric& quadric, facet::QuadricSide side, const View& view);
 
 }  // namespace csgsim::view

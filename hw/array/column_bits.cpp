@@ -32,7 +32,7 @@ ColumnBits::ColumnBits(PlaneShape shape, std::span<const Place> places)
       stride_(round_up(row_words_ + kernels::block_words, kernels::block_words)),
       places_(places.begin(), places.end()) {}
 
-std::span<const kernels::StreamTable> ColumnBits::compute(std::span<const Stream> streams) {
+std::span<const kernels::StreamTable> ColumnBits::compute_tables(std::span<const Stream> streams) {
   if (words_.size() < streams.size()) words_.resize(streams.size(), Words(word_bits * stride_));
   tables_.clear();
   for (std::size_t i = 0; i < streams.size(); ++i) tables_.push_back(build_table(streams[i], words_[i]));

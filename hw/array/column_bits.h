@@ -20,7 +20,7 @@ class ColumnBits {
   ColumnBits(PlaneShape shape, std::span<const Place> places);
 
   /// Computes one table per stream. They are valid until the next call and while the streams exist.
-  std::span<const kernels::StreamTable> compute(std::span<const Stream> streams);
+  std::span<const kernels::StreamTable> compute_tables(std::span<const Stream> streams);
 
  private:
   kernels::StreamTable build_table(const Stream& stream, Words& words) const;

@@ -21,8 +21,8 @@ DeferredPixels::DeferredPixels(PlaneShape shape, std::span<const Place> places, 
 
 void DeferredPixels::push(const ArrayStep& step, const StreamBit& tree) { push(step, &tree); }
 
-void DeferredPixels::push_with(std::span<const std::uint64_t> tree, const ArrayStep& step) {
-  if (step.source == OperandSource::tree && info(step.function).reads_x) put_tree(tree);
+void DeferredPixels::push_with_planes(std::span<const std::uint64_t> tree, const ArrayStep& step) {
+  if (step.source == OperandSource::tree && info(step.function).reads_x) store_tree_planes(tree);
   push(step, nullptr);
 }
 
@@ -33,9 +33,9 @@ void DeferredPixels::push(const ArrayStep& step, const StreamBit* tree) {
 }
 
 /// Overwrites the registers between trees and pixels after all steps that read their old value.
-void DeferredPixels::put_tree(std::span<const std::uint64_t> tree) {
+void DeferredPixels::store_tree_planes(std::span<const std::uint64_t> tree) {
   settle_registers();
-  if (bits_.tree_bits == 0) add_tree(static_cast<unsigned>(tree.size() / enable_.size()));
+  if (bits_.tree_bits == 0) allocate_tree_planes(static_cast<unsigned>(tree.size() / enable_.size()));
   for (unsigned bit = 0; bit < bits_.tree_bits; ++bit) {
     const std::span<const std::uint64_t> plane = tree.subspan(bit * enable_.size(), enable_.size());
     for (std::size_t number = 0; number < stale_.size(); ++number)
@@ -44,7 +44,7 @@ void DeferredPixels::put_tree(std::span<const std::uint64_t> tree) {
   }
 }
 
-void DeferredPixels::add_tree(unsigned bits) {
+void DeferredPixels::allocate_tree_planes(unsigned bits) {
   const std::size_t before = bits_.count() * kernels::block_words;
   bits_.tree_bits = bits;
   const std::size_t now = bits_.count() * kernels::block_words;
@@ -58,7 +58,7 @@ void DeferredPixels::add_tree(unsigned bits) {
 void DeferredPixels::settle() {
   const Batch& batch = log_.batch();
   if (batch.empty()) return;
-  choose(batch);
+  select_blocks(batch);
   replay(to_replay_);
   run(batch, to_run_, {});
   const bool sets_any = batch.carry != Touch::none || batch.latch != Touch::none || batch.flag != Touch::none;
@@ -69,7 +69,7 @@ void DeferredPixels::settle() {
     if (batch.latch == Touch::sets) stale_[number].latch = 0;
     if (batch.flag == Touch::sets) stale_[number].flag = 0;
   }
-  if (keeps) keep();
+  if (keeps) keep_batch();
   log_.clear();
 }
 
@@ -80,7 +80,7 @@ bool DeferredPixels::is_skippable(const Batch& batch) {
 }
 
 /// Selects the blocks that execute the batch, and among them those that must first replay skipped batches.
-void DeferredPixels::choose(const Batch& batch) {
+void DeferredPixels::select_blocks(const Batch& batch) {
   kernels::find_ones(enable_.data(), on_);
   const bool may_skip = is_skippable(batch);
   to_run_.clear();
@@ -92,12 +92,12 @@ void DeferredPixels::choose(const Batch& batch) {
 
 void DeferredPixels::add_to_run(std::uint32_t block, const Batch& batch) {
   to_run_.push_back(block);
-  note_stale(block);
+  record_stale_registers(block);
   if (stale_[block].any() && must_replay(batch, stale_[block])) to_replay_.push_back(block);
 }
 
 /// Updates the block's record of the last skipped batch that set each register.
-void DeferredPixels::note_stale(std::uint32_t block) {
+void DeferredPixels::record_stale_registers(std::uint32_t block) {
   Stale& stale = stale_[block];
   const std::uint64_t since = since_[block];
   if (last_.carry > since) stale.carry = last_.carry;
@@ -118,12 +118,12 @@ bool DeferredPixels::must_replay(const Batch& batch, const Stale& stale) {
 bool DeferredPixels::invalidates(const Batch& batch, std::uint64_t skipped_batch) {
   if (checked_batch_ == skipped_batch) return is_invalidated_;
   checked_batch_ = skipped_batch;
-  is_invalidated_ = batch.writes.meets(kept(skipped_batch).reads);
+  is_invalidated_ = batch.writes.intersects(kept_batch(skipped_batch).reads);
   return is_invalidated_;
 }
 
 /// Moves the pending batch from the log to the ring.
-void DeferredPixels::keep() {
+void DeferredPixels::keep_batch() {
   Batch& kept = kept_[++last_kept_ % kept_batches];
   log_.take(kept);
   if (kept.carry == Touch::sets) last_.carry = last_kept_;
@@ -138,7 +138,7 @@ void DeferredPixels::replay_oldest() {
   const auto is_old = [&](std::uint64_t number) { return number != 0 && number <= oldest; };
   to_replay_.clear();
   for (std::uint32_t block = 0; block < stale_.size(); ++block) {
-    note_stale(block);
+    record_stale_registers(block);
     if (is_old(stale_[block].carry) || is_old(stale_[block].latch) || is_old(stale_[block].flag))
       to_replay_.push_back(block);
   }
@@ -164,14 +164,14 @@ void DeferredPixels::replay_register(std::span<const std::uint32_t> blocks, std:
       stale_[block].*register_member = 0;
       same_batch_.push_back(block);
     }
-    run(kept(number), same_batch_, effects);
+    run(kept_batch(number), same_batch_, effects);
   }
 }
 
 void DeferredPixels::run(const Batch& batch, std::span<const std::uint32_t> blocks, kernels::Effects effects) {
   if (blocks.empty()) return;
   effects.has_flag = batch.flag != Touch::none;
-  kernels::run(batch.runs, columns_.compute(batch.streams),
+  kernels::run(batch.runs, columns_.compute_tables(batch.streams),
                {.bits = words_.data(),
                 .stride = bits_.count() * kernels::block_words,
                 .enable = enable_.data(),
@@ -182,13 +182,13 @@ void DeferredPixels::run(const Batch& batch, std::span<const std::uint32_t> bloc
 
 void DeferredPixels::settle_registers() {
   settle();
-  for (std::uint32_t block = 0; block < stale_.size(); ++block) note_stale(block);
+  for (std::uint32_t block = 0; block < stale_.size(); ++block) record_stale_registers(block);
   to_replay_.resize(stale_.size());
   std::iota(to_replay_.begin(), to_replay_.end(), 0U);
   replay(to_replay_);
 }
 
-void DeferredPixels::settle_memory(unsigned address) {
+void DeferredPixels::settle_memory_bit(unsigned address) {
   if (log_.batch().writes.has(bits_.memory(address))) settle();
 }
 
@@ -209,7 +209,7 @@ void DeferredPixels::clear_memory(unsigned address, unsigned bit_count) {
     std::fill_n(block(number) + bits_.memory(address) * kernels::block_words, bit_count * kernels::block_words, 0);
 }
 
-void DeferredPixels::select(const Words& present) {
+void DeferredPixels::select_pixels(const Words& present) {
   settle();
   clear_stale();
   for (std::size_t number = 0; number < stale_.size(); ++number)

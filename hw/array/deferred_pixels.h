@@ -28,20 +28,20 @@ class DeferredPixels {
   void push(const ArrayStep& step, const StreamBit& tree);
   /// Queues the step of one clock. `tree` holds the bit planes in the registers between trees and pixels, lowest bit
   /// first; the number of planes must be the same in all calls.
-  void push_with(std::span<const std::uint64_t> tree, const ArrayStep& step);
+  void push_with_planes(std::span<const std::uint64_t> tree, const ArrayStep& step);
 
   /// Executes pending steps, so that memory and enable are up to date.
   void settle();
   /// Brings carry, latch and flag up to date as well.
   void settle_registers();
   /// Brings one memory bit of all pixels up to date.
-  void settle_memory(unsigned address);
+  void settle_memory_bit(unsigned address);
 
   /// Discards pending steps and clears memory.
   void reset();
   void clear_memory(unsigned address, unsigned bit_count);
   /// Clears the registers. The pixels in `present` take part in all later steps; the others stay disabled.
-  void select(const Words& present);
+  void select_pixels(const Words& present);
 
   // State without the effects of pending steps; settle() executes these. `bit_index` is an index as in bits().
   [[nodiscard]] const PixelBits& bits() const { return bits_; }
@@ -67,21 +67,21 @@ class DeferredPixels {
   [[nodiscard]] std::uint64_t* block(std::size_t block_number) {
     return &words_[block_number * bits_.count() * kernels::block_words];
   }
-  [[nodiscard]] const Batch& kept(std::uint64_t batch_number) const { return kept_[batch_number % kept_batches]; }
+  [[nodiscard]] const Batch& kept_batch(std::uint64_t batch_number) const { return kept_[batch_number % kept_batches]; }
   [[nodiscard]] static bool is_skippable(const Batch& batch);
   [[nodiscard]] bool must_replay(const Batch& batch, const Stale& stale);
   [[nodiscard]] bool invalidates(const Batch& batch, std::uint64_t skipped_batch);
-  void choose(const Batch& batch);
+  void select_blocks(const Batch& batch);
   void add_to_run(std::uint32_t block, const Batch& batch);
-  void note_stale(std::uint32_t block);
-  void keep();
+  void record_stale_registers(std::uint32_t block);
+  void keep_batch();
   void replay_oldest();
   void clear_stale();
   void replay(std::span<const std::uint32_t> blocks);
   void replay_register(std::span<const std::uint32_t> blocks, std::uint64_t Stale::*register_member,
                        kernels::Effects effects);
-  void put_tree(std::span<const std::uint64_t> tree);
-  void add_tree(unsigned bits);
+  void store_tree_planes(std::span<const std::uint64_t> tree);
+  void allocate_tree_planes(unsigned bits);
   void push(const ArrayStep& step, const StreamBit* tree);
   void run(const Batch& batch, std::span<const std::uint32_t> blocks, kernels::Effects effects);
 

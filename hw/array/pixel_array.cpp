@@ -26,7 +26,7 @@ constexpr std::uint64_t transposed(std::uint64_t rows) {
 
 PixelArray::PixelArray(const isa::ArrayShape& shape, unsigned alu_bits)
     : shape_{shape.width, shape.height}, pixels_(shape_, {}, {alu_bits, shape.memory_bits}) {
-  select(shape.width, shape.height);
+  select_pixels(shape.width, shape.height);
 }
 
 PixelArray::PixelArray(std::span<const Place> pixels, std::uint32_t memory_bits, unsigned alu_bits)
@@ -38,17 +38,17 @@ PixelArray::PixelArray(std::span<const Place> pixels, std::uint32_t memory_bits,
     for (const Place& place : places_) most = std::max(most, place.*axis);
     return most + 1;
   };
-  select(beyond(&Place::x), beyond(&Place::y));
+  select_pixels(beyond(&Place::x), beyond(&Place::y));
 }
 
 void PixelArray::reset(std::uint32_t width, std::uint32_t height) {
   pixels_.reset();
-  select(width, height);
+  select_pixels(width, height);
 }
 
 void PixelArray::clear_memory(std::uint32_t address, std::uint32_t bits) { pixels_.clear_memory(address, bits); }
 
-void PixelArray::select(std::uint32_t width, std::uint32_t height) {
+void PixelArray::select_pixels(std::uint32_t width, std::uint32_t height) {
   Words present(shape_.padded_words());
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const bool is_present = places_[i].x < width && places_[i].y < height;
@@ -57,13 +57,13 @@ void PixelArray::select(std::uint32_t width, std::uint32_t height) {
   for (std::uint32_t y = 0; y < height && places_.empty(); ++y) {
     for (std::uint32_t x = 0; x < width; x += word_bits) present[shape_.word_of(x, y)] = low_bits(width - x);
   }
-  pixels_.select(present);
+  pixels_.select_pixels(present);
 }
 
 void PixelArray::step(const ArrayStep& step, const StreamBit& tree) { pixels_.push(step, tree); }
 
-void PixelArray::step_with(std::span<const std::uint64_t> tree, const ArrayStep& step) {
-  pixels_.push_with(tree, step);
+void PixelArray::step_with_planes(std::span<const std::uint64_t> tree, const ArrayStep& step) {
+  pixels_.push_with_planes(tree, step);
 }
 
 bool PixelArray::any_enabled() const {
@@ -82,7 +82,7 @@ std::span<const std::uint64_t> PixelArray::enable() const {
 }
 
 Words PixelArray::memory(std::uint32_t address) const {
-  pixels_.settle_memory(address);
+  pixels_.settle_memory_bit(address);
   Words plane(shape_.padded_words());
   const unsigned bit = pixels_.bits().memory(address);
   for (std::size_t word = 0; word < plane.size(); ++word) plane[word] = pixels_.word(bit, word);
@@ -90,7 +90,7 @@ Words PixelArray::memory(std::uint32_t address) const {
 }
 
 void PixelArray::read_row(std::uint32_t address, std::uint32_t row, std::span<std::uint64_t> words) const {
-  pixels_.settle_memory(address);
+  pixels_.settle_memory_bit(address);
   const unsigned bit = pixels_.bits().memory(address);
   const std::size_t first = shape_.word_of(0, row);
   for (std::size_t i = 0; i < shape_.row_words(); ++i) words[i] = pixels_.word(bit, first + i);
@@ -140,7 +140,7 @@ PixelProbe PixelArray::probe(std::uint32_t x, std::uint32_t y, const StreamBit& 
 }
 
 bool PixelArray::memory_bit(std::uint32_t address, std::uint32_t x, std::uint32_t y) const {
-  pixels_.settle_memory(address);
+  pixels_.settle_memory_bit(address);
   return (pixels_.word(pixels_.bits().memory(address), shape_.word_of(x, y)) >> (x % word_bits) & 1U) != 0;
 }
 

@@ -37,22 +37,22 @@ class PixelArray {
   [[nodiscard]] const PlaneShape& shape() const { return shape_; }
   [[nodiscard]] std::uint32_t memory_bits() const { return pixels_.bits().memory_bits; }
 
-  /// Clears memory and registers, then calls select().
+  /// Clears memory and registers, then calls select_pixels().
   void reset(std::uint32_t width, std::uint32_t height);
 
   /// Clears `bits` memory bits of every pixel, starting at `address`.
   void clear_memory(std::uint32_t address, std::uint32_t bits);
 
-  /// Clears the registers. Pixels right of `width` or below `height` take no part until the next select(): they stay
-  /// disabled.
-  void select(std::uint32_t width, std::uint32_t height);
+  /// Clears the registers. Pixels right of `width` or below `height` take no part until the next select_pixels(): they
+  /// stay disabled.
+  void select_pixels(std::uint32_t width, std::uint32_t height);
 
   /// Executes one clock of all pixels. `tree` holds the bits at the leaves of the multiplier trees.
   void step(const ArrayStep& step, const StreamBit& tree);
 
   /// Executes one clock of all pixels. `tree` holds the tree bits of all pixels: one plane in the format of enable()
   /// for each bit that the trees deliver per clock. The number of planes must be the same in all calls.
-  void step_with(std::span<const std::uint64_t> tree, const ArrayStep& step);
+  void step_with_planes(std::span<const std::uint64_t> tree, const ArrayStep& step);
 
   [[nodiscard]] bool any_enabled() const;
   [[nodiscard]] std::uint64_t count_enabled() const;

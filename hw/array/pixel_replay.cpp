@@ -54,11 +54,11 @@ void PixelReplay::execute(const isa::Instruction& instruction) {
       tree_known_ = true;
     }
     pixels_.step(step.pixels, tree_);
-    if (!registers_known()) note(step.pixels);
+    if (!registers_known()) record_known_registers(step.pixels);
   }
 }
 
-void PixelReplay::note(const ArrayStep& step) {
+void PixelReplay::record_known_registers(const ArrayStep& step) {
   if (sets_carry(step.function)) carry_known_ = true;
   if (step.function == AluFunction::root_first) flag_known_ = true;
   if (step.function == AluFunction::latch_x) unknown_latches_ &= ~low_bits(step.bits);

@@ -36,7 +36,7 @@ class PixelReplay {
   [[nodiscard]] const StreamBit& tree() const { return tree_; }
 
  private:
-  void note(const ArrayStep& step);
+  void record_known_registers(const ArrayStep& step);
 
   PixelArray pixels_;
   StreamBit tree_;

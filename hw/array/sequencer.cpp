@@ -22,56 +22,56 @@ BitStep Sequencer::issue() {
   using enum AluFunction;
   const isa::Instruction& i = instruction_;
   switch (i.opcode) {
-    case Opcode::enable_all: return once({.function = enable_all});
-    case Opcode::enable_invert: return once({.function = enable_invert});
-    case Opcode::enable_load: return once(enable_from_memory(enable_load));
-    case Opcode::enable_and: return once(enable_from_memory(enable_and));
-    case Opcode::enable_and_not: return once(enable_from_memory(enable_and_not));
-    case Opcode::enable_or: return once(enable_from_memory(enable_or));
-    case Opcode::enable_xor: return once(enable_from_memory(enable_xor));
-    case Opcode::enable_store: return once({.function = store_enable, .write = i.fields[0].base});
-    case Opcode::edge_not_negative: return stream_bits({.sign = enable_and_not}, 1);
+    case Opcode::enable_all: return single_step({.function = enable_all});
+    case Opcode::enable_invert: return single_step({.function = enable_invert});
+    case Opcode::enable_load: return single_step(enable_from_memory(enable_load));
+    case Opcode::enable_and: return single_step(enable_from_memory(enable_and));
+    case Opcode::enable_and_not: return single_step(enable_from_memory(enable_and_not));
+    case Opcode::enable_or: return single_step(enable_from_memory(enable_or));
+    case Opcode::enable_xor: return single_step(enable_from_memory(enable_xor));
+    case Opcode::enable_store: return single_step({.function = store_enable, .write = i.fields[0].base});
+    case Opcode::edge_not_negative: return next_stream_step({.sign = enable_and_not}, 1);
     case Opcode::edge_negative:
-    case Opcode::stripe: return stream_bits({.sign = enable_and}, 1);
-    case Opcode::linear_ge: return stream_bits(compared(compare_from_1, sign_enable), 1);
-    case Opcode::linear_gt: return stream_bits(compared(compare_from_0, sign_enable), 1);
-    case Opcode::linear_le: return stream_bits(compared(compare_from_0, sign_enable_not), 1);
-    case Opcode::linear_lt: return stream_bits(compared(compare_from_1, sign_enable_not), 1);
-    case Opcode::linear_eq: return stream_bits({enable_equal, enable_equal, enable_and_not, enable_and_not}, 1);
-    case Opcode::load_linear: return stream_bits(loaded(store_x, enable_and_not), 1);
-    case Opcode::keep_max: return stream_bits(kept(compare_from_0, sign_select), 2);
-    case Opcode::keep_min: return stream_bits(kept(compare_from_1, sign_select_not), 2);
-    case Opcode::set_constant: return field_bits(store_step(store_constant));
-    case Opcode::copy: return field_bits(store_step(store_x));
-    case Opcode::field_lt: return two_operand_bits(less_step(compare_from_1, less_from_1));
-    case Opcode::field_le: return two_operand_bits(less_step(compare_from_0, less_from_0));
+    case Opcode::stripe: return next_stream_step({.sign = enable_and}, 1);
+    case Opcode::linear_ge: return next_stream_step(comparison_functions(compare_from_1, sign_enable), 1);
+    case Opcode::linear_gt: return next_stream_step(comparison_functions(compare_from_0, sign_enable), 1);
+    case Opcode::linear_le: return next_stream_step(comparison_functions(compare_from_0, sign_enable_not), 1);
+    case Opcode::linear_lt: return next_stream_step(comparison_functions(compare_from_1, sign_enable_not), 1);
+    case Opcode::linear_eq: return next_stream_step({enable_equal, enable_equal, enable_and_not, enable_and_not}, 1);
+    case Opcode::load_linear: return next_stream_step(load_functions(store_x, enable_and_not), 1);
+    case Opcode::keep_max: return next_stream_step(keep_functions(compare_from_0, sign_select), 2);
+    case Opcode::keep_min: return next_stream_step(keep_functions(compare_from_1, sign_select_not), 2);
+    case Opcode::set_constant: return next_field_step(store_step(store_constant));
+    case Opcode::copy: return next_field_step(store_step(store_x));
+    case Opcode::field_lt: return next_two_operand_step(less_step(compare_from_1, less_from_1));
+    case Opcode::field_le: return next_two_operand_step(less_step(compare_from_0, less_from_0));
     case Opcode::field_eq:
-      return two_operand_bits({.function = enable_equal, .x = field_address(0), .y = field_address(1)});
-    case Opcode::bit_and: return two_operand_bits(store_step(store_and));
-    case Opcode::bit_or: return two_operand_bits(store_step(store_or));
-    case Opcode::bit_xor: return two_operand_bits(store_step(store_xor));
-    case Opcode::bit_and_not: return two_operand_bits(store_step(store_and_not));
-    case Opcode::bit_not: return field_bits(store_step(store_not_x));
+      return next_two_operand_step({.function = enable_equal, .x = field_address(0), .y = field_address(1)});
+    case Opcode::bit_and: return next_two_operand_step(store_step(store_and));
+    case Opcode::bit_or: return next_two_operand_step(store_step(store_or));
+    case Opcode::bit_xor: return next_two_operand_step(store_step(store_xor));
+    case Opcode::bit_and_not: return next_two_operand_step(store_step(store_and_not));
+    case Opcode::bit_not: return next_field_step(store_step(store_not_x));
     case Opcode::global_or:
-    case Opcode::skip_if_none: return once({.function = answer});
-    case Opcode::xor_constant: return field_bits(change_step(store_xor_constant));
-    case Opcode::add: return two_operand_bits(sum_step());
-    case Opcode::squares: return once({});
-    case Opcode::linear_plus: return stream_bits({.first = sum_from_0, .field = sum}, 1);
-    case Opcode::linear_minus: return stream_bits({.first = difference_from_1, .field = difference}, 1);
-    case Opcode::root: return trial_bit();
+    case Opcode::skip_if_none: return single_step({.function = answer});
+    case Opcode::xor_constant: return next_field_step(read_modify_write_step(store_xor_constant));
+    case Opcode::add: return next_two_operand_step(sum_step());
+    case Opcode::squares: return single_step({});
+    case Opcode::linear_plus: return next_stream_step({.first = sum_from_0, .field = sum}, 1);
+    case Opcode::linear_minus: return next_stream_step({.first = difference_from_1, .field = difference}, 1);
+    case Opcode::root: return next_trial_step();
   }
   busy_ = false;
   return {};
 }
 
-BitStep Sequencer::once(ArrayStep step) {
+BitStep Sequencer::single_step(ArrayStep step) {
   busy_ = false;
   return {.root = {}, .pixels = step, .last = true};
 }
 
 /// Issues the bits of the linear expression that the trees deliver in a clock. The whole stream is sent `passes` times.
-BitStep Sequencer::stream_bits(const Places& places, unsigned passes) {
+BitStep Sequencer::next_stream_step(const PositionFunctions& places, unsigned passes) {
   const ArrayStep step = linear_step(places);
   const isa::Linear& linear = instruction_.linear;
   const Token token{.bit = static_cast<std::int16_t>(bit_), .bits = stream_width()};
@@ -93,16 +93,16 @@ BitStep Sequencer::stream_bits(const Places& places, unsigned passes) {
 }
 
 /// Issues the bits of a field instruction that the ALU processes in a clock.
-BitStep Sequencer::field_bits(ArrayStep step) {
+BitStep Sequencer::next_field_step(ArrayStep step) {
   step.bits = step_bits();
   bit_ += step.bits;
   busy_ = bit_ < instruction_.fields[0].width;
   return {.root = {}, .pixels = step, .last = !busy_};
 }
 
-/// field_bits() for two source operands x and y. With one read port, x is read into the operand latch one clock before
-/// y; that clock is idle if x has no more bits.
-BitStep Sequencer::two_operand_bits(ArrayStep step) {
+/// next_field_step() for two source operands x and y. With one read port, x is read into the operand latch one clock
+/// before y; that clock is idle if x has no more bits.
+BitStep Sequencer::next_two_operand_step(ArrayStep step) {
   if (!two_ports_ && pass_ == 0) {
     pass_ = 1;
     const std::uint16_t bits = second_bits();
@@ -113,13 +113,13 @@ BitStep Sequencer::two_operand_bits(ArrayStep step) {
   step.source = two_ports_ ? OperandSource::memory : OperandSource::latch;
   if (!two_ports_) step.x = 0;
   pass_ = 0;
-  return field_bits(step);
+  return next_field_step(step);
 }
 
 /// Issues one bit of a root trial. Trial k changes the remainder, the k + 3 field bits from bit 2(w-1-k) up: it
 /// subtracts 4q + 1 or adds 4q + 3, where q is the k root bits above the remainder. With one read port, a bit of q is
 /// latched one clock earlier.
-BitStep Sequencer::trial_bit() {
+BitStep Sequencer::next_trial_step() {
   const isa::Field field = instruction_.fields[0];
   const std::uint32_t bits = field.width / 2U;
   const std::uint32_t first = 2 * (bits - 1 - trial_);
@@ -164,7 +164,7 @@ Sequencer::BitCounts Sequencer::bit_counts() const {
 }
 
 /// The step for the bits of F in this clock; its function is that of the first position that is not idle.
-ArrayStep Sequencer::linear_step(const Places& places) const {
+ArrayStep Sequencer::linear_step(const PositionFunctions& places) const {
   const BitCounts counts = bit_counts();
   const bool ends = counts.sign > 0 && places.sign != AluFunction::idle;
   const bool goes_beyond = counts.beyond > 0 && places.beyond != AluFunction::idle;
@@ -187,7 +187,7 @@ ArrayStep Sequencer::linear_step(const Places& places) const {
 }
 
 /// Fills in the step for the bits of F that belong to the field.
-ArrayStep Sequencer::field_step(const Places& places, const BitCounts& counts) const {
+ArrayStep Sequencer::field_step(const PositionFunctions& places, const BitCounts& counts) const {
   const std::uint32_t field_bit = bit_ + counts.fraction - instruction_.linear.shift;  // first field bit of this step
   const auto address = static_cast<std::uint16_t>(instruction_.fields[0].base + field_bit);
   const AluInfo& row = info(places.field);
@@ -225,19 +225,21 @@ ArrayStep Sequencer::enable_from_memory(AluFunction function) const {
 }
 
 /// Compares by the carry of F - s, where s is 0 beyond the field; the sign bit of F decides.
-Sequencer::Places Sequencer::compared(AluFunction first_bit_function, AluFunction sign_function) {
+Sequencer::PositionFunctions Sequencer::comparison_functions(AluFunction first_bit_function,
+                                                             AluFunction sign_function) {
   return {first_bit_function, AluFunction::compare, AluFunction::compare_with_0, sign_function};
 }
 
 /// Writes the bits of F within the field and checks that those beyond the field are 0.
-Sequencer::Places Sequencer::loaded(AluFunction field_function, AluFunction beyond_function) {
+Sequencer::PositionFunctions Sequencer::load_functions(AluFunction field_function, AluFunction beyond_function) {
   return {field_function, field_function, beyond_function, beyond_function};
 }
 
 /// The first pass compares; the second pass writes where F was selected.
-Sequencer::Places Sequencer::kept(AluFunction first_bit_function, AluFunction sign_function) const {
-  if (pass_ == 0) return compared(first_bit_function, sign_function);
-  return loaded(AluFunction::store_x_selected, AluFunction::enable_fits);
+Sequencer::PositionFunctions Sequencer::keep_functions(AluFunction first_bit_function,
+                                                       AluFunction sign_function) const {
+  if (pass_ == 0) return comparison_functions(first_bit_function, sign_function);
+  return load_functions(AluFunction::store_x_selected, AluFunction::enable_fits);
 }
 
 /// Writes the target, operand 0; the sources are operands 1 and 2.
@@ -253,7 +255,7 @@ ArrayStep Sequencer::store_step(AluFunction function) const {
 }
 
 /// Reads the target, operand 0, and writes it back.
-ArrayStep Sequencer::change_step(AluFunction function) const {
+ArrayStep Sequencer::read_modify_write_step(AluFunction function) const {
   ArrayStep step = store_step(function);
   step.x = step.write;
   return step;

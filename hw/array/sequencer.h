@@ -42,7 +42,7 @@ class Sequencer {
 
  private:
   /// Functions for the bits of F by their position relative to the field. Fraction bits are ignored.
-  struct Places {
+  struct PositionFunctions {
     AluFunction first = AluFunction::idle;   ///< function of the field's first bit
     AluFunction field = AluFunction::idle;   ///< function of its other bits
     AluFunction beyond = AluFunction::idle;  ///< function of bits between the field and the sign
@@ -57,27 +57,27 @@ class Sequencer {
     unsigned sign = 0;  ///< 0 or 1
   };
 
-  BitStep once(ArrayStep step);
-  BitStep stream_bits(const Places& places, unsigned passes);
-  BitStep field_bits(ArrayStep step);
-  BitStep two_operand_bits(ArrayStep step);
-  BitStep trial_bit();
+  BitStep single_step(ArrayStep step);
+  BitStep next_stream_step(const PositionFunctions& places, unsigned passes);
+  BitStep next_field_step(ArrayStep step);
+  BitStep next_two_operand_step(ArrayStep step);
+  BitStep next_trial_step();
 
   [[nodiscard]] BitCounts bit_counts() const;
-  [[nodiscard]] ArrayStep linear_step(const Places& places) const;
-  [[nodiscard]] ArrayStep field_step(const Places& places, const BitCounts& counts) const;
+  [[nodiscard]] ArrayStep linear_step(const PositionFunctions& places) const;
+  [[nodiscard]] ArrayStep field_step(const PositionFunctions& places, const BitCounts& counts) const;
   [[nodiscard]] std::uint16_t stream_width() const;
   [[nodiscard]] std::uint16_t field_address(unsigned operand) const;
   [[nodiscard]] std::uint16_t step_bits() const;
   [[nodiscard]] std::uint16_t second_bits() const;
 
   [[nodiscard]] ArrayStep enable_from_memory(AluFunction function) const;
-  static Places compared(AluFunction first_bit_function, AluFunction sign_function);
-  static Places loaded(AluFunction field_function, AluFunction beyond_function);
-  [[nodiscard]] Places kept(AluFunction first_bit_function, AluFunction sign_function) const;
+  static PositionFunctions comparison_functions(AluFunction first_bit_function, AluFunction sign_function);
+  static PositionFunctions load_functions(AluFunction field_function, AluFunction beyond_function);
+  [[nodiscard]] PositionFunctions keep_functions(AluFunction first_bit_function, AluFunction sign_function) const;
   [[nodiscard]] ArrayStep trial_step(std::uint32_t trial_bit_index) const;
   [[nodiscard]] ArrayStep store_step(AluFunction function) const;
-  [[nodiscard]] ArrayStep change_step(AluFunction function) const;
+  [[nodiscard]] ArrayStep read_modify_write_step(AluFunction function) const;
   [[nodiscard]] ArrayStep sum_step() const;
   [[nodiscard]] ArrayStep less_step(AluFunction compare_first, AluFunction decide_first) const;
 

@@ -62,7 +62,7 @@ void Batch::clear() {
 
 void StepLog::push(const ArrayStep& step, const StreamBit* tree) {
   if (step.function == AluFunction::idle || step.function == AluFunction::answer) return;
-  const bool latches = takes_latch(step);
+  const bool latches = is_latch_repeated(step);
   ArrayStep one = step;
   if (latches) {
     one.source = OperandSource::memory;
@@ -74,7 +74,7 @@ void StepLog::push(const ArrayStep& step, const StreamBit* tree) {
 
 /// Whether the previous step read operand x, a single bit, from memory into the latch, so that both steps can be
 /// merged.
-bool StepLog::takes_latch(const ArrayStep& step) const {
+bool StepLog::is_latch_repeated(const ArrayStep& step) const {
   if (step.source != OperandSource::latch || step.bits != 1 || batch_.runs.empty()) return false;
   if (!info(function_of_bit(step, 0)).reads_x) return false;
   const Run& before = batch_.runs.back();
@@ -92,7 +92,7 @@ void StepLog::push_bit(const ArrayStep& step, unsigned bit, const StreamBit* tre
     run.latches = latches;
     run.from_tree = step.source == OperandSource::tree && tree != nullptr;
     if (run.from_tree) {
-      run.stream = find_stream(*tree);
+      run.stream = find_or_add_stream(*tree);
       const int first = (tree->token.active() ? tree->token.bit : 0) + step.first;
       run.stream_bit = static_cast<std::uint16_t>(first + static_cast<int>(bit));
     } else if (step.source == OperandSource::tree) {
@@ -109,7 +109,7 @@ void StepLog::push_bit(const ArrayStep& step, unsigned bit, const StreamBit* tre
 }
 
 void StepLog::append(const Run& run) {
-  note(run);
+  record_accesses(run);
   if (batch_.runs.empty() || !continues(batch_.runs.back(), run)) {
     batch_.runs.push_back(run);
     return;
@@ -119,7 +119,7 @@ void StepLog::append(const Run& run) {
   ++last.count;
 }
 
-void StepLog::note(const Run& run) {
+void StepLog::record_accesses(const Run& run) {
   const AluInfo& row = info(run.function);
   const auto first_touch = [](Touch& touch, bool sets) {
     if (touch == Touch::none) touch = sets ? Touch::sets : Touch::uses;
@@ -136,7 +136,7 @@ void StepLog::note(const Run& run) {
 
 /// Streams whose coefficients agree in all bits that are valid in both are treated as one, because their bits are the
 /// same.
-std::uint16_t StepLog::find_stream(const StreamBit& tree) {
+std::uint16_t StepLog::find_or_add_stream(const StreamBit& tree) {
   const Token all{.bit = 0, .bits = static_cast<std::uint16_t>(bits_.alu_bits)};
   const StreamBit bits = tree.token.active() ? tree : StreamBit{.token = all};
   const unsigned known = static_cast<unsigned>(bits.token.bit) + bits.token.bits;

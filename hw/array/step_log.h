@@ -81,7 +81,7 @@ class BitSet {
   [[nodiscard]] bool has(unsigned bit) const {
     return bit / word_bits < words_.size() && (words_[bit / word_bits] >> bit % word_bits & 1U) != 0;
   }
-  [[nodiscard]] bool meets(const BitSet& other) const {
+  [[nodiscard]] bool intersects(const BitSet& other) const {
     const std::size_t words = std::min(words_.size(), other.words_.size());
     for (std::size_t i = 0; i < words; ++i)
       if ((words_[i] & other.words_[i]) != 0) return true;
@@ -127,9 +127,9 @@ class StepLog {
  private:
   void push_bit(const ArrayStep& step, unsigned bit, const StreamBit* tree, bool latches);
   void append(const Run& run);
-  void note(const Run& run);
-  [[nodiscard]] bool takes_latch(const ArrayStep& step) const;
-  std::uint16_t find_stream(const StreamBit& tree);
+  void record_accesses(const Run& run);
+  [[nodiscard]] bool is_latch_repeated(const ArrayStep& step) const;
+  std::uint16_t find_or_add_stream(const StreamBit& tree);
 
   PixelBits bits_;
   Batch batch_;

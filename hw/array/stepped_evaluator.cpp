@@ -75,12 +75,12 @@ Token SteppedEvaluator::clock(const RootBits& root, std::span<std::uint64_t> lea
     const Token between = columns_.token_at(x_levels, root.token);
     if (!between.active()) return between;
     const NodeStreams& column = columns_.at(x_levels, root_);
-    gather(column.value, row_.value);
-    if (degree_ > 1) gather(column.row_slope, row_.slope);
+    copy_columns_to_lanes(column.value, row_.value);
+    if (degree_ > 1) copy_columns_to_lanes(column.row_slope, row_.slope);
     return between;
   };
-  if (had_rows) rows_.clock(enter_rows(), row_, to_rows(root));
-  columns_.clock(root.token, root_, to_columns(root));
+  if (had_rows) rows_.clock(enter_rows(), row_, row_tree_wires(root));
+  columns_.clock(root.token, root_, column_tree_wires(root));
   a_.shift(root.a);
   b_.shift(root.b);
   xx_.shift(root.xx);
@@ -88,22 +88,22 @@ Token SteppedEvaluator::clock(const RootBits& root, std::span<std::uint64_t> lea
   yy_.shift(root.yy);
   // The registers at the pixels follow the last level; without levels the pixels are wired to the roots.
   const Token reached = had_rows ? rows_.token_at(rows_.levels(), {}) : enter_rows();
-  if (reached.active()) put_leaves(leaves);
+  if (reached.active()) write_leaves(leaves);
   return reached;
 }
 
-TreeWires SteppedEvaluator::to_columns(const RootBits& root) const {
+TreeWires SteppedEvaluator::column_tree_wires(const RootBits& root) const {
   return {{a_, root.a, 0}, {xx_, root.xx, 0}, {xy_, root.xy, 0}};
 }
 
 /// The Y trees do not add the product of both coordinates.
-TreeWires SteppedEvaluator::to_rows(const RootBits& root) const {
+TreeWires SteppedEvaluator::row_tree_wires(const RootBits& root) const {
   const unsigned ahead = columns_.clocks();
   return {{b_, root.b, ahead}, {yy_, root.yy, ahead}, {none_, 0, 0}};
 }
 
 /// Copies each column's bits to its lane.
-void SteppedEvaluator::gather(const NodeBits& columns, NodeBits& row) const {
+void SteppedEvaluator::copy_columns_to_lanes(const NodeBits& columns, NodeBits& row) const {
   for (std::size_t bit = 0; bit < row.size(); ++bit) {
     std::fill(row[bit].begin(), row[bit].end(), 0);
     for (std::size_t lane = 0; lane < columns_of_lanes_.size(); ++lane)
@@ -111,7 +111,7 @@ void SteppedEvaluator::gather(const NodeBits& columns, NodeBits& row) const {
   }
 }
 
-void SteppedEvaluator::put_leaves(std::span<std::uint64_t> leaves) const {
+void SteppedEvaluator::write_leaves(std::span<std::uint64_t> leaves) const {
   const NodeBits& planes = rows_.at(rows_.levels(), row_).value;
   for (std::size_t bit = 0; bit < planes.size(); ++bit) {
     const Words& bits = planes[bit];
@@ -138,14 +138,14 @@ std::size_t SteppedEvaluator::find_lane(std::uint32_t x) const {
 LevelProbe SteppedEvaluator::x_level(unsigned level, std::uint32_t x, const RootBits& root) const {
   const NodeStreams in{in_lane(root.c, 0, root_.value), in_lane(root.a, 0, root_.slope),
                        in_lane(root.b, 0, root_.row_slope)};
-  return columns_.probe(level, x, 0, root.token, in, to_columns(root));
+  return columns_.probe(level, x, 0, root.token, in, column_tree_wires(root));
 }
 
 LevelProbe SteppedEvaluator::y_level(unsigned level, Place pixel, const RootBits& root) const {
   const LevelProbe column = x_level(columns_.levels(), pixel.x, root);
   const std::size_t lane = find_lane(pixel.x);
   const NodeStreams in{in_lane(column.stream, lane, row_.value), in_lane(column.row_slope, lane, row_.slope), {}};
-  return rows_.probe(level, pixel.y, lane, column.token, in, to_rows(root));
+  return rows_.probe(level, pixel.y, lane, column.token, in, row_tree_wires(root));
 }
 
 }  // namespace csgsim::array

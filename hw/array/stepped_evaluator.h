@@ -36,10 +36,10 @@ class SteppedEvaluator {
  private:
   [[nodiscard]] std::size_t find_lane(std::uint32_t x) const;
   [[nodiscard]] std::size_t plane_words() const;
-  [[nodiscard]] TreeWires to_columns(const RootBits& root) const;
-  [[nodiscard]] TreeWires to_rows(const RootBits& root) const;
-  void gather(const NodeBits& columns, NodeBits& row) const;
-  void put_leaves(std::span<std::uint64_t> leaves) const;
+  [[nodiscard]] TreeWires column_tree_wires(const RootBits& root) const;
+  [[nodiscard]] TreeWires row_tree_wires(const RootBits& root) const;
+  void copy_columns_to_lanes(const NodeBits& columns, NodeBits& row) const;
+  void write_leaves(std::span<std::uint64_t> leaves) const;
 
   PlaneShape shape_;
   unsigned degree_;

@@ -80,22 +80,23 @@ void SteppedTree::clock(Token token, const NodeStreams& root, const TreeWires& w
     const Token here = token_at(first, token);
     if (!here.active()) continue;
     for (unsigned k = first; k < std::min(first + depth_.between_registers, levels()); ++k)
-      act(k, here, at(k, root), wires);
+      clock_level(k, here, at(k, root), wires);
   }
   if (tokens_.empty()) return;
   std::shift_right(tokens_.begin(), tokens_.end(), 1);
   tokens_.front() = token;
 }
 
-void SteppedTree::act(unsigned level_number, Token token, const NodeStreams& in, const TreeWires& wires) {
-  if (form_.degree >= 2) return add_squares(level_number, token, in, wires);
-  add(levels_[level_number], token, in,
-      shifted(wires.multiplicand, depth_.clocks_to(level_number), levels_[level_number].below, token));
+void SteppedTree::clock_level(unsigned level_number, Token token, const NodeStreams& in, const TreeWires& wires) {
+  if (form_.degree >= 2) return clock_quadratic_level(level_number, token, in, wires);
+  clock_linear_level(
+      levels_[level_number], token, in,
+      weighted_bits(wires.multiplicand, depth_.clocks_to(level_number), levels_[level_number].below, token));
 }
 
 /// The bits of a shared wire that match the token's bits at a level `clocks` clocks after the roots, where they have
 /// weight 2^weight_log2. They are combined from two taps one clock apart; before the stream's first bit they are 0.
-std::uint32_t SteppedTree::shifted(const Tap& tap, unsigned clocks, unsigned weight_log2, Token token) const {
+std::uint32_t SteppedTree::weighted_bits(const Tap& tap, unsigned clocks, unsigned weight_log2, Token token) const {
   const unsigned late = clocks + weight_log2 / form_.bits;
   const unsigned crossed = weight_log2 % form_.bits;
   std::uint64_t bits = std::uint64_t{tap.at(late)} << crossed;
@@ -107,15 +108,16 @@ std::uint32_t SteppedTree::shifted(const Tap& tap, unsigned clocks, unsigned wei
 
 /// Passes the incoming bits to the left children. Nodes with a right child come first in a level; only the last node
 /// may have none.
-void SteppedTree::pass(const Level& level, Token token, const NodeBits& in, NodeBits& out) const {
+void SteppedTree::pass_to_left_children(const Level& level, Token token, const NodeBits& in, NodeBits& out) const {
   for (unsigned bit = 0; bit < token.bits; ++bit) {
     for (std::size_t node = 0; node < level.nodes; ++node)
       std::copy_n(&in[bit][node * node_words_], node_words_, &out[bit][2 * node * node_words_]);
   }
 }
 
-void SteppedTree::add(Level& level, Token token, const NodeStreams& in, std::uint32_t multiplicand) const {
-  pass(level, token, in.value, level.out.value);
+void SteppedTree::clock_linear_level(Level& level, Token token, const NodeStreams& in,
+                                     std::uint32_t multiplicand) const {
+  pass_to_left_children(level, token, in.value, level.out.value);
   begin(token, level.value_carry);
   for (unsigned bit = 0; bit < token.bits; ++bit) {
     const std::uint64_t addend = spread(multiplicand, bit);
@@ -138,7 +140,7 @@ std::optional<SteppedTree::Delayed> SteppedTree::delayed_bit(const Level& level,
 }
 
 /// The entry of the ring that was written `clocks_ago` clocks ago; `clocks_ago` is at least 1.
-const NodeBits& SteppedTree::entered(const Level& level, std::size_t clocks_ago) {
+const NodeBits& SteppedTree::slopes_entered(const Level& level, std::size_t clocks_ago) {
   return level.delayed[(level.oldest + level.delayed.size() - clocks_ago) % level.delayed.size()];
 }
 
@@ -146,7 +148,7 @@ const NodeBits& SteppedTree::entered(const Level& level, std::size_t clocks_ago)
 const Words* SteppedTree::delayed_slope(const Level& level, int stream_bit, const NodeBits& slope) const {
   const std::optional<Delayed> delayed = delayed_bit(level, stream_bit);
   if (!delayed) return nullptr;
-  return delayed->clocks == 0 ? &slope[delayed->plane] : &entered(level, delayed->clocks)[delayed->plane];
+  return delayed->clocks == 0 ? &slope[delayed->plane] : &slopes_entered(level, delayed->clocks)[delayed->plane];
 }
 
 void SteppedTree::delay_slope(Level& level, const NodeBits& slope) const {
@@ -158,16 +160,17 @@ void SteppedTree::delay_slope(Level& level, const NodeBits& slope) const {
 }
 
 /// A stream delayed by n places has weight 2^n and counts as 0 before its first bit.
-void SteppedTree::add_squares(unsigned level_number, Token token, const NodeStreams& in, const TreeWires& wires) {
+void SteppedTree::clock_quadratic_level(unsigned level_number, Token token, const NodeStreams& in,
+                                        const TreeWires& wires) {
   Level& level = levels_[level_number];
   const unsigned half = level.below;
   const unsigned clocks = depth_.clocks_to(level_number);
-  const std::uint32_t square = shifted(wires.square, clocks, 2 * half, token);
-  const std::uint32_t twice = shifted(wires.square, clocks, half + 1, token);
-  const std::uint32_t cross = has_rows_ ? shifted(wires.cross, clocks, half, token) : 0;
-  pass(level, token, in.value, level.out.value);
-  pass(level, token, in.slope, level.out.slope);
-  if (has_rows_) pass(level, token, in.row_slope, level.out.row_slope);
+  const std::uint32_t square = weighted_bits(wires.square, clocks, 2 * half, token);
+  const std::uint32_t twice = weighted_bits(wires.square, clocks, half + 1, token);
+  const std::uint32_t cross = has_rows_ ? weighted_bits(wires.cross, clocks, half, token) : 0;
+  pass_to_left_children(level, token, in.value, level.out.value);
+  pass_to_left_children(level, token, in.slope, level.out.slope);
+  if (has_rows_) pass_to_left_children(level, token, in.row_slope, level.out.row_slope);
   for (Words* const carry : {&level.value_carry, &level.step_carry, &level.slope_carry, &level.row_carry})
     begin(token, *carry);
   for (unsigned bit = 0; bit < token.bits; ++bit) {
@@ -197,15 +200,15 @@ SteppedTree::LaneBits SteppedTree::lane_bits(const NodeStreams& in, Token token,
 }
 
 /// The bits of a node's slope `below` places before the token's bits.
-std::uint32_t SteppedTree::delayed_lane(const Level& level, std::size_t node, std::size_t lane, Token token,
-                                        std::uint32_t slope) const {
+std::uint32_t SteppedTree::delayed_slope_bits(const Level& level, std::size_t node, std::size_t lane, Token token,
+                                              std::uint32_t slope) const {
   std::uint32_t bits = 0;
   for (unsigned bit = 0; bit < token.bits; ++bit) {
     const std::optional<Delayed> delayed = delayed_bit(level, token.bit + static_cast<int>(bit));
     if (!delayed) continue;
     const bool is_set = delayed->clocks == 0
                             ? (slope >> delayed->plane & 1U) != 0
-                            : bit_at(entered(level, delayed->clocks)[delayed->plane], node * node_words_, lane);
+                            : bit_at(slopes_entered(level, delayed->clocks)[delayed->plane], node * node_words_, lane);
     bits |= static_cast<std::uint32_t>(is_set) << bit;
   }
   return bits;
@@ -222,11 +225,11 @@ SteppedTree::LaneBits SteppedTree::right_child(unsigned level_number, std::size_
     return static_cast<std::uint32_t>((std::uint64_t{one} + other + (carry ? 1U : 0U)) & low_bits(token.bits));
   };
   const auto tapped = [&](const Tap& tap, unsigned places) {
-    return static_cast<std::uint32_t>(shifted(tap, clocks, places, token) & low_bits(token.bits));
+    return static_cast<std::uint32_t>(weighted_bits(tap, clocks, places, token) & low_bits(token.bits));
   };
   if (form_.degree < 2) return {.value = sum(in.value, tapped(wires.multiplicand, half), level.value_carry)};
   const std::uint32_t step =
-      sum(delayed_lane(level, node, lane, token, in.slope), tapped(wires.square, 2 * half), level.step_carry);
+      sum(delayed_slope_bits(level, node, lane, token, in.slope), tapped(wires.square, 2 * half), level.step_carry);
   LaneBits out{.value = sum(in.value, step, level.value_carry),
                .slope = sum(in.slope, tapped(wires.square, half + 1), level.slope_carry)};
   if (has_rows_) out.row_slope = sum(in.row_slope, tapped(wires.cross, half), level.row_carry);

@@ -114,20 +114,20 @@ class SteppedTree {
   [[nodiscard]] LaneBits lane_bits(const NodeStreams& in, Token token, std::size_t node, std::size_t lane) const;
   [[nodiscard]] LaneBits right_child(unsigned level_number, std::size_t node, std::size_t lane, Token token,
                                      LaneBits in, const TreeWires& wires) const;
-  [[nodiscard]] std::uint32_t delayed_lane(const Level& level, std::size_t node, std::size_t lane, Token token,
-                                           std::uint32_t slope) const;
-  [[nodiscard]] std::uint32_t shifted(const Tap& tap, unsigned clocks, unsigned weight_log2, Token token) const;
-  void add(Level& level, Token token, const NodeStreams& in, std::uint32_t multiplicand) const;
-  void act(unsigned level_number, Token token, const NodeStreams& in, const TreeWires& wires);
-  void add_squares(unsigned level_number, Token token, const NodeStreams& in, const TreeWires& wires);
-  void pass(const Level& level, Token token, const NodeBits& in, NodeBits& out) const;
+  [[nodiscard]] std::uint32_t delayed_slope_bits(const Level& level, std::size_t node, std::size_t lane, Token token,
+                                                 std::uint32_t slope) const;
+  [[nodiscard]] std::uint32_t weighted_bits(const Tap& tap, unsigned clocks, unsigned weight_log2, Token token) const;
+  void clock_linear_level(Level& level, Token token, const NodeStreams& in, std::uint32_t multiplicand) const;
+  void clock_level(unsigned level_number, Token token, const NodeStreams& in, const TreeWires& wires);
+  void clock_quadratic_level(unsigned level_number, Token token, const NodeStreams& in, const TreeWires& wires);
+  void pass_to_left_children(const Level& level, Token token, const NodeBits& in, NodeBits& out) const;
   /// Position of a delayed slope bit: clocks since the bit entered the ring, and index among the bits of that clock.
   struct Delayed {
     std::size_t clocks = 0;
     std::size_t plane = 0;
   };
   [[nodiscard]] std::optional<Delayed> delayed_bit(const Level& level, int stream_bit) const;
-  static const NodeBits& entered(const Level& level, std::size_t clocks_ago);
+  static const NodeBits& slopes_entered(const Level& level, std::size_t clocks_ago);
   [[nodiscard]] const Words* delayed_slope(const Level& level, int stream_bit, const NodeBits& slope) const;
   void delay_slope(Level& level, const NodeBits& slope) const;
 

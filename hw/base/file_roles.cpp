@@ -32,7 +32,7 @@ std::optional<Identity> identity(const fs::path& path) {
   struct stat status {};
   if (is_standard_output(path)) return Identity{0, 0, std::string(standard_stream), false};
   if (::stat(path.c_str(), &status) == 0) return Identity{status.st_dev, status.st_ino, "", S_ISCHR(status.st_mode)};
-  const fs::path place = without_links(path);
+  const fs::path place = resolve_links(path);
   const fs::path folder = place.has_parent_path() ? place.parent_path() : fs::path(".");
   if (::stat(folder.c_str(), &status) != 0) return std::nullopt;
   return Identity{status.st_dev, status.st_ino, place.filename().native(), false};

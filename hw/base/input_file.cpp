@@ -82,7 +82,7 @@ std::string read_all(const Descriptor& file, const std::filesystem::path& path, 
   try {
     bytes.reserve(expected);
     // One byte more than the limit shows that the file is too long; max() guards against overflow.
-    const std::size_t most = std::max(kind.most_bytes, kind.most_bytes + 1);
+    const std::size_t most = std::max(kind.max_bytes, kind.max_bytes + 1);
     if (const std::error_code error = read_to_end(file, bytes, most)) fail(path, error.message());
   } catch (const std::bad_alloc&) {
     const std::size_t read = std::max(expected, bytes.size());

@@ -14,7 +14,7 @@ namespace csgsim {
 /// Name, size limit and advice for one kind of input file.
 struct InputKind {
   std::string_view what;  ///< name in messages, as in "name a .csg file"
-  std::size_t most_bytes = 0;
+  std::size_t max_bytes = 0;
   std::string_view advice;    ///< what to do if the file is too long, as in "split the model"
   bool is_continued = false;  ///< the command continues this file, so its output may replace it (inputs_kept.h)
 };

@@ -7,8 +7,8 @@
 namespace csgsim {
 
 void check_length(std::string_view name, std::size_t byte_count, const InputKind& kind) {
-  if (byte_count <= kind.most_bytes) return;
-  throw InputError(fmt::format("{}: longer than {}; {}", name, binary_size(kind.most_bytes), kind.advice));
+  if (byte_count <= kind.max_bytes) return;
+  throw InputError(fmt::format("{}: longer than {}; {}", name, binary_size(kind.max_bytes), kind.advice));
 }
 
 }  // namespace csgsim

@@ -15,7 +15,7 @@ Interruptible::Interruptible(std::stop_token stop) noexcept
 
 Interruptible::~Interruptible() { innermost = before_; }
 
-void end_if_interrupted() {
+void throw_if_interrupted() {
   if (innermost != nullptr && innermost->stop_.stop_requested()) throw Interrupted();
 }
 

@@ -22,7 +22,7 @@ class Interruptible {
   Interruptible& operator=(const Interruptible&) = delete;
 
  private:
-  friend void end_if_interrupted();
+  friend void throw_if_interrupted();
   friend std::stop_token thread_stop_token();
 
   std::stop_token stop_;
@@ -31,7 +31,7 @@ class Interruptible {
 
 /// Throws Interrupted if a stop of this thread's work was requested. Called where no state is lost: between the
 /// instructions of a run, and between steps of reading and compiling.
-void end_if_interrupted();
+void throw_if_interrupted();
 
 /// The current thread's stop_token, for threads that share its work; empty if the work is not interruptible.
 std::stop_token thread_stop_token();

@@ -38,7 +38,7 @@ void report_line(std::string_view line) noexcept {
   }
 }
 
-void keep_standard_numbers() {
+void open_closed_standard_streams() {
   for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(number, F_GETFD) >= 0) continue;
     // open() returns the lowest free number, which is `number` here. Reads from the stream return no data, and writes

@@ -32,6 +32,6 @@ class CollectedLines {
 };
 
 /// Opens /dev/null for each closed standard stream, so that no file opened later gets the stream's descriptor number.
-void keep_standard_numbers();
+void open_closed_standard_streams();
 
 }  // namespace csgsim

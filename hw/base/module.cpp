@@ -49,9 +49,9 @@ std::filesystem::path find_module(const char* file) {
 }
 
 std::string module_missing_text(const ModuleRole& role) {
-  if (role.left_out_by != nullptr) {
+  if (role.disabling_option != nullptr) {
     return std::string("this build of csgsim lacks ") + role.file + ", the part that " + role.does +
-           "; build csgsim with -D" + role.left_out_by + "=ON" + role.instead;
+           "; build csgsim with -D" + role.disabling_option + "=ON" + role.instead;
   }
   return std::string(role.file) + ", the part of csgsim that " + role.does +
          ", was not found in the library search path; install csgsim completely (cmake --install)" + role.instead +

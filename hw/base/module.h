@@ -25,9 +25,10 @@ OpenedModule open_module(const std::filesystem::path& file, const char* symbol);
 struct ModuleRole {
   const char* file = nullptr;
   const char* symbol = nullptr;
-  const char* does = nullptr;         ///< completes "the part of csgsim that ..."
-  const char* instead = "";           ///< an alternative, as in ", or write .png"; may be empty
-  const char* left_out_by = nullptr;  ///< the CMake option that left the module out of this build; null if none did
+  const char* does = nullptr;  ///< completes "the part of csgsim that ..."
+  const char* instead = "";    ///< an alternative, as in ", or write .png"; may be empty
+  const char* disabling_option =
+      nullptr;  ///< the CMake option that left the module out of this build; null if none did
 };
 
 /// Error texts for a module that was not found or could not be opened: the cause and what to do.

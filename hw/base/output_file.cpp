@@ -95,7 +95,7 @@ bool is_stream(const fs::path& path) {
   return !fs::is_regular_file(status) || folder == "/dev" || folder.native().starts_with("/proc/");
 }
 
-fs::path without_links(const fs::path& path) {
+fs::path resolve_links(const fs::path& path) {
   fs::path place = path;
   std::error_code error;
   for (int link = 0; link < max_links; ++link) {
@@ -115,7 +115,7 @@ OutputFile::OutputFile(fs::path path) : requested_(std::move(path)), final_(requ
   if (is_standard_output(requested_)) standard_output_ = reserve_standard_output();
   std::error_code error;
   if (!is_stream_) {
-    final_ = without_links(requested_);
+    final_ = resolve_links(requested_);
     require_writable(requested_, final_);
     refuse_kept_input(requested_, final_);
   }
@@ -126,7 +126,7 @@ OutputFile::OutputFile(fs::path path) : requested_(std::move(path)), final_(requ
 
 /// The new file gets the permissions of the file that it replaces.
 void OutputFile::create(const fs::path& folder) {
-  partial_ = folder / unused_name();
+  partial_ = folder / unique_file_name();
   registered_.emplace(partial_);
   file_ = Descriptor(::open(partial_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   if (!file_.is_open()) {

@@ -66,6 +66,6 @@ void commit_all(std::span<OutputFile* const> files);
 void write_file(const std::filesystem::path& path, std::string_view content);
 
 /// The target of the path's symbolic links; it need not exist. Throws InputError for a cycle of links.
-std::filesystem::path without_links(const std::filesystem::path& path);
+std::filesystem::path resolve_links(const std::filesystem::path& path);
 
 }  // namespace csgsim

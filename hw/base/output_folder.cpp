@@ -83,12 +83,12 @@ void require_replaceable(const fs::path& requested, const fs::path& place) {
 
 OutputFolder::OutputFolder(fs::path folder) : requested_(std::move(folder)) {
   std::error_code error;
-  final_ = fs::weakly_canonical(fs::absolute(without_links(requested_)), error);
+  final_ = fs::weakly_canonical(fs::absolute(resolve_links(requested_)), error);
   require_done(requested_, error);
   if (!final_.has_filename()) final_ = final_.parent_path();
   require_replaceable(requested_, final_);
   make_folder(final_.parent_path());
-  const fs::path partial = final_.parent_path() / unused_name();
+  const fs::path partial = final_.parent_path() / unique_file_name();
   if (::mkdir(partial.c_str(), 0777) != 0) fail_to_write(requested_, last_error());
   partial_ = partial;
 }
@@ -126,7 +126,7 @@ void OutputFolder::exchange() {
   if (::stat(final_.c_str(), &old) == 0) static_cast<void>(::chmod(partial_.c_str(), old.st_mode & 0777U));
   if (::renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, final_.c_str(), RENAME_EXCHANGE) == 0) return;
   if (errno != EINVAL && errno != ENOSYS) fail_to_write(requested_, last_error());
-  const fs::path away = final_.parent_path() / unused_name();
+  const fs::path away = final_.parent_path() / unique_file_name();
   std::error_code error;
   fs::rename(final_, away, error);
   require_done(requested_, error);

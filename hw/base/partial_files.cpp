@@ -60,7 +60,7 @@ void handle_unless_ignored(int signal) {
 
 }  // namespace
 
-std::filesystem::path unused_name(std::string_view ending) {
+std::filesystem::path unique_file_name(std::string_view ending) {
   static const unsigned host = std::random_device{}();
   static std::atomic<unsigned> number = 0;
   return fmt::format(".csgsim-{}-{:08x}-{}{}", ::getpid(), host, ++number, ending);

@@ -11,7 +11,7 @@ namespace csgsim {
 
 /// A file name with the given ending that is unique in this process, on this computer, and on other computers that
 /// share the folder.
-std::filesystem::path unused_name(std::string_view ending = {});
+std::filesystem::path unique_file_name(std::string_view ending = {});
 
 /// Registers a file for deletion if a signal ends the process during the object's lifetime.
 class PartialFile {

@@ -45,7 +45,7 @@ std::string_view type_name(const toml::node& node) {
   return "unknown";
 }
 
-std::string show(const toml::source_position& position, std::string_view file) {
+std::string position_text(const toml::source_position& position, std::string_view file) {
   return fmt::format("{}:{}:{}", file, std::max(position.line, toml::source_index{1}),
                      std::max(position.column, toml::source_index{1}));
 }
@@ -58,7 +58,7 @@ toml::table parse_toml(std::string_view text, std::string_view file) {
     // A description names the construct first: `Error while parsing key-value pair: expected value`.
     const std::string_view what = error.description();
     const std::size_t colon = what.starts_with("Error while parsing ") ? what.find(": ") : what.npos;
-    throw InputError(fmt::format("{}: this is not valid TOML: {}", show(error.source().begin, file),
+    throw InputError(fmt::format("{}: this is not valid TOML: {}", position_text(error.source().begin, file),
                                  colon == what.npos ? what : what.substr(colon + 2)));
   }
 }

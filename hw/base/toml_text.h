@@ -14,7 +14,7 @@ namespace csgsim {
 std::string_view type_name(const toml::node& node);
 
 /// `file:line:column` of a position in a text; a position before the first character is shown as 1:1.
-std::string show(const toml::source_position& position, std::string_view file);
+std::string position_text(const toml::source_position& position, std::string_view file);
 
 /// Throws InputError with the position of the first syntax error; `file` is the name in messages.
 toml::table parse_toml(std::string_view text, std::string_view file);

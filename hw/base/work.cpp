@@ -15,7 +15,7 @@ constexpr std::uint64_t million = 1'000'000;
 Work::Work(std::uint64_t limit) : count_(std::make_shared<Count>(Count{0, limit})) {}
 
 void Work::charge(std::uint64_t steps, std::string_view activity) const {
-  end_if_interrupted();
+  throw_if_interrupted();
   if (count_ == nullptr) return;
   Count& count = *count_;
   if (steps <= count.limit - count.done) {

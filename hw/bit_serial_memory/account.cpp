@@ -28,7 +28,7 @@ std::uint64_t picojoules(double femtojoules) { return static_cast<std::uint64_t>
 }  // namespace
 
 FrameEnergy energy_of(const Work& work, std::uint64_t clocks, const machines::Machine& machine) {
-  const auto& figures = machines::own<Figures>(machine);
+  const auto& figures = machines::kind_figures<Figures>(machine);
   const auto number = [](std::uint64_t of) { return static_cast<double>(of); };
   const double activation = number(figures.energy.activation_fj) * figures.chips;
   const double seconds = number(clocks) / number(machine.clock_hz);

@@ -45,7 +45,7 @@ class Reader {
 
  private:
   [[noreturn]] void fail(const toml::source_position& place, std::string_view message) const {
-    throw InputError(fmt::format("{}: {}", show(place, file_), message));
+    throw InputError(fmt::format("{}: {}", position_text(place, file_), message));
   }
 
   [[noreturn]] void fail(const toml::node& node, std::string_view message) const { fail(node.source().begin, message); }
@@ -88,7 +88,7 @@ class Reader {
 
   void read_commands() {
     const toml::node& node = child(root_, "command");
-    set_.place = show(node.source().begin, file_);
+    set_.place = position_text(node.source().begin, file_);
     const toml::table& all = table(node, "command");
     if (all.empty() || all.size() > max_commands)
       fail(node, fmt::format("there are {} commands; give 1 to {}", all.size(), max_commands));

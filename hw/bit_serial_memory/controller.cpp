@@ -123,7 +123,7 @@ void Controller::answer_question(const isa::Instruction& question, std::uint64_t
   const std::uint64_t clocks = edge() - start_clock - (account_.refreshing - refreshing);
   account_.answering += clocks;
   const bool any = answer_();
-  const std::uint64_t skipped = isa::skipped_after(question, any ? 1 : 0);
+  const std::uint64_t skipped = isa::skipped_instruction_count(question, any ? 1 : 0);
   const bool needs_answer = !isa::has_operand(isa::operands_of(question.opcode), isa::OperandKind::count);
   progress->after_instruction(clocks, needs_answer ? std::optional(any) : std::nullopt, skipped);
   if (skipped == 0) return;

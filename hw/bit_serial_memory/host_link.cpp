@@ -18,7 +18,7 @@ void HostLink::load(const link::FrameWords& frame) {
   isa::WireDecoder decoder(link_.width);
   std::vector<std::size_t> first_words;
   for (std::size_t word = 0; word < frame.words.size(); ++word) {
-    if (decoder.between_commands()) {
+    if (decoder.is_between_commands()) {
       commands_.emplace_back();
       first_words.push_back(word);
     }

@@ -111,7 +111,7 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
 });
 
 void check_rows(const Machine& machine) {
-  const auto& figures = machines::own<Figures>(machine);
+  const auto& figures = machines::kind_figures<Figures>(machine);
   const RowMap map(machine.array.memory_bits, machine.picture.width, machine.picture.height);
   if (map.rows() <= figures.subarray_rows) return;
   throw machines::FigureError("chips.rows",
@@ -121,7 +121,7 @@ void check_rows(const Machine& machine) {
 }
 
 void check_fits(const Machine& machine) {
-  const auto& figures = machines::own<Figures>(machine);
+  const auto& figures = machines::kind_figures<Figures>(machine);
   const Slots slots = slots_of(machine);
   const std::uint64_t available = std::uint64_t{figures.banks} * figures.subarrays;
   if (slots.count() <= available) return;

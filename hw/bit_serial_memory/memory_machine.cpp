@@ -36,7 +36,7 @@ std::vector<const Bank*> MemoryMachine::make_banks() {
 MemoryMachine::MemoryMachine(sc_core::sc_module_name name, const machines::Machine& machine)
     : sc_core::sc_module(name),
       machine_(machine),
-      figures_(machines::own<Figures>(machine)),
+      figures_(machines::kind_figures<Figures>(machine)),
       slots_(slots_of(machine)),
       map_(machine.array.memory_bits, machine.picture.width, machine.picture.height),
       period_(systemc::period_of(machine)),

@@ -40,7 +40,7 @@ void print(std::ostream& out, const RowCommands& commands) {
 }  // namespace
 
 void print_row_commands(std::ostream& out, const isa::Program& program, const machines::Machine& machine) {
-  const auto& figures = machines::own<Figures>(machine);
+  const auto& figures = machines::kind_figures<Figures>(machine);
   const RowMap map(machine.array.memory_bits, program.shape.width, program.shape.height);
   const MicroDesign design = micro_design(figures);
   out << fmt::format("# {}: {} x {} pixels, pixel y * {} + x in column y * {} + x\n", machine.name, program.shape.width,

@@ -30,7 +30,7 @@ struct Slots {
 };
 
 inline Slots slots_of(const machines::Machine& machine) {
-  const auto& figures = machines::own<Figures>(machine);
+  const auto& figures = machines::kind_figures<Figures>(machine);
   return {std::uint64_t{machine.picture.width} * machine.picture.height,
           std::uint64_t{figures.chips} * figures.row_bits, figures.banks};
 }

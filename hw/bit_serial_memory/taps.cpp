@@ -16,7 +16,7 @@ using wave::Tap;
 /// A pixel shows no values before its memory has been cleared.
 std::vector<Tap> pixel_taps(const TappedParts& parts, const isa::Program& program, wave::Pixel pixel) {
   const std::uint64_t number = std::uint64_t{pixel.y} * parts.picture_width + pixel.x;
-  const std::string part = wave::part_of(pixel);
+  const std::string part = wave::pixel_part_name(pixel);
   const MemoryView& pixels = parts.pixels;
   const Controller& controller = parts.controller;
   std::vector<Tap> taps = wave::instruction_taps(part, program, [&controller] { return Number(controller.ordinal()); });

@@ -76,7 +76,7 @@ class FrameModel {
   FrameModel(const isa::Program& program, const Machine& machine, std::span<const machines::Skip> skips,
              RowListener* listener = nullptr, const CommandSet* set = nullptr)
       : machine_(machine),
-        figures_(machines::own<Figures>(machine)),
+        figures_(machines::kind_figures<Figures>(machine)),
         slots_(slots_of(machine)),
         map_(map_of(machine)),
         tasks_(tasks_of(program, machine, skips)),
@@ -230,8 +230,9 @@ std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, co
   return timeline;
 }
 
-std::vector<ClockSpan> Kind::at_pixel(const Timeline& timeline, const Program& /*program*/, const Machine& /*machine*/,
-                                      std::uint32_t segment, std::uint32_t /*x*/, std::uint32_t /*y*/) const {
+std::vector<ClockSpan> Kind::spans_at_pixel(const Timeline& timeline, const Program& /*program*/,
+                                            const Machine& /*machine*/, std::uint32_t segment, std::uint32_t /*x*/,
+                                            std::uint32_t /*y*/) const {
   return timeline.issued[segment];
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 /// Result of pruning a node: decided, or a term.
 struct Outcome {
-  Known known = Known::depends;
+  Containment known = Containment::depends;
   std::uint32_t term = 0;  ///< valid if `known` is depends
 };
 
@@ -29,8 +29,8 @@ class Pruner {
       for (const std::uint32_t sibling : node.operands) {
         if (sibling == below) continue;
         const Outcome outcome = prune(sibling);
-        is_empty = is_empty || outcome.known == Known::out;
-        if (outcome.known == Known::depends) add_operand(active_.operands, outcome.term, Operator::intersect);
+        is_empty = is_empty || outcome.known == Containment::out;
+        if (outcome.known == Containment::depends) add_operand(active_.operands, outcome.term, Operator::intersect);
       }
     }
     if (is_empty) return {true, {}, {}};
@@ -48,7 +48,7 @@ class Pruner {
       path_.visit_node();
       visited_.push_back(at);
       // Skips the subtree: the loop continues before its first node.
-      if (disjoint(tree_.nodes[at].box, surface_.box)) at = tree_.nodes[at].first;
+      if (are_disjoint(tree_.nodes[at].box, surface_.box)) at = tree_.nodes[at].first;
     }
     outcomes_.resize(tree_.nodes.size());
     std::reverse(visited_.begin(), visited_.end());
@@ -58,48 +58,48 @@ class Pruner {
 
   Outcome evaluate(std::uint32_t index) {
     const TreeNode& node = tree_.nodes[index];
-    if (disjoint(node.box, surface_.box)) return {node.in_elsewhere ? Known::in : Known::out, 0};
+    if (are_disjoint(node.box, surface_.box)) return {node.is_inside_elsewhere ? Containment::in : Containment::out, 0};
     if (node.is_leaf) return leaf(node);
-    const Known dominant = node.op == Operator::intersect ? Known::out : Known::in;
+    const Containment dominant = node.op == Operator::intersect ? Containment::out : Containment::in;
     std::vector<std::uint32_t> operands;
     for (const std::uint32_t operand : node.operands) {
       const Outcome& below = outcomes_[operand];
       if (below.known == dominant) return {dominant, 0};
-      if (below.known == Known::depends) add_operand(operands, below.term, node.op);
+      if (below.known == Containment::depends) add_operand(operands, below.term, node.op);
     }
     join(operands, node.op);
     if (operands.empty()) return {inverted(dominant), 0};
-    if (operands.size() == 1) return {Known::depends, operands.front()};
+    if (operands.size() == 1) return {Containment::depends, operands.front()};
     return combine(std::move(operands), node.op);
   }
 
   Outcome leaf(const TreeNode& node) {
-    if (surface_.holds(node.primitive)) return {Known::in, 0};
+    if (surface_.holds(node.primitive)) return {Containment::in, 0};
     Comparison comparison{node.primitive, {}, {}};
-    const Known known = compare(node, comparison);
-    const bool complemented = node.in_elsewhere;
-    if (known != Known::depends) return {complemented ? inverted(known) : known, 0};
+    const Containment known = compare(node, comparison);
+    const bool complemented = node.is_inside_elsewhere;
+    if (known != Containment::depends) return {complemented ? inverted(known) : known, 0};
     Term term;
     term.is_leaf = true;
     term.complemented = complemented;
     term.comparisons.push_back(std::move(comparison));
-    return {Known::depends, add(std::move(term))};
+    return {Containment::depends, add(std::move(term))};
   }
 
-  Known compare(const TreeNode& node, Comparison& comparison) {
-    if (!candidates_.listed[comparison.primitive] || node.box.empty()) return Known::out;
+  Containment compare(const TreeNode& node, Comparison& comparison) {
+    if (!candidates_.listed[comparison.primitive] || node.box.empty()) return Containment::out;
     comparison.pixels = overlap(node.box.pixels, surface_.box.pixels);
     bool inside = comparison.pixels == surface_.box.pixels;
     bool outside = false;
     comparison.tested =
         path_.test(comparison.primitive, candidates_.halfspaces[comparison.primitive], comparison.pixels);
-    for (const Tested& tested : comparison.tested) {
-      const Known known = classify_between(tested, surface_.box.z_low, surface_.box.z_high);
-      inside = inside && known == Known::in;
-      outside = outside || known == Known::out;
+    for (const TestedHalfspace& tested : comparison.tested) {
+      const Containment known = classify_between(tested, surface_.box.z_low, surface_.box.z_high);
+      inside = inside && known == Containment::in;
+      outside = outside || known == Containment::out;
     }
-    if (outside) return Known::out;
-    return inside ? Known::in : Known::depends;
+    if (outside) return Containment::out;
+    return inside ? Containment::in : Containment::depends;
   }
 
   /// Adds an operand to those of an operator. An operand with the same operator is replaced by its own operands: the
@@ -144,7 +144,7 @@ class Pruner {
     term.bits = std::max<std::uint32_t>(1, bits(operands[0]));
     if (bits(operands[1]) > 0) term.bits = std::max(term.bits, bits(operands[1]) + 1);
     term.operands = std::move(operands);
-    return {Known::depends, add(std::move(term))};
+    return {Containment::depends, add(std::move(term))};
   }
 
   std::uint32_t add(Term term) {

@@ -16,7 +16,7 @@ namespace csgsim::division {
 struct Comparison {
   std::uint32_t primitive = 0;
   Rectangle pixels;
-  std::vector<Tested> tested;
+  std::vector<TestedHalfspace> tested;
 };
 
 /// A node of an active tree: an operator with at least two operands, or the intersection of some primitives.

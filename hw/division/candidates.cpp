@@ -12,32 +12,32 @@ namespace csgsim::division {
 
 namespace {
 
-void append(std::vector<std::uint32_t>& into, const std::vector<Tested>& from) {
-  for (const Tested& one : from) into.push_back(one.number);
+void append(std::vector<std::uint32_t>& into, const std::vector<TestedHalfspace>& from) {
+  for (const TestedHalfspace& one : from) into.push_back(one.number);
 }
 
 /// Keeps the surviving half-spaces, in their order. Returns false if nothing of the primitive is in the rectangle.
 bool prune_halfspaces(Datapath& path, std::uint32_t index, const Rectangle& pixels,
                       std::vector<std::uint32_t>& halfspaces) {
-  std::vector<Tested> undecided;
+  std::vector<TestedHalfspace> undecided;
   bool is_empty = false;
-  for (const Tested& tested : path.test(index, halfspaces, pixels)) {
-    const Known known = classify_between(tested, 0, path.header().farthest());
-    is_empty = is_empty || known == Known::out;
-    if (known == Known::depends) undecided.push_back(tested);
+  for (const TestedHalfspace& tested : path.test(index, halfspaces, pixels)) {
+    const Containment known = classify_between(tested, 0, path.header().farthest());
+    is_empty = is_empty || known == Containment::out;
+    if (known == Containment::depends) undecided.push_back(tested);
   }
   halfspaces.clear();
   if (is_empty) return false;
   const auto survivors_of_side = [&](Side side) {
-    std::vector<Tested> on_side;
+    std::vector<TestedHalfspace> on_side;
     std::copy_if(undecided.begin(), undecided.end(), std::back_inserter(on_side),
-                 [&](const Tested& one) { return one.side == side; });
-    keep_by_leaders(path, on_side, pixels);
+                 [&](const TestedHalfspace& one) { return one.side == side; });
+    remove_behind_leaders(path, on_side, pixels);
     return on_side;
   };
   // The sides follow one another. Order is kept within a side; between sides, only the order of edges matters.
   for (const Side side : {Side::front, Side::back}) append(halfspaces, survivors_of_side(side));
-  for (const Tested& one : undecided) {
+  for (const TestedHalfspace& one : undecided) {
     if (one.side == Side::not_negative || one.side == Side::negative) halfspaces.push_back(one.number);
   }
   return true;
@@ -51,7 +51,7 @@ std::uint64_t Candidates::entry_count() const {
   return entries;
 }
 
-Candidates all_of(const DisplayModel& model) {
+Candidates all_candidates(const DisplayModel& model) {
   Candidates all;
   for (std::uint32_t i = 0; i < model.primitives.size(); ++i) {
     all.primitives.push_back(i);

@@ -22,7 +22,7 @@ struct Candidates {
 };
 
 /// Candidates that list the whole model.
-Candidates all_of(const DisplayModel& model);
+Candidates all_candidates(const DisplayModel& model);
 
 /// First level (thesis 7.4.2): the part of the whole model that can matter in any square of a group. Compares the
 /// rectangle of every primitive with the group's, and tests the half-spaces of each overlapping primitive at the

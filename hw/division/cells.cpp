@@ -38,7 +38,7 @@ std::vector<Rectangle> reversed_quarters(const Rectangle& pixels) {
 
 class Sieve {
  public:
-  Sieve(Datapath& path, const std::vector<Tested>& side, const Rectangle& pixels)
+  Sieve(Datapath& path, const std::vector<TestedHalfspace>& side, const Rectangle& pixels)
       : path_(path), side_(side), kept_(side.size(), false), step_(std::int64_t{1} << path.header().fraction_bits) {
     whole_.pixels = pixels;
     for (std::uint32_t i = 0; i < side.size(); ++i) whole_.candidates.push_back(i);
@@ -116,24 +116,24 @@ class Sieve {
   }
 
   Datapath& path_;
-  const std::vector<Tested>& side_;
+  const std::vector<TestedHalfspace>& side_;
   std::vector<bool> kept_;  ///< half-spaces decided to be kept
   std::int64_t step_;
   Cell whole_;
 };
 
-void keep(std::vector<Tested>& side, const std::vector<bool>& kept) {
+void keep(std::vector<TestedHalfspace>& side, const std::vector<bool>& kept) {
   std::size_t index = 0;
-  std::erase_if(side, [&](const Tested&) { return !kept[index++]; });
+  std::erase_if(side, [&](const TestedHalfspace&) { return !kept[index++]; });
 }
 
 }  // namespace
 
-void keep_by_leaders(Datapath& path, std::vector<Tested>& halfspaces, const Rectangle& pixels) {
+void remove_behind_leaders(Datapath& path, std::vector<TestedHalfspace>& halfspaces, const Rectangle& pixels) {
   if (!halfspaces.empty()) keep(halfspaces, Sieve(path, halfspaces, pixels).filter_by_leaders());
 }
 
-void keep_extremes(Datapath& path, std::vector<Tested>& halfspaces, const Rectangle& pixels) {
+void remove_hidden_halfspaces(Datapath& path, std::vector<TestedHalfspace>& halfspaces, const Rectangle& pixels) {
   if (!halfspaces.empty()) keep(halfspaces, Sieve(path, halfspaces, pixels).filter_by_cells());
 }
 

@@ -19,11 +19,11 @@ namespace csgsim::division {
 
 /// Removes each half-space that a leader of the rectangle is beyond at all four corners. The rectangle is the only
 /// cell.
-void keep_by_leaders(Datapath& path, std::vector<Tested>& halfspaces, const Rectangle& pixels);
+void remove_behind_leaders(Datapath& path, std::vector<TestedHalfspace>& halfspaces, const Rectangle& pixels);
 
 /// Removes the half-spaces that are behind others at every pixel. This is decided in cells: first the rectangle, then
 /// its quarters, then their quarters, each with the half-spaces left by the enclosing cell, until every half-space is
 /// decided (docs/machines/pixel-square.md).
-void keep_extremes(Datapath& path, std::vector<Tested>& halfspaces, const Rectangle& pixels);
+void remove_hidden_halfspaces(Datapath& path, std::vector<TestedHalfspace>& halfspaces, const Rectangle& pixels);
 
 }  // namespace csgsim::division

@@ -61,7 +61,7 @@ class Classifier {
     out_.edges(with.tested, with.pixels);
     for (const Side side : {Side::front, Side::back}) {
       const Opcode opcode = side == Side::front ? Opcode::linear_le : Opcode::linear_gt;
-      for (const Tested& one : extremes_of(path_, with.tested, side, box).facets) {
+      for (const TestedHalfspace& one : find_extremes(path_, with.tested, side, box).facets) {
         out_.depth(opcode, fields_.candidate, one.plane, with.pixels);
       }
     }

@@ -9,11 +9,11 @@
 namespace csgsim::division {
 
 /// Position of an object relative to a range of pixels and depths.
-enum class Known : std::uint8_t { out, in, depends };
+enum class Containment : std::uint8_t { out, in, depends };
 
-constexpr Known inverted(Known known) {
-  if (known == Known::depends) return known;
-  return known == Known::in ? Known::out : Known::in;
+constexpr Containment inverted(Containment known) {
+  if (known == Containment::depends) return known;
+  return known == Containment::in ? Containment::out : Containment::in;
 }
 
 /// A half-space of a primitive, with its plane.
@@ -25,7 +25,7 @@ struct PlacedHalfspace {
 };
 
 /// A half-space tested at the four corners of a rectangle, where a plane has its extremes.
-struct Tested : PlacedHalfspace {
+struct TestedHalfspace : PlacedHalfspace {
   Side side = Side::front;
   std::array<std::int64_t, 4> corners{};  ///< values of the plane, including the fraction
   std::int64_t low = 0;                   ///< minimum of F over the pixels; see Side
@@ -33,9 +33,9 @@ struct Tested : PlacedHalfspace {
 };
 
 /// One corner test: four values A*x + B*y + C, and their minimum and maximum.
-Tested test_corners(const ModelHeader& header, const PlacedHalfspace& placed, const Rectangle& pixels);
+TestedHalfspace test_corners(const ModelHeader& header, const PlacedHalfspace& placed, const Rectangle& pixels);
 
 /// Whether a half-space contains all points of the tested rectangle between the two depths, none, or some.
-Known classify_between(const Tested& tested, std::int64_t z_low, std::int64_t z_high);
+Containment classify_between(const TestedHalfspace& tested, std::int64_t z_low, std::int64_t z_high);
 
 }  // namespace csgsim::division

@@ -9,9 +9,9 @@ PrimitiveHead Datapath::visit_primitive(std::uint32_t primitive) {
   return head;
 }
 
-std::vector<Tested> Datapath::test(std::uint32_t primitive, std::span<const std::uint32_t> numbers,
-                                   const Rectangle& pixels) {
-  std::vector<Tested> tested;
+std::vector<TestedHalfspace> Datapath::test(std::uint32_t primitive, std::span<const std::uint32_t> numbers,
+                                            const Rectangle& pixels) {
+  std::vector<TestedHalfspace> tested;
   if (numbers.empty()) return tested;
   ++counts_.lists;
   tested.reserve(numbers.size());

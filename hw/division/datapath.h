@@ -32,7 +32,8 @@ class Datapath {
 
   /// Reads the given half-spaces of a primitive and tests them at the corners of the pixels; `numbers` are indices
   /// within the primitive.
-  std::vector<Tested> test(std::uint32_t primitive, std::span<const std::uint32_t> numbers, const Rectangle& pixels);
+  std::vector<TestedHalfspace> test(std::uint32_t primitive, std::span<const std::uint32_t> numbers,
+                                    const Rectangle& pixels);
 
   /// Reads `halfspaces` half-spaces of a side and compares them with the leaders of a cell.
   void compare_with_leaders(std::uint64_t halfspaces);

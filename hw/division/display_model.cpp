@@ -79,7 +79,7 @@ void check_primitive(const DisplayModel& model, std::size_t index) {
     require(halfspace.plane < model.planes.size(),
             "primitive {} refers to plane {}, but there are {} planes, counted from 0", index, halfspace.plane,
             model.planes.size());
-    const bool coloured = seen(side_of(model.planes[halfspace.plane], halfspace.forward), one.complemented);
+    const bool coloured = is_visible_side(side_of(model.planes[halfspace.plane], halfspace.forward), one.complemented);
     require(halfspace.colour >> model.colour_bits == 0 && (coloured || halfspace.colour == 0),
             "primitive {} has a facet with an invalid colour", index);
   }

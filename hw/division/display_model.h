@@ -46,7 +46,7 @@ enum class Side : std::uint8_t {
 struct Halfspace {
   std::uint32_t plane = 0;
   bool forward = true;  ///< true for front and not_negative, false for back and negative
-  /// Colour of the facet, as stored in the colour field; 0 if it is never visible, see seen().
+  /// Colour of the facet, as stored in the colour field; 0 if it is never visible, see is_visible_side().
   std::uint32_t colour = 0;
 
   bool operator==(const Halfspace&) const = default;
@@ -126,7 +126,9 @@ constexpr Side side_of(const Plane& plane, bool forward) {
 
 /// Whether a facet on that side is part of the visible surface of a primitive: a front, or a back if the primitive is
 /// complemented.
-constexpr bool seen(Side side, bool complemented) { return side == (complemented ? Side::back : Side::front); }
+constexpr bool is_visible_side(Side side, bool complemented) {
+  return side == (complemented ? Side::back : Side::front);
+}
 
 /// Throws InputError unless the model is valid: every number is in range and within the picture, the fields are
 /// disjoint and within pixel memory, plane values are below 2^reach_bits, and the nodes form a single tree with one

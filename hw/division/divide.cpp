@@ -43,18 +43,19 @@ void write(std::span<const isa::Instruction> instructions, Datapath& path) {
 
 }  // namespace
 
-Counts Divided::counts() const {
+Counts SquareDivision::counts() const {
   Counts all;
   for (const Counts& step : steps) all += step;
   return all;
 }
 
-Divider::Divider(const DisplayModel& model) : header_(model.header()), tree_(make_tree(model)), all_(all_of(model)) {
+Divider::Divider(const DisplayModel& model)
+    : header_(model.header()), tree_(make_tree(model)), all_(all_candidates(model)) {
   for (const Primitive& one : model.primitives) joined_.push_back(one.joined);
 }
 
-Divided Divider::divide(const isa::Region& square, const Candidates& candidates, Datapath& path) const {
-  Divided divided;
+SquareDivision Divider::divide(const isa::Region& square, const Candidates& candidates, Datapath& path) const {
+  SquareDivision divided;
   const Rectangle pixels = rectangle_of(square);
   Writer out(header_, square);
   write_setup(out, header_);

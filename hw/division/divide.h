@@ -16,7 +16,7 @@
 namespace csgsim::division {
 
 /// The division of one square.
-struct Divided {
+struct SquareDivision {
   /// Empty if the square shows only the background and is not the whole picture.
   std::vector<isa::Instruction> instructions;
   /// One step per surface whose boxes overlap the square and each other. A step includes the boxes visited since the
@@ -34,8 +34,8 @@ class Divider {
   explicit Divider(const DisplayModel& model);
 
   /// Divides the square from the whole model, or from the survivors of the group that contains it.
-  Divided divide(const isa::Region& square, const Candidates& candidates, Datapath& path) const;
-  Divided divide(const isa::Region& square, Datapath& path) const { return divide(square, all_, path); }
+  SquareDivision divide(const isa::Region& square, const Candidates& candidates, Datapath& path) const;
+  SquareDivision divide(const isa::Region& square, Datapath& path) const { return divide(square, all_, path); }
 
   /// Performs the first of two levels: selects the candidates for the squares of a group.
   [[nodiscard]] Candidates survivors(const isa::Region& group, Datapath& path) const {
@@ -53,7 +53,7 @@ class Divider {
 
 /// The divisions of a group's squares, in the order in which they were made, and the operations for the whole group.
 struct DividedGroup {
-  std::vector<Divided> squares;
+  std::vector<SquareDivision> squares;
   Counts group;
   std::uint64_t entries = 0;  ///< entries of the candidate list from which the squares were divided
   /// Whether the survivors fit the list; if not, each square is divided from the whole model.

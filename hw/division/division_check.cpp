@@ -18,7 +18,7 @@ bool same_encoding(const isa::Instruction& one, const isa::Instruction& other) {
   return isa::as_received(one) == isa::as_received(other);
 }
 
-void check_square(const isa::Segment& segment, std::size_t index, const Divided& divided) {
+void check_square(const isa::Segment& segment, std::size_t index, const SquareDivision& divided) {
   const std::vector<isa::Instruction>& expected = segment.instructions;
   if (!std::equal(divided.instructions.begin(), divided.instructions.end(), expected.begin(), expected.end(),
                   same_encoding)) {
@@ -51,7 +51,8 @@ void check_division(const isa::Program& program, std::span<const Group> groups, 
   for (const Group& group : groups) {
     std::vector<isa::Region> squares;
     for (const std::size_t index : group.squares) squares.push_back(program.segments[index].region);
-    const std::vector<Divided> divided = divide_group(divider, group.region, squares, list_entries, path).squares;
+    const std::vector<SquareDivision> divided =
+        divide_group(divider, group.region, squares, list_entries, path).squares;
     for (std::size_t i = 0; i < divided.size(); ++i)
       check_square(program.segments[group.squares[i]], group.squares[i], divided[i]);
   }

@@ -45,7 +45,7 @@ void put_primitive(BitWriter& out, const DisplayModel& model, const Primitive& o
   for (const Halfspace& halfspace : one.halfspaces) {
     out.put(halfspace.plane, widths.plane);
     out.put(halfspace.forward ? 1 : 0, 1);
-    if (seen(side_of(model.planes[halfspace.plane], halfspace.forward), one.complemented))
+    if (is_visible_side(side_of(model.planes[halfspace.plane], halfspace.forward), one.complemented))
       out.put(halfspace.colour, widths.colour);
   }
 }
@@ -97,7 +97,7 @@ Primitive take_primitive(BitReader& in, const DisplayModel& model, const Widths&
     halfspace.forward = in.take(1) != 0;
     if (halfspace.plane >= model.planes.size())
       throw InputError("the display model: a half-space refers to a nonexistent plane; compile the model again");
-    if (seen(side_of(model.planes[halfspace.plane], halfspace.forward), one.complemented))
+    if (is_visible_side(side_of(model.planes[halfspace.plane], halfspace.forward), one.complemented))
       halfspace.colour = static_cast<std::uint32_t>(in.take(widths.colour));
     one.halfspaces.push_back(halfspace);
   }

@@ -28,7 +28,7 @@ Expression line_expression(const Plane& plane) {
   return {without(plane, std::min(shared_zeros(plane), isa::max_linear_width)), 0};
 }
 
-Plane beyond_range(const ModelHeader& header, const Plane& plane) {
+Plane depth_range_excess(const ModelHeader& header, const Plane& plane) {
   return {true, plane.a, plane.b, plane.c - ((header.farthest() + 1) << header.fraction_bits)};
 }
 

@@ -22,7 +22,7 @@ Expression depth_expression(const ModelHeader& header, const Plane& plane);
 Expression line_expression(const Plane& plane);
 
 /// The plane's depth minus the end of the depth range: not negative where the plane is beyond the range.
-Plane beyond_range(const ModelHeader& header, const Plane& plane);
+Plane depth_range_excess(const ModelHeader& header, const Plane& plane);
 
 /// The expression with its origin at the square's corner, `width_bits` bits wide.
 isa::Linear linear_of(const Expression& expression, const isa::Region& square, unsigned width_bits);

@@ -6,9 +6,9 @@
 
 namespace csgsim::division {
 
-std::vector<Group> groups_of(std::span<const isa::Region> squares, const isa::ArrayShape& picture_shape,
-                             const isa::ArrayShape& square_shape, std::uint32_t group_columns,
-                             std::uint32_t group_rows) {
+std::vector<Group> group_squares(std::span<const isa::Region> squares, const isa::ArrayShape& picture_shape,
+                                 const isa::ArrayShape& square_shape, std::uint32_t group_columns,
+                                 std::uint32_t group_rows) {
   const std::uint32_t width = group_columns * square_shape.width;
   const std::uint32_t height = group_rows * square_shape.height;
   std::vector<Group> groups;

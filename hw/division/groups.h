@@ -17,8 +17,8 @@ struct Group {
 
 /// Divides the squares into groups of `group_columns` x `group_rows` squares. Groups are ordered by their first
 /// squares; the squares of a group keep their order.
-std::vector<Group> groups_of(std::span<const isa::Region> squares, const isa::ArrayShape& picture_shape,
-                             const isa::ArrayShape& square_shape, std::uint32_t group_columns,
-                             std::uint32_t group_rows);
+std::vector<Group> group_squares(std::span<const isa::Region> squares, const isa::ArrayShape& picture_shape,
+                                 const isa::ArrayShape& square_shape, std::uint32_t group_columns,
+                                 std::uint32_t group_rows);
 
 }  // namespace csgsim::division

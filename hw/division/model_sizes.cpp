@@ -33,7 +33,7 @@ std::uint32_t number_at(Place place, std::span<const std::uint8_t> bytes) {
 
 }  // namespace
 
-ModelSizes sizes_of(std::span<const std::uint8_t> display_model) {
+ModelSizes read_model_sizes(std::span<const std::uint8_t> display_model) {
   if (8 * display_model.size() < header_bits) return {};
   const auto number = [&](Place place) { return number_at(place, display_model); };
   return {number(at_planes), number(at_primitives), number(at_nodes),      number(at_depth),    number(at_colour),

@@ -23,6 +23,6 @@ struct ModelSizes {
 };
 
 /// Reads the sizes; returns zeros if there are too few bytes.
-ModelSizes sizes_of(std::span<const std::uint8_t> display_model);
+ModelSizes read_model_sizes(std::span<const std::uint8_t> display_model);
 
 }  // namespace csgsim::division

@@ -39,7 +39,7 @@ struct Box {
 };
 
 /// Whether two boxes do not overlap.
-constexpr bool disjoint(const Box& a, const Box& b) {
+constexpr bool are_disjoint(const Box& a, const Box& b) {
   return overlap(a.pixels, b.pixels).empty() || a.z_low > b.z_high || b.z_low > a.z_high;
 }
 

@@ -14,8 +14,8 @@ using isa::Purpose;
 Rendering::Rendering(Datapath& path, const Surface& surface)
     : model_(path.header()), surface_(surface), complemented_(surface.complemented) {
   const Box column{surface.box.pixels, 0, model_.farthest()};
-  Extremes fronts = extremes_of(path, surface.tested, Side::front, column);
-  Extremes backs = extremes_of(path, surface.tested, Side::back, column);
+  Extremes fronts = find_extremes(path, surface.tested, Side::front, column);
+  Extremes backs = find_extremes(path, surface.tested, Side::back, column);
   const Extremes& own = complemented_ ? backs : fronts;
   is_empty_ = fronts.is_empty || backs.is_empty || (complemented_ && own.facets.empty());
   // If a front is behind depth 0 at all corners, the surface does not reach depth 0: its box begins behind it.
@@ -23,14 +23,14 @@ Rendering::Rendering(Datapath& path, const Surface& surface)
   if (!complemented_ && reaches_zero) {
     facets_.push_back({true, surface.first, surface.near_colour, {}, 0, 0});
   }
-  for (const Tested& one : own.facets) facets_.push_back(facet_of(one));
+  for (const TestedHalfspace& one : own.facets) facets_.push_back(facet_of(one));
   others_ = std::move(complemented_ ? fronts.facets : backs.facets);
   const auto start =
       std::find_if(facets_.begin(), facets_.end(), [&](const Facet& facet) { return facet.at_zero || fits(facet); });
   start_ = static_cast<std::size_t>(start - facets_.begin());
 }
 
-Rendering::Facet Rendering::facet_of(const Tested& tested) const {
+Rendering::Facet Rendering::facet_of(const TestedHalfspace& tested) const {
   return {false, tested.primitive, tested.halfspace.colour, tested.plane, tested.low, tested.high};
 }
 
@@ -51,7 +51,7 @@ void Rendering::write_surface(Writer& out, const Rectangle& square) const {
   out.clip(pixels, square);
   out.edges(surface_.tested, pixels);
   model_.fields.candidate_colour.width > 0 ? write_extreme_with_colours(out) : write_extreme(out);
-  for (const Tested& other : others_) {
+  for (const TestedHalfspace& other : others_) {
     out.depth(complemented_ ? Opcode::linear_lt : Opcode::linear_gt, z1, other.plane, pixels);
   }
   if (complemented_) write_near_test(out);
@@ -92,7 +92,7 @@ void Rendering::write_replacement(Writer& out, const Facet& facet, bool replace_
   out.plain(Opcode::enable_load, model_.fields.mask);
   // There is no surface beyond the end of the depth range.
   if (!complemented_ && facet.high > model_.farthest()) {
-    out.line(Opcode::edge_negative, beyond_range(model_, facet.plane), pixels);
+    out.line(Opcode::edge_negative, depth_range_excess(model_, facet.plane), pixels);
     out.plain(Opcode::enable_store, model_.fields.mask);
   } else if (complemented_ && facet.low < 0) {
     out.line(Opcode::edge_not_negative, facet.plane, pixels);

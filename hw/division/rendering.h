@@ -35,7 +35,7 @@ class Rendering {
     std::int64_t high = 0;  ///< maximum depth step
   };
 
-  [[nodiscard]] Facet facet_of(const Tested& tested) const;
+  [[nodiscard]] Facet facet_of(const TestedHalfspace& tested) const;
   [[nodiscard]] bool fits(const Facet& facet) const;
   [[nodiscard]] isa::Origin shading(const Facet& facet) const;
   void write_start(Writer& out) const;
@@ -52,8 +52,8 @@ class Rendering {
   const Surface& surface_;
   bool complemented_;
   bool is_empty_ = false;
-  std::vector<Facet> facets_;   ///< facets of the visible side, in order; the first may be at depth 0
-  std::vector<Tested> others_;  ///< facets of the other side
+  std::vector<Facet> facets_;            ///< facets of the visible side, in order; the first may be at depth 0
+  std::vector<TestedHalfspace> others_;  ///< facets of the other side
   /// Facet with which Z1 starts; the number of facets if it starts with the end of the depth range.
   std::size_t start_ = 0;
 };

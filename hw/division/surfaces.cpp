@@ -10,14 +10,16 @@ namespace {
 
 /// Narrows the box's depths to those that the corner values of fronts and backs permit. The box becomes empty if an
 /// edge excludes all of it.
-void narrow(Box& box, const std::vector<Tested>& tested) {
+void narrow(Box& box, const std::vector<TestedHalfspace>& tested) {
   bool is_empty = false;
-  for (const Tested& one : tested) {
+  for (const TestedHalfspace& one : tested) {
     switch (one.side) {
       case Side::front: box.z_low = std::max(box.z_low, one.low); break;
       case Side::back: box.z_high = std::min(box.z_high, one.high); break;
       case Side::not_negative:
-      case Side::negative: is_empty = is_empty || classify_between(one, box.z_low, box.z_high) == Known::out; break;
+      case Side::negative:
+        is_empty = is_empty || classify_between(one, box.z_low, box.z_high) == Containment::out;
+        break;
     }
   }
   if (is_empty) box.z_high = box.z_low - 1;
@@ -49,23 +51,23 @@ Surface intersect_boxes(Datapath& path, const Candidates& candidates, std::uint3
 
 bool test(Datapath& path, const Candidates& candidates, Surface& surface) {
   for (std::uint32_t i = surface.first; i < surface.first + surface.count; ++i) {
-    const std::vector<Tested> tested = path.test(i, candidates.halfspaces[i], surface.box.pixels);
+    const std::vector<TestedHalfspace> tested = path.test(i, candidates.halfspaces[i], surface.box.pixels);
     surface.tested.insert(surface.tested.end(), tested.begin(), tested.end());
   }
   narrow(surface.box, surface.tested);
   return !surface.box.empty();
 }
 
-Extremes extremes_of(Datapath& path, const std::vector<Tested>& tested, Side side, const Box& box) {
+Extremes find_extremes(Datapath& path, const std::vector<TestedHalfspace>& tested, Side side, const Box& box) {
   Extremes result;
-  for (const Tested& one : tested) {
+  for (const TestedHalfspace& one : tested) {
     if (one.side != side) continue;
-    const Known known = classify_between(one, box.z_low, box.z_high);
-    if (known == Known::in) continue;
-    result.is_empty = result.is_empty || known == Known::out;
+    const Containment known = classify_between(one, box.z_low, box.z_high);
+    if (known == Containment::in) continue;
+    result.is_empty = result.is_empty || known == Containment::out;
     result.facets.push_back(one);
   }
-  if (!result.is_empty) keep_extremes(path, result.facets, box.pixels);
+  if (!result.is_empty) remove_hidden_halfspaces(path, result.facets, box.pixels);
   return result;
 }
 

@@ -15,9 +15,9 @@ struct Surface {
   std::uint32_t first = 0;  ///< first primitive
   std::uint32_t count = 0;
   bool complemented = false;
-  std::uint32_t near_colour = 0;  ///< colour of the first primitive
-  Box box;                        ///< pixels and depths of the square that the surface can occupy
-  std::vector<Tested> tested;     ///< half-spaces of all its primitives, tested at the corners of the box
+  std::uint32_t near_colour = 0;        ///< colour of the first primitive
+  Box box;                              ///< pixels and depths of the square that the surface can occupy
+  std::vector<TestedHalfspace> tested;  ///< half-spaces of all its primitives, tested at the corners of the box
 
   [[nodiscard]] bool holds(std::uint32_t primitive) const { return primitive >= first && primitive - first < count; }
 };
@@ -33,12 +33,12 @@ bool test(Datapath& path, const Candidates& candidates, Surface& surface);
 
 /// Facets of one side that form the surface.
 struct Extremes {
-  std::vector<Tested> facets;
+  std::vector<TestedHalfspace> facets;
   bool is_empty = false;  ///< true if one of the half-spaces contains no point
 };
 
 /// The facets of one side of a surface over all depths, or of a primitive within the depths of the surface with which
 /// it is compared. The half-spaces must have been tested at the corners of the box.
-Extremes extremes_of(Datapath& path, const std::vector<Tested>& tested, Side side, const Box& box);
+Extremes find_extremes(Datapath& path, const std::vector<TestedHalfspace>& tested, Side side, const Box& box);
 
 }  // namespace csgsim::division

@@ -31,14 +31,15 @@ Tree make_tree(const DisplayModel& model) {
       tree.leaf_of.push_back(index);
       const Primitive& primitive = model.primitives[made.primitive];
       made.box = primitive.box;
-      made.in_elsewhere = primitive.complemented;
+      made.is_inside_elsewhere = primitive.complemented;
     } else {
       made.operands.assign(open.end() - static_cast<std::ptrdiff_t>(node.operands), open.end());
       open.resize(open.size() - node.operands);
       made.first = tree.nodes[made.operands.front()].first;
-      const auto in = [&](std::uint32_t operand) { return tree.nodes[operand].in_elsewhere; };
-      made.in_elsewhere = node.op == Operator::intersect ? std::all_of(made.operands.begin(), made.operands.end(), in)
-                                                         : std::any_of(made.operands.begin(), made.operands.end(), in);
+      const auto in = [&](std::uint32_t operand) { return tree.nodes[operand].is_inside_elsewhere; };
+      made.is_inside_elsewhere = node.op == Operator::intersect
+                                     ? std::all_of(made.operands.begin(), made.operands.end(), in)
+                                     : std::any_of(made.operands.begin(), made.operands.end(), in);
       for (const std::uint32_t operand : made.operands) {
         tree.nodes[operand].parent = index;
         include(made.box, tree.nodes[operand].box);

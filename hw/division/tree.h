@@ -19,7 +19,7 @@ struct TreeNode {
   std::vector<std::uint32_t> operands;
   Box box;  ///< encloses the boxes of all primitives of the subtree that have pixels
   /// Whether a point outside all primitives of the subtree is inside the solid that the subtree represents.
-  bool in_elsewhere = false;
+  bool is_inside_elsewhere = false;
 };
 
 struct Tree {

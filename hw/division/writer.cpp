@@ -75,11 +75,11 @@ void Writer::clip(const Rectangle& inner, const Rectangle& outer) {
   if (inner.y1 < outer.y1) line(Opcode::edge_not_negative, {true, 0, -1, inner.y1}, left);
 }
 
-void Writer::edges(const std::vector<Tested>& tested, const Rectangle& pixels) {
-  for (const Tested& one : tested) {
+void Writer::edges(const std::vector<TestedHalfspace>& tested, const Rectangle& pixels) {
+  for (const TestedHalfspace& one : tested) {
     const bool not_negative = one.side == Side::not_negative;
     if (!not_negative && one.side != Side::negative) continue;
-    if (classify_between(one, 0, 0) == Known::in) continue;
+    if (classify_between(one, 0, 0) == Containment::in) continue;
     line(not_negative ? Opcode::edge_not_negative : Opcode::edge_negative, one.plane, pixels);
   }
 }

@@ -34,7 +34,7 @@ class Writer {
   void clip(const Rectangle& inner, const Rectangle& outer);
 
   /// Writes the edge tests in `tested` that some of the pixels may fail.
-  void edges(const std::vector<Tested>& tested, const Rectangle& pixels);
+  void edges(const std::vector<TestedHalfspace>& tested, const Rectangle& pixels);
 
   [[nodiscard]] const std::vector<isa::Instruction>& written() const { return written_; }
   [[nodiscard]] std::vector<isa::Instruction> take() { return std::move(written_); }

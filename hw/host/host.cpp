@@ -46,7 +46,7 @@ Operations count_operations(const isa::Program& program, const machines::Machine
   Operations all;
   all += count_operations(*program.preparation);
   if (machines::division(machine)) {
-    all += model_longs(program) * model_long_operations();
+    all += model_long_count(program) * model_long_operations();
     return all;
   }
   Writer writer(machine.link.width);
@@ -62,20 +62,21 @@ Operations count_operations(const isa::Program& program, const machines::Machine
 double nanoseconds(const Operations& operations, const machines::Machine& machine) {
   constexpr double in_second = 1e9;
   if (machine.host.processor == machines::ideal_processor) return 0;
-  return in_second * processors::seconds(operations, host_processor(machine)) / machine.kind->hosts(machine);
+  return in_second * processors::seconds(operations, host_processor(machine)) /
+         machine.kind->host_processor_count(machine);
 }
 
 std::uint64_t compile_clocks(const isa::Program& program, const machines::Machine& machine) {
   if (machine.host.processor == machines::ideal_processor) return 0;
-  const bool is_shared = machine.kind->hosts(machine) > 1;
-  return clocks_of(
-      is_shared ? largest_share(program, machine, host_processor(machine)) : count_operations(program, machine),
-      machine, "frame");
+  const bool is_shared = machine.kind->host_processor_count(machine) > 1;
+  return clocks_of(is_shared ? busiest_processor_operations(program, machine, host_processor(machine))
+                             : count_operations(program, machine),
+                   machine, "frame");
 }
 
 std::uint64_t model_clocks(const isa::Program& program, const machines::Machine& machine) {
   if (machine.host.processor == machines::ideal_processor) return 0;
-  return clocks_of(largest_model_share(program, machine), machine, "model");
+  return clocks_of(busiest_processor_model_operations(program, machine), machine, "model");
 }
 
 machines::FrameTiming with_host(machines::FrameTiming timing, const isa::Program& program,

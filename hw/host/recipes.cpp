@@ -272,7 +272,7 @@ Operations expression_fitting_operations() {
 
 Operations long_store_operations() { return long_stored; }
 
-std::uint64_t model_longs(const isa::Program& program) {
+std::uint64_t model_long_count(const isa::Program& program) {
   constexpr std::uint64_t bytes_of_long = 4;
   return quotient_up(std::uint64_t{program.display_model.size()}, bytes_of_long);
 }

@@ -80,7 +80,7 @@ processors::Operations expression_fitting_operations();
 processors::Operations long_store_operations();
 
 /// Number of longs (32 bits) of the display model.
-std::uint64_t model_longs(const isa::Program& program);
+std::uint64_t model_long_count(const isa::Program& program);
 
 /// Operations for one long of the display model, assembled from its numbers.
 processors::Operations model_long_operations();

@@ -139,14 +139,14 @@ class Shares {
 
 }  // namespace
 
-Operations largest_share(const isa::Program& program, const machines::Machine& machine,
-                         const processors::Processor& processor) {
-  const std::uint64_t processors = machine.kind->hosts(machine);
+Operations busiest_processor_operations(const isa::Program& program, const machines::Machine& machine,
+                                        const processors::Processor& processor) {
+  const std::uint64_t processors = machine.kind->host_processor_count(machine);
   Shares shares(processors, machine.link.width);
   const std::uint64_t chunks = most_chunks(program);
   shares.divide(count_operations(*program.preparation), chunks);
   if (machines::division(machine)) {
-    const std::uint64_t longs = model_longs(program);
+    const std::uint64_t longs = model_long_count(program);
     shares.divide(longs * model_long_operations(), chunks);
     const std::uint64_t own = quotient_up(chunks, processors);
     shares.merge(longs - std::min(longs, longs * own / chunks), chunks - own);
@@ -157,9 +157,9 @@ Operations largest_share(const isa::Program& program, const machines::Machine& m
   return shares.largest(processor);
 }
 
-Operations largest_model_share(const isa::Program& program, const machines::Machine& machine) {
+Operations busiest_processor_model_operations(const isa::Program& program, const machines::Machine& machine) {
   const std::uint64_t chunks = most_chunks(program);
-  const std::uint64_t own = quotient_up(chunks, std::uint64_t{machine.kind->hosts(machine)});
+  const std::uint64_t own = quotient_up(chunks, std::uint64_t{machine.kind->host_processor_count(machine)});
   return part_of(count_operations(*program.model_preparation), own, chunks);
 }
 

@@ -55,8 +55,8 @@ Origin read_origin(ByteReader& in) {
   const std::uint8_t purpose = in.byte();
   origin.purpose = static_cast<Purpose>(purpose & ~has_effect);
   if ((purpose & has_effect) != 0) origin.effect = in.byte();
-  origin.primitive = in.varint_to<std::uint32_t>(most) - 1U;
-  origin.node = in.varint_to<std::uint32_t>(most) - 1U;
+  origin.primitive = in.varint_at_most<std::uint32_t>(most) - 1U;
+  origin.node = in.varint_at_most<std::uint32_t>(most) - 1U;
   return origin;
 }
 
@@ -74,7 +74,7 @@ void pass(ByteReader& in, Number& number) {
   if constexpr (std::is_signed_v<Number>) {
     number = unzigzag(in.varint());
   } else {
-    number = in.varint_to<Number>(std::numeric_limits<Number>::max());
+    number = in.varint_at_most<Number>(std::numeric_limits<Number>::max());
   }
 }
 
@@ -153,7 +153,7 @@ Program decode_body(std::span<const std::byte> body, bool names_machine) {
     for (std::uint64_t i = 0; i < counts[s]; ++i) instructions.push_back(read_instruction(in, before));
   }
   if (in.left() != 0) throw MalformedBytes(fmt::format("has {} bytes after its end", in.left()));
-  if (!names_machine && is_in_lines(program)) program.extents = extents_of(program.segments);
+  if (!names_machine && is_in_lines(program)) program.extents = compute_row_extents(program.segments);
   return std::move(program);
 }
 

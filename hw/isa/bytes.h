@@ -80,7 +80,7 @@ class ByteReader {
 
   /// Reads a varint. Throws MalformedBytes also if it exceeds `maximum`.
   template <class Unsigned>
-  Unsigned varint_to(std::uint64_t maximum) {
+  Unsigned varint_at_most(std::uint64_t maximum) {
     const std::uint64_t value = varint();
     if (value > maximum) throw MalformedBytes("holds a number out of range");
     return static_cast<Unsigned>(value);

@@ -6,7 +6,7 @@
 
 namespace csgsim::isa {
 
-std::vector<RowExtent> extents_of(std::span<const Segment> segments) {
+std::vector<RowExtent> compute_row_extents(std::span<const Segment> segments) {
   std::map<std::uint32_t, RowExtent> found;
   for (const Segment& line : segments) {
     const auto row = static_cast<std::uint16_t>(line.region.y);

@@ -11,6 +11,6 @@ namespace csgsim::isa {
 
 /// The row extent of each piece that occurs in the instructions of the segments, in the order of the pieces. Each
 /// segment is one row of the picture.
-std::vector<RowExtent> extents_of(std::span<const Segment> segments);
+std::vector<RowExtent> compute_row_extents(std::span<const Segment> segments);
 
 }  // namespace csgsim::isa

@@ -70,6 +70,6 @@ struct Facts {
 };
 
 /// The first named field with the given role; width 0 if there is none.
-Field field_of(const Program& program, FieldRole role);
+Field find_field(const Program& program, FieldRole role);
 
 }  // namespace csgsim::isa

@@ -11,7 +11,7 @@
 namespace csgsim::isa {
 
 inline constexpr unsigned max_field_width = 32;        ///< bits
-inline constexpr unsigned max_wide_field_width = 62;   ///< bits, for opcodes with takes_wide_field()
+inline constexpr unsigned max_wide_field_width = 62;   ///< bits, for opcodes with allows_wide_fields()
 inline constexpr unsigned max_linear_width = 62;       ///< bits streamed by the linear expression evaluator
 inline constexpr unsigned max_memory_bits = 4096;      ///< bits per pixel
 inline constexpr unsigned max_count = 0xffffffffU;     ///< instructions skipped by one skip_if_none

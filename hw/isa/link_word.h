@@ -11,11 +11,11 @@ namespace csgsim::isa {
 /// The word that a link carries in one clock: up to 256 bits, bit 0 on its first wire. Bits beyond the link's width are
 /// 0.
 struct LinkWord {
-  static constexpr unsigned most_bits = 256;
+  static constexpr unsigned max_bits = 256;
 
-  std::array<std::uint64_t, most_bits / 64> bits{};
+  std::array<std::uint64_t, max_bits / 64> bits{};
 
-  /// `bit_count` bits (0 to 64) from bit `first_bit`, as an unsigned number. They must end within most_bits.
+  /// `bit_count` bits (0 to 64) from bit `first_bit`, as an unsigned number. They must end within max_bits.
   [[nodiscard]] constexpr std::uint64_t number(unsigned first_bit, unsigned bit_count) const {
     if (bit_count == 0) return 0;
     const unsigned place = first_bit % 64;
@@ -32,10 +32,10 @@ struct LinkWord {
     if (place + bit_count > 64) bits[first_bit / 64 + 1] |= value >> (64 - place);
   }
 
-  /// `bit_count` bits from bit `first_bit`, moved down to bit 0; bits beyond most_bits are 0.
+  /// `bit_count` bits from bit `first_bit`, moved down to bit 0; bits beyond max_bits are 0.
   [[nodiscard]] constexpr LinkWord slice(unsigned first_bit, unsigned bit_count) const {
     LinkWord out;
-    const unsigned end = std::min(first_bit + bit_count, most_bits);
+    const unsigned end = std::min(first_bit + bit_count, max_bits);
     for (unsigned at = first_bit; at < end; at += 64) {
       const unsigned taken = std::min(64U, end - at);
       out.put(at - first_bit, taken, number(at, taken));
@@ -43,9 +43,9 @@ struct LinkWord {
     return out;
   }
 
-  /// Stores the first `bit_count` bits of a word; the bits at their place must be zero. Bits beyond most_bits are lost.
+  /// Stores the first `bit_count` bits of a word; the bits at their place must be zero. Bits beyond max_bits are lost.
   constexpr void put(unsigned first_bit, unsigned bit_count, const LinkWord& word) {
-    const unsigned room = std::min(bit_count, most_bits - first_bit);
+    const unsigned room = std::min(bit_count, max_bits - first_bit);
     for (unsigned at = 0; at < room; at += 64) {
       const unsigned taken = std::min(64U, room - at);
       put(first_bit + at, taken, word.number(at, taken));

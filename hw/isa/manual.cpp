@@ -182,7 +182,7 @@ void put_link(std::string& page) {
       "| squares | width {}, then A, B and C in `width` bits each |\n"
       "| constant | as many as its target has |\n"
       "| count | {} |\n\n",
-      LinkWord::most_bits, opcode_bits, wire_base_bits, wire_field_width_bits, wire_linear_width_bits, wire_shift_bits,
+      LinkWord::max_bits, opcode_bits, wire_base_bits, wire_field_width_bits, wire_linear_width_bits, wire_shift_bits,
       wire_linear_width_bits, wire_count_bits);
   put(page,
       "A, B and C travel as two's complement numbers modulo 2^width, because higher bits do not affect F. Origins "

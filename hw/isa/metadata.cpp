@@ -329,7 +329,7 @@ Metadata decode_metadata(std::span<const std::byte> cbor, bool names_machine) {
   if (const auto model = root.find("display_model"); model != root.end()) {
     std::string digits;
     read(*model, "display_model", digits);
-    const auto bytes = bytes_of(digits);
+    const auto bytes = parse_hexadecimal(digits);
     if (!bytes || bytes->empty()) malformed("display_model", "hexadecimal digits, two per byte");
     program.display_model = *bytes;
   }

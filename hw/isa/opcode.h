@@ -43,12 +43,12 @@ bool needs_global_or(Opcode opcode);
 bool reads_target(Opcode opcode);
 
 /// Whether the fields may have up to max_wide_field_width bits.
-bool takes_wide_field(Opcode opcode);
+bool allows_wide_fields(Opcode opcode);
 
 /// Whether the validity of the instruction depends on the instructions after it.
-bool looks_ahead(Opcode opcode);
+bool needs_lookahead(Opcode opcode);
 
 /// Whether A*x + B*y + C may exceed the width by design; this is not counted as an overflow.
-bool cuts_sum(Opcode opcode);
+bool may_exceed_width(Opcode opcode);
 
 }  // namespace csgsim::isa

@@ -19,12 +19,12 @@ bool reads_target(Opcode opcode) {
          opcode == Opcode::root;
 }
 
-bool takes_wide_field(Opcode opcode) {
+bool allows_wide_fields(Opcode opcode) {
   return info(opcode).widths == FieldWidths::wide || info(opcode).widths == FieldWidths::odd;
 }
 
-bool looks_ahead(Opcode opcode) { return opcode == Opcode::skip_if_none || opcode == Opcode::squares; }
+bool needs_lookahead(Opcode opcode) { return opcode == Opcode::skip_if_none || opcode == Opcode::squares; }
 
-bool cuts_sum(Opcode opcode) { return opcode == Opcode::stripe; }
+bool may_exceed_width(Opcode opcode) { return opcode == Opcode::stripe; }
 
 }  // namespace csgsim::isa

@@ -25,7 +25,7 @@ inline bool may_write(const Instruction& instruction, Field field) {
 }
 
 /// The number of instructions that `instruction` skips if `enabled_pixels` pixels are enabled.
-inline std::uint64_t skipped_after(const Instruction& instruction, std::uint64_t enabled_pixels) {
+inline std::uint64_t skipped_instruction_count(const Instruction& instruction, std::uint64_t enabled_pixels) {
   return enabled_pixels == 0 && has_operand(operands_of(instruction.opcode), OperandKind::count) ? instruction.constant
                                                                                                  : 0;
 }

@@ -17,7 +17,7 @@ template class Indirect<isa::Facts>;
 
 namespace csgsim::isa {
 
-Field field_of(const Program& program, FieldRole role) {
+Field find_field(const Program& program, FieldRole role) {
   const auto found = std::find_if(program.facts->fields.begin(), program.facts->fields.end(),
                                   [role](const NamedField& named) { return named.role == role; });
   return found == program.facts->fields.end() ? Field{} : found->field;

@@ -33,7 +33,7 @@ std::string_view first_statement(std::string_view text) {
 
 }  // namespace
 
-bool begins_as_program(std::span<const std::byte> first_bytes) {
+bool looks_like_program(std::span<const std::byte> first_bytes) {
   if (is_binary(first_bytes)) return true;
   const std::string_view text(reinterpret_cast<const char*>(first_bytes.data()), first_bytes.size());
   return first_statement(text).starts_with('.');

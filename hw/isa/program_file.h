@@ -15,7 +15,7 @@ enum class ProgramForm : std::uint8_t { binary, text };
 
 /// Whether a file that begins with these bytes is a Program. The text form is recognized by its first directive, after
 /// blank lines and comments.
-bool begins_as_program(std::span<const std::byte> first_bytes);
+bool looks_like_program(std::span<const std::byte> first_bytes);
 
 /// Reads a Program in either form, recognized by its first bytes. Throws InputError.
 Program load_program(const std::filesystem::path& path);

@@ -8,7 +8,7 @@
 
 namespace csgsim::isa {
 
-std::string in_quotes(std::string_view text) {
+std::string quote_text(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
     const auto code = static_cast<unsigned char>(c);
@@ -46,7 +46,7 @@ std::string hexadecimal(std::span<const std::uint8_t> bytes) {
   return out;
 }
 
-std::optional<std::vector<std::uint8_t>> bytes_of(std::string_view digits) {
+std::optional<std::vector<std::uint8_t>> parse_hexadecimal(std::string_view digits) {
   if (digits.size() % 2 != 0) return std::nullopt;
   std::vector<std::uint8_t> bytes(digits.size() / 2);
   for (std::size_t i = 0; i < bytes.size(); ++i) {
@@ -59,7 +59,7 @@ std::optional<std::vector<std::uint8_t>> bytes_of(std::string_view digits) {
 
 std::string word_or_quoted(std::string_view text) {
   tao::pegtl::memory_input<> in(text.data(), text.size(), "");
-  return tao::pegtl::parse<tao::pegtl::seq<grammar::word, tao::pegtl::eof>>(in) ? std::string(text) : in_quotes(text);
+  return tao::pegtl::parse<tao::pegtl::seq<grammar::word, tao::pegtl::eof>>(in) ? std::string(text) : quote_text(text);
 }
 
 }  // namespace csgsim::isa

@@ -12,7 +12,7 @@
 namespace csgsim::isa {
 
 /// The text as a quoted string of the text form, on one line, with control characters as \xNN.
-std::string in_quotes(std::string_view text);
+std::string quote_text(std::string_view text);
 
 /// The body of a quoted string with its escapes replaced.
 std::string unescaped(std::string_view body);
@@ -24,6 +24,6 @@ std::string word_or_quoted(std::string_view text);
 std::string hexadecimal(std::span<const std::uint8_t> bytes);
 
 /// The inverse of hexadecimal(); nullopt if `digits` are not hexadecimal, two per byte.
-std::optional<std::vector<std::uint8_t>> bytes_of(std::string_view digits);
+std::optional<std::vector<std::uint8_t>> parse_hexadecimal(std::string_view digits);
 
 }  // namespace csgsim::isa

@@ -41,7 +41,7 @@ CSGSIM_WHEN(effect) { reading.set_effect(matched); }
 CSGSIM_WHEN(directive_name) { reading.begin_directive(std::string(matched)); }
 CSGSIM_WHEN(key) { reading.key = matched; }
 CSGSIM_WHEN(string_value) { reading.value = reading.text; }
-CSGSIM_WHEN(bare_value) { reading.value = Bare{std::string(matched)}; }
+CSGSIM_WHEN(bare_value) { reading.value = BareValue{std::string(matched)}; }
 CSGSIM_WHEN(list_begin) { reading.value = std::vector<std::string>{}; }
 CSGSIM_WHEN(list_item) { std::get<std::vector<std::string>>(reading.value).push_back(reading.text); }
 CSGSIM_WHEN(pair) { reading.set_value(); }
@@ -56,7 +56,7 @@ struct Action<grammar::instruction> : grammar::Located<Action<grammar::instructi
   template <typename ActionInput>
   static void apply(const ActionInput& in, Reading& reading) {
     Located::apply(in, reading);
-    reading.place_instruction(in.iterator().line, in.iterator().column);
+    reading.set_instruction_position(in.iterator().line, in.iterator().column);
   }
   static void read(std::string_view /*matched*/, Reading& reading) { reading.end_instruction(); }
 };

@@ -39,11 +39,11 @@ std::string show(const Number& number) {
   return fmt::format("{}", number);
 }
 
-std::string show(const std::string& text) { return in_quotes(text); }
+std::string show(const std::string& text) { return quote_text(text); }
 
 std::string show(const std::vector<std::string>& list) {
   std::string out;
-  for (const std::string& element : list) out += (out.empty() ? "" : ", ") + in_quotes(element);
+  for (const std::string& element : list) out += (out.empty() ? "" : ", ") + quote_text(element);
   return '[' + out + ']';
 }
 
@@ -169,7 +169,7 @@ void put_header(Buffer& out, const Program& program) {
     put(out, ".field {} {} {}\n", word_or_quoted(named.name), text_of(named.field), name_of(named.role));
   }
   for (std::uint32_t i = 0; i < program.facts->primitives.size(); ++i) {
-    put(out, ".primitive {}", in_quotes(program.facts->primitives[i]));
+    put(out, ".primitive {}", quote_text(program.facts->primitives[i]));
     if (const std::uint32_t pieces = pieces_of(*program.facts, i).count; pieces > 1) put(out, " pieces={}", pieces);
     put(out, "  # p{}\n", i);
   }

@@ -68,7 +68,7 @@ std::vector<std::string_view> directive_names(Program& program) {
 }
 
 const std::string& bare(const Value& value, std::string_view key, std::string_view expected) {
-  const Bare* found = std::get_if<Bare>(&value);
+  const BareValue* found = std::get_if<BareValue>(&value);
   if (found == nullptr) refuse("{} must be {}, without quotes or brackets", key, expected);
   return found->text;
 }
@@ -252,7 +252,7 @@ void Reading::end_directive() {
       piece_counts_.resize(program_.facts->primitives.size(), 1);
       return;
     case Directive::display_model: {
-      const auto bytes = bytes_of(text);
+      const auto bytes = parse_hexadecimal(text);
       if (!bytes) refuse("the display model is not in hexadecimal; write two hexadecimal digits per byte");
       program_.display_model.insert(program_.display_model.end(), bytes->begin(), bytes->end());
       return;
@@ -267,7 +267,7 @@ void Reading::end_directive() {
       named_.field = field;
       validate_field(named_, program_);
       if (!fields_.emplace(named_.name, named_.field).second)
-        refuse("field {} is named twice; give each field its own name", in_quotes(named_.name));
+        refuse("field {} is named twice; give each field its own name", quote_text(named_.name));
       program_.facts->fields.push_back(named_);
       return;
   }
@@ -316,13 +316,13 @@ void Reading::add_term(std::string_view variables, std::string_view sum) {
 
 void Reading::end_instruction() {
   Segment& segment = program_.segments.back();
-  validate_placed(instruction, segment.region, program_);
+  validate_in_segment(instruction, segment.region, program_);
   segment.instructions.push_back(instruction);
 }
 
-void Reading::place_instruction(std::size_t line, std::size_t column) {
+void Reading::set_instruction_position(std::size_t line, std::size_t column) {
   const std::vector<Instruction>& instructions = program_.segments.back().instructions;
-  if (looks_ahead(instructions.back().opcode))
+  if (needs_lookahead(instructions.back().opcode))
     look_ahead_.push_back({program_.segments.size() - 1, instructions.size() - 1, line, column});
 }
 
@@ -330,9 +330,9 @@ Program Reading::finish(std::string_view name) {
   if (records_seen_.empty())
     refuse("{}: there is no .array; begin with .array width=... height=... memory_bits=...", name);
   if (directive == Directive::primitive) set_pieces();
-  for (const Placed& placed : look_ahead_) {
+  for (const InstructionPosition& placed : look_ahead_) {
     try {
-      validate_ahead(program_.segments[placed.segment], placed.index);
+      validate_with_successors(program_.segments[placed.segment], placed.index);
     } catch (const InputError& error) {
       refuse("{}:{}:{}: {}", name, placed.line, placed.column, error.what());
     }

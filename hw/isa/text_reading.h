@@ -35,11 +35,11 @@ enum class Directive : std::uint8_t {
 };
 
 /// A value that is neither string nor list: a number, true or false.
-struct Bare {
+struct BareValue {
   std::string text;
 };
 
-using Value = std::variant<Bare, std::string, std::vector<std::string>>;
+using Value = std::variant<BareValue, std::string, std::vector<std::string>>;
 
 /// Builds a Program from its text form: the semantic actions of the grammar. Members throw InputError without a
 /// position.
@@ -65,7 +65,7 @@ class Reading {
   void set_effect(std::string_view number);
   void end_instruction();
   /// Records the position of the instruction that has just ended.
-  void place_instruction(std::size_t line, std::size_t column);
+  void set_instruction_position(std::size_t line, std::size_t column);
 
   /// Parts of the current term of a linear expression or of squares; end_term() or end_square_term() adds the term.
   void set_negative() { term_.negative = true; }
@@ -111,7 +111,7 @@ class Reading {
   };
 
   /// Position of an instruction whose validity depends on later instructions.
-  struct Placed {
+  struct InstructionPosition {
     std::size_t segment = 0;
     std::size_t index = 0;  ///< within the segment
     std::size_t line = 0;
@@ -120,7 +120,7 @@ class Reading {
 
   Program program_;
   std::map<std::string, Field, std::less<>> fields_;  ///< the Program's fields by name
-  std::vector<Placed> look_ahead_;
+  std::vector<InstructionPosition> look_ahead_;
   std::set<std::string> records_seen_;
   std::set<std::size_t> prepared_;   ///< number of segments at each .prepare
   std::string name_;                 ///< name of the directive

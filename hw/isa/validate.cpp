@@ -45,7 +45,7 @@ void check_field(Field field, std::uint32_t memory_bits, unsigned most = max_fie
 }
 
 void check_operand(Field field, const OpcodeInfo& row, std::uint32_t memory_bits) {
-  check_field(field, memory_bits, takes_wide_field(row.opcode) ? max_wide_field_width : max_field_width);
+  check_field(field, memory_bits, allows_wide_fields(row.opcode) ? max_wide_field_width : max_field_width);
   require(row.widths != FieldWidths::odd || (field.width % 2 == 1 && field.width >= 3),
           "{}: field {} is {} bits wide; use an odd number of bits, at least 3: twice the root's width plus 1",
           row.name, field, field.width);
@@ -192,7 +192,7 @@ void validate(const Instruction& instruction, std::uint32_t memory_bits) {
   check_constant(instruction, row);
 }
 
-void validate_placed(const Instruction& instruction, const Region& region, const Program& program) {
+void validate_in_segment(const Instruction& instruction, const Region& region, const Program& program) {
   validate(instruction, program.shape.memory_bits);
   check_range(instruction, region);
   check_index(instruction.origin.primitive, no_primitive, program, "primitive");
@@ -203,7 +203,7 @@ void validate_placed(const Instruction& instruction, const Region& region, const
           instruction.origin.effect, effects);
 }
 
-void validate_ahead(const Segment& segment, std::size_t index) {
+void validate_with_successors(const Segment& segment, std::size_t index) {
   const Instruction& instruction = segment.instructions[index];
   const auto following = std::span(segment.instructions).subspan(index + 1);
   const OpcodeInfo& row = info(instruction.opcode);
@@ -306,12 +306,12 @@ void validate(const Program& program) {
             "segment {} has division counts, but the Program has no display model; compile the model again", s);
     check_at([&] { validate_steps(segment, program); }, "segment {}", s);
     for (std::size_t i = 0; i < segment.instructions.size(); ++i) {
-      const auto check = [&] { validate_placed(segment.instructions[i], segment.region, program); };
+      const auto check = [&] { validate_in_segment(segment.instructions[i], segment.region, program); };
       check_at(check, "segment {}, instruction {}", s, i);
     }
     for (std::size_t i = 0; i < segment.instructions.size(); ++i) {
-      if (!looks_ahead(segment.instructions[i].opcode)) continue;
-      check_at([&] { validate_ahead(segment, i); }, "segment {}, instruction {}", s, i);
+      if (!needs_lookahead(segment.instructions[i].opcode)) continue;
+      check_at([&] { validate_with_successors(segment, i); }, "segment {}, instruction {}", s, i);
     }
   }
 }

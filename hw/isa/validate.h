@@ -26,11 +26,11 @@ void validate_extent(const RowExtent& extent, const ArrayShape& shape);
 void validate_region(const Region& region, const ArrayShape& shape);
 
 /// Checks an instruction in its segment, including the primitives of its origin and the range of its linear expression.
-void validate_placed(const Instruction& instruction, const Region& region, const Program& program);
+void validate_in_segment(const Instruction& instruction, const Region& region, const Program& program);
 
 /// Checks instruction `index` of the segment together with the instructions after it: a skip ends within the segment
 /// and not directly after squares; squares are followed by a linear expression of the same width whose sum is in range.
-void validate_ahead(const Segment& segment, std::size_t index);
+void validate_with_successors(const Segment& segment, std::size_t index);
 
 /// Checks that no count exceeds max_prepared.
 void validate_preparation(const Preparation& preparation);

@@ -108,7 +108,7 @@ static_assert(std::ranges::all_of(opcode_table,
                                                               {0, 0, 0, max_linear_width, 0},
                                                               0,
                                                               {}};
-                                    return bits_of(longest) <= LinkWord::most_bits;
+                                    return bits_of(longest) <= LinkWord::max_bits;
                                   }),
               "the decoder's register holds the longest command");
 
@@ -127,7 +127,7 @@ class Packer {
   template <class Number>
   void operator()(unsigned count, Number number) {
     const auto all = static_cast<std::uint64_t>(number);
-    if (count > 64 || packed_ + count > LinkWord::most_bits ||
+    if (count > 64 || packed_ + count > LinkWord::max_bits ||
         (std::is_unsigned_v<Number> && all != low_bits(all, count)))
       throw std::invalid_argument("invalid command for the link: one of its numbers has too many bits");
     word_.put(packed_, count, low_bits(all, count));
@@ -151,8 +151,8 @@ class Unpacker {
     if (wanted_ > gathered_) return;
     const unsigned first = wanted_;
     wanted_ += count;
-    if (wanted_ > LinkWord::most_bits)
-      throw InputError(fmt::format("a command is longer than {} bits", LinkWord::most_bits));
+    if (wanted_ > LinkWord::max_bits)
+      throw InputError(fmt::format("a command is longer than {} bits", LinkWord::max_bits));
     if (wanted_ > gathered_) return;
     if constexpr (std::is_signed_v<Number>) {
       number = sign_extended(word_.number(first, count), count);
@@ -228,7 +228,7 @@ unsigned wire_words(const Command& command, unsigned link_width) {
   return quotient_up(wire_bits(command), link_width);
 }
 
-LinkWord packed(const Command& command) {
+LinkWord pack_command(const Command& command) {
   if (const auto* instruction = std::get_if<Instruction>(&command); instruction && !in_table(instruction->opcode))
     throw std::invalid_argument("invalid command for the link: its opcode is not in the table");
   Packer packer;
@@ -242,20 +242,20 @@ LinkWord packed(const Command& command) {
 }
 
 void check_link_width(unsigned link_width) {
-  if (link_width < 1 || link_width > LinkWord::most_bits)
-    throw InputError(fmt::format("a link is {} bits wide; it must have 1 to {} bits", link_width, LinkWord::most_bits));
+  if (link_width < 1 || link_width > LinkWord::max_bits)
+    throw InputError(fmt::format("a link is {} bits wide; it must have 1 to {} bits", link_width, LinkWord::max_bits));
 }
 
 WireDecoder::WireDecoder(unsigned link_width) : link_width_(link_width) { check_link_width(link_width); }
 
 std::optional<Command> WireDecoder::take(const LinkWord& word) {
-  const unsigned room = LinkWord::most_bits - gathered_;
+  const unsigned room = LinkWord::max_bits - gathered_;
   register_.put(gathered_, link_width_, word.slice(0, link_width_));
   lost_ |= link_width_ > room && word.slice(room, link_width_ - room) != LinkWord{};
-  gathered_ = std::min(gathered_ + link_width_, LinkWord::most_bits);
+  gathered_ = std::min(gathered_ + link_width_, LinkWord::max_bits);
   if (gathered_ < wanted_) return std::nullopt;
   try {
-    std::optional<Command> command = look();
+    std::optional<Command> command = try_decode();
     if (command) begin_command();
     return command;
   } catch (const InputError&) {
@@ -265,7 +265,7 @@ std::optional<Command> WireDecoder::take(const LinkWord& word) {
 }
 
 /// The command in the register, if it is complete.
-std::optional<Command> WireDecoder::look() {
+std::optional<Command> WireDecoder::try_decode() {
   Unpacker unpacker(register_, gathered_);
   std::uint8_t number = 0;
   unpacker(opcode_bits, number);

@@ -85,16 +85,16 @@ class WireFields {
 };
 
 /// All bits of a command as one word. Throws std::invalid_argument for an invalid command.
-LinkWord packed(const Command& command);
+LinkWord pack_command(const Command& command);
 
-/// Throws InputError unless the link width is 1 to LinkWord::most_bits.
+/// Throws InputError unless the link width is 1 to LinkWord::max_bits.
 void check_link_width(unsigned link_width);
 
 /// Calls sink(word) for each word of a valid command.
 template <std::invocable<const LinkWord&> Sink>
 void encode(const Command& command, unsigned link_width, Sink&& sink) {
   check_link_width(link_width);
-  const LinkWord bits = packed(command);
+  const LinkWord bits = pack_command(command);
   const unsigned count = wire_bits(command);
   for (unsigned first = 0; first < count; first += link_width) sink(bits.slice(first, link_width));
 }
@@ -113,10 +113,10 @@ class WireDecoder {
   std::optional<Command> take(const LinkWord& word);
 
   /// Whether the next word is the first of a command.
-  [[nodiscard]] bool between_commands() const { return gathered_ == 0; }
+  [[nodiscard]] bool is_between_commands() const { return gathered_ == 0; }
 
  private:
-  std::optional<Command> look();
+  std::optional<Command> try_decode();
   void begin_command();
 
   unsigned link_width_;

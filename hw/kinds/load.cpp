@@ -56,7 +56,7 @@ machines::Machine load_file(const std::string& file, std::span<const std::string
                     "name",
                     file, name));
   }
-  machine.name = name + machines::name_of_edits(machine.figures, original.figures);
+  machine.name = name + machines::edits_suffix(machine.figures, original.figures);
   return machine;
 }
 
@@ -129,12 +129,12 @@ machines::Machine read_foreign(const isa::MachineRecord& record, const std::vect
 }  // namespace
 
 machines::Machine load(const isa::MachineRecord& record, const std::vector<std::string>& changes) {
-  const BuiltIn* const known = built_in_named(machines::base_of(record.name));
+  const BuiltIn* const known = built_in_named(machines::base_name(record.name));
   return known == nullptr ? read_foreign(record, changes) : read_built_in(*known, record, changes);
 }
 
 machines::Machine load(const std::string& machine, const std::vector<std::string>& changes) {
-  const std::string name(machines::base_of(machine));
+  const std::string name(machines::base_name(machine));
   std::vector<std::string> all_changes = machines::changes_of(machine);
   all_changes.insert(all_changes.end(), changes.begin(), changes.end());
   if (!file_of(machine).empty()) return load_file(name, all_changes);

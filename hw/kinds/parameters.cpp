@@ -21,7 +21,7 @@ bool is_parameter(std::string_view key) {
   return std::ranges::any_of(all(), [&](const machines::Kind* kind) { return has_parameter(*kind, key); });
 }
 
-std::string kinds_with(std::string_view key) {
+std::string names_of_kinds_with(std::string_view key) {
   std::vector<std::string_view> names;
   for (const machines::Kind* kind : all()) {
     if (has_parameter(*kind, key)) names.push_back(kind->name);
@@ -34,7 +34,8 @@ std::string missing_parameter_text(std::string_view key, const machines::Kind& k
   std::vector<std::string_view> known;
   for (const machines::FigureSchema& figure : kind.schema) known.push_back(figure.key);
   const std::string_view near = nearest_similar(key, known);
-  return fmt::format("{} has no such parameter, but machines of the kind {} do; {}", machine_name, kinds_with(key),
+  return fmt::format("{} has no such parameter, but machines of the kind {} do; {}", machine_name,
+                     names_of_kinds_with(key),
                      near.empty() ? "choose one of them with --machine" : fmt::format("did you mean {}?", near));
 }
 

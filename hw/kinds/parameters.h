@@ -18,7 +18,7 @@ bool has_parameter(const machines::Kind& kind, std::string_view key);
 bool is_parameter(std::string_view key);
 
 /// Names of the kinds of machines that have the parameter, separated by commas.
-std::string kinds_with(std::string_view key);
+std::string names_of_kinds_with(std::string_view key);
 
 /// Error text for a change of a parameter that only other kinds of machines have: names these kinds, and the nearest
 /// parameter of `kind` if one is similar. Empty if `kind` has the parameter. `machine_name`: for the message.

@@ -39,7 +39,7 @@ std::optional<std::size_t> LinkSource::word() const {
   return state_ == State::sending || state_ == State::blocked ? std::optional(next_) : std::nullopt;
 }
 
-std::uint64_t& LinkSource::clocks_of(State state, machines::LinkAccount& account) {
+std::uint64_t& LinkSource::state_clocks(State state, machines::LinkAccount& account) {
   switch (state) {
     case State::waiting:
     case State::latent: return account.waiting;
@@ -52,7 +52,7 @@ std::uint64_t& LinkSource::clocks_of(State state, machines::LinkAccount& account
 
 machines::LinkAccount LinkSource::account() const {
   machines::LinkAccount account = account_;
-  clocks_of(state_, account) += edges() - counted_at_;
+  state_clocks(state_, account) += edges() - counted_at_;
   return account;
 }
 
@@ -61,7 +61,7 @@ void LinkSource::on_clock() {
   if (!clock.posedge()) return;
   const std::uint64_t now = edges();
   const std::uint64_t clocks = now - std::exchange(counted_at_, now);
-  clocks_of(state_, account_) += clocks;
+  state_clocks(state_, account_) += clocks;
   if (std::uint64_t instruction = 0; requests.nb_read(instruction)) {
     continue_from(instruction);
   } else {

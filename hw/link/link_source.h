@@ -48,7 +48,7 @@ class LinkSource final : public systemc::ClockedModule {
   enum class State : std::uint8_t { waiting, latent, sending, blocked, done };
 
   /// The counter in `account` for clocks in the given state.
-  static std::uint64_t& clocks_of(State state, machines::LinkAccount& account);
+  static std::uint64_t& state_clocks(State state, machines::LinkAccount& account);
   void end_of_elaboration() override;
   void on_clock() override;
   [[nodiscard]] std::uint64_t edges() const;

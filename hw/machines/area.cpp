@@ -16,7 +16,7 @@ constexpr double register_transistors = 16;  ///< as counted by Yosys
 }  // namespace
 
 /// Level k of the tree has 2^k nodes.
-double registered_nodes(const Machine& machine) {
+double registered_node_fraction(const Machine& machine) {
   const std::uint32_t levels = tree_levels(machine.array.height);
   if (levels == 0) return 1;
   std::uint64_t registered = 0;
@@ -38,7 +38,7 @@ std::optional<std::uint64_t> pixel_transistors(const Machine& machine, std::uint
   });
   if (logic == pixel_logic_table.end() || node == node_logic_table.end()) return std::nullopt;
   const double streams = (machine.evaluator_degree == 1 ? 2.0 : 4.0) * machine.evaluator_bits;
-  const double left_out = (1 - registered_nodes(machine)) * streams * register_transistors;
+  const double left_out = (1 - registered_node_fraction(machine)) * streams * register_transistors;
   return std::uint64_t{memory_bits} * cell_transistors(machine.memory_reads) + logic->transistors + node->transistors -
          static_cast<std::uint64_t>(std::llround(left_out));
 }

@@ -17,12 +17,12 @@ constexpr std::uint32_t cell_transistors(std::uint32_t memory_reads) { return 1 
 
 /// The fraction of the nodes of a column's tree that are followed by registers; 1 if there are registers at every
 /// level.
-double registered_nodes(const Machine& machine);
+double registered_node_fraction(const Machine& machine);
 
 /// Transistors of one pixel of the machine with `memory_bits` bits of memory: processor, memory and its node of the
 /// multiplier trees. In degree 2 this includes the flag for roots and the adders for squares; all adders have
-/// evaluator.bits bits. Stream registers are counted in proportion to registered_nodes(). Empty if no such pixel has
-/// been synthesized: the processors are of another type, or the table has no ALU or node of that width.
+/// evaluator.bits bits. Stream registers are counted in proportion to registered_node_fraction(). Empty if no such
+/// pixel has been synthesized: the processors are of another type, or the table has no ALU or node of that width.
 std::optional<std::uint64_t> pixel_transistors(const Machine& machine, std::uint32_t memory_bits);
 
 }  // namespace csgsim::machines

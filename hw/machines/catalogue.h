@@ -36,16 +36,16 @@ struct Catalogue {
   /// Loads a built-in description by name, or a file. An edited file of a built-in description gets a name that lists
   /// the edits. Throws InputError or ChangeError.
   [[nodiscard]] Described load(const std::string& spec) const {
-    const std::string name(base_of(spec));
+    const std::string name(base_name(spec));
     const std::vector<std::string> changes = changes_of(spec);
     if (!file_of(spec).empty()) return load_file(name, changes);
-    if (const BuiltIn* const found = named(name)) return read_built_in(*found, changes);
+    if (const BuiltIn* const found = find_built_in(name)) return read_built_in(*found, changes);
     throw InputError(
         fmt::format("{}; the name of a {} file must end in .toml", unknown_name_text(what, name, names()), what));
   }
 
  private:
-  [[nodiscard]] const BuiltIn* named(std::string_view name) const {
+  [[nodiscard]] const BuiltIn* find_built_in(std::string_view name) const {
     const auto found = std::ranges::find(built_in, name, &BuiltIn::name);
     return found == built_in.end() ? nullptr : &*found;
   }
@@ -60,8 +60,8 @@ struct Catalogue {
     const std::string text = read_file(file, InputKind{kind, std::size_t{1} << 20U, advice});
     Described described = read(text, file, changes);
     const std::string name = changes.empty() ? described.name : read(text, file, {}).name;
-    if (const BuiltIn* const known = named(name))
-      described.name = name + name_of_edits(described.figures, read_built_in(*known, {}).figures);
+    if (const BuiltIn* const known = find_built_in(name))
+      described.name = name + edits_suffix(described.figures, read_built_in(*known, {}).figures);
     return described;
   }
 };

@@ -35,9 +35,9 @@ struct ClockTally {
 
 /// The account of the part named `part`, with the activities in `listed`, or all if `listed` is empty.
 template <class Activity, std::size_t activities>
-PartAccount part_of(std::string part, const ClockTally<Activity, activities>& tally,
-                    const std::array<std::string_view, activities>& names,
-                    std::initializer_list<Activity> listed = {}) {
+PartAccount part_account(std::string part, const ClockTally<Activity, activities>& tally,
+                         const std::array<std::string_view, activities>& names,
+                         std::initializer_list<Activity> listed = {}) {
   PartAccount account{std::move(part), {}};
   const auto append = [&](std::size_t i) { account.clocks.push_back({names.at(i), tally.clocks.at(i)}); };
   for (const Activity activity : listed) append(static_cast<std::size_t>(activity));

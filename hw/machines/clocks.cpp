@@ -12,7 +12,7 @@ namespace {
 
 /// Clocks until every bit of the widest memory operand has passed the ALU.
 std::uint64_t field_clocks(const isa::Instruction& instruction, const Machine& machine) {
-  return quotient_up(field_width(instruction), machine.alu_bits);
+  return quotient_up(widest_field_bits(instruction), machine.alu_bits);
 }
 
 /// Clocks until every bit of the expression has reached the pixels once.
@@ -37,7 +37,7 @@ std::uint32_t evaluator_latency(const Machine& machine) {
          quotient_up(tree_levels(machine.array.height), machine.register_levels);
 }
 
-std::uint64_t field_width(const isa::Instruction& instruction) {
+std::uint64_t widest_field_bits(const isa::Instruction& instruction) {
   std::uint64_t width = 0;
   for (const isa::Field& field : instruction.fields) width = std::max<std::uint64_t>(width, field.width);
   return width;

@@ -20,7 +20,7 @@ std::uint32_t tree_levels(std::uint32_t leaves);
 std::uint32_t evaluator_latency(const Machine& machine);
 
 /// Width in bits of the instruction's widest memory operand.
-std::uint64_t field_width(const isa::Instruction& instruction);
+std::uint64_t widest_field_bits(const isa::Instruction& instruction);
 
 /// Clocks of an instruction on bit-serial pixel processors below multiplier trees.
 std::uint64_t bit_serial_clocks(const isa::Instruction& instruction, const Machine& machine);

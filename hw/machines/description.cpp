@@ -38,7 +38,7 @@ std::vector<FigureForm> make_forms(std::span<const FigureSchema> schema) {
 
 Machine read_machine(const FigureFile& file, std::span<const Kind* const> kinds) {
   const Kind& kind = find_kind(file, kinds);
-  Machine machine = blank(kind);
+  Machine machine = blank_machine(kind);
   machine.name = file.text("name");
   machine.description = file.text("description");
   for (ReadFigure& read : file.figures(make_forms(kind.schema), machine_words)) {

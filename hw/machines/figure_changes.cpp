@@ -58,8 +58,8 @@ std::string put_change(toml::table& root, const std::string& change, std::string
 
 }  // namespace
 
-ChangesMade make_changes(toml::table& root, std::span<const std::string> changes, std::string_view file) {
-  ChangesMade made{{}, std::string(file)};
+AppliedChanges apply_changes(toml::table& root, std::span<const std::string> changes, std::string_view file) {
+  AppliedChanges made{{}, std::string(file)};
   for (const std::string& change : changes) {
     made.keys.push_back(put_change(root, change, file));
     made.spec += "+" + change;
@@ -67,7 +67,7 @@ ChangesMade make_changes(toml::table& root, std::span<const std::string> changes
   return made;
 }
 
-std::string name_of_changes(std::span<const std::string> keys, std::span<const Figure> figures) {
+std::string changes_suffix(std::span<const std::string> keys, std::span<const Figure> figures) {
   std::string name;
   for (auto key = keys.begin(); key != keys.end(); ++key) {
     if (std::find(keys.begin(), key, *key) != key) continue;

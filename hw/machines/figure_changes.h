@@ -15,16 +15,16 @@
 namespace csgsim::machines {
 
 /// Changes of parameters that were applied to a description.
-struct ChangesMade {
+struct AppliedChanges {
   std::vector<std::string> keys;
   std::string spec;  ///< the file and the changes, for messages
 };
 
 /// Applies changes of the form KEY=VALUE; the provenance of the changed values becomes `assumed`. Throws ChangeError.
-ChangesMade make_changes(toml::table& root, std::span<const std::string> changes, std::string_view file);
+AppliedChanges apply_changes(toml::table& root, std::span<const std::string> changes, std::string_view file);
 
 /// Suffix of a changed description's name: `+KEY=VALUE` for each changed parameter, once, with its final value.
-std::string name_of_changes(std::span<const std::string> keys, std::span<const Figure> figures);
+std::string changes_suffix(std::span<const std::string> keys, std::span<const Figure> figures);
 
 /// Reads a description with changes. `read(root, spec)` converts the table; a non-empty `spec` names the file and
 /// changes for error texts. The result must have a `name`, to which the changes are appended, and `figures`.
@@ -33,9 +33,9 @@ auto read_changed(std::string_view text, std::string_view file, std::span<const 
   toml::table root = parse_toml(text, file);
   auto described = read(root, std::string());
   if (changes.empty()) return described;
-  const ChangesMade made = make_changes(root, changes, file);
+  const AppliedChanges made = apply_changes(root, changes, file);
   described = read(root, made.spec);
-  described.name += name_of_changes(made.keys, described.figures);
+  described.name += changes_suffix(made.keys, described.figures);
   return described;
 }
 

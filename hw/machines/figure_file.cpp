@@ -44,7 +44,7 @@ class FigureReader {
 
   [[noreturn]] void fail(const toml::source_position& place, std::string_view message) const {
     if (!changed_.empty()) throw ChangeError(fmt::format("{}: {}", changed_, message));
-    throw InputError(fmt::format("{}: {}", show(place, file_), message));
+    throw InputError(fmt::format("{}: {}", position_text(place, file_), message));
   }
 
   std::string text_of(const toml::table& table, std::string_view key) const {

@@ -11,7 +11,7 @@
 
 namespace csgsim::machines {
 
-Machine blank(const Kind& kind) {
+Machine blank_machine(const Kind& kind) {
   Machine machine;
   machine.kind = &kind;
   kind.init_own_figures(machine);
@@ -55,7 +55,7 @@ void make_ideal(Machine& machine, std::string_view key) {
   complete(machine);
 }
 
-std::vector<std::string> idealisations(const Machine& machine) {
+std::vector<std::string> ideal_parameters(const Machine& machine) {
   std::vector<std::string> keys;
   for (const Figure& figure : machine.figures) {
     if (figure.value == ideal_value) keys.push_back(figure.key);
@@ -63,7 +63,7 @@ std::vector<std::string> idealisations(const Machine& machine) {
   return keys;
 }
 
-isa::MachineRecord record_of(const Machine& machine) {
+isa::MachineRecord machine_record(const Machine& machine) {
   isa::MachineRecord record{machine.name, std::string(machine.kind->name), {}};
   for (const Figure& figure : machine.figures) record.figures.push_back(figure.key + "=" + figure.value);
   return record;
@@ -82,7 +82,7 @@ std::vector<std::string> figure_differences(const Machine& first, const Machine&
   return others;
 }
 
-bool same_hardware(const Machine& first, const Machine& second) {
+bool is_same_hardware(const Machine& first, const Machine& second) {
   const auto same = [&](const FigureSchema& figure) {
     return figure.key.starts_with("picture.") || figure.load(first) == figure.load(second);
   };

@@ -65,7 +65,7 @@ class Kind {
   /// The regions of the picture, in the order in which the machine draws them.
   [[nodiscard]] virtual std::vector<isa::Region> regions(const Machine& machine) const = 0;
   /// Number of processors that share the host's work.
-  [[nodiscard]] virtual std::uint32_t hosts(const Machine& machine) const { return machine.host.count; }
+  [[nodiscard]] virtual std::uint32_t host_processor_count(const Machine& machine) const { return machine.host.count; }
   /// How the machine divides the model; empty if the host divides it.
   [[nodiscard]] virtual std::optional<Division> division(const Machine& /*machine*/) const { return std::nullopt; }
   /// A copy of the machine that draws a picture part by part. The picture is halved `levels` times into segments; the
@@ -78,14 +78,15 @@ class Kind {
   /// checked.
   virtual void check(const Program& /*program*/, const Machine& /*machine*/) const {}
 
-  /// Whether the clocks depend on which pixels are enabled (RunOutcome::met), which only a run determines.
+  /// Whether the clocks depend on which pixels are enabled (RunOutcome::pixel_activity), which only a run determines.
   [[nodiscard]] virtual bool depends_on_pixels(const Machine& /*machine*/) const { return false; }
   /// Clocks that a pixel's processor, or the entry of a chain, spends on an instruction if no part of it is skipped.
   [[nodiscard]] virtual std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine) const = 0;
-  /// Clocks that instruction `index` of a segment takes, summed over the segment's pixels. `met` is the measured
-  /// activity in that segment; null without a run, in which case all pixels count as enabled.
+  /// Clocks that instruction `index` of a segment takes, summed over the segment's pixels. `pixel_activity` is the
+  /// measured activity in that segment; null without a run, in which case all pixels count as enabled.
   [[nodiscard]] virtual PixelClocks clocks_at_pixels(const isa::Segment& segment, std::size_t index,
-                                                     const Machine& machine, const PixelActivity* /*met*/) const {
+                                                     const Machine& machine,
+                                                     const PixelActivity* /*pixel_activity*/) const {
     const std::uint64_t pixels = std::uint64_t{segment.region.width} * segment.region.height;
     const std::uint64_t all = clocks(segment.instructions[index], machine) * pixels;
     return {all, all};
@@ -99,10 +100,10 @@ class Kind {
                                                          const RunOutcome& /*outcome*/) const {
     return std::nullopt;
   }
-  /// Same as machines::at_pixel(), for a timeline of this kind.
-  [[nodiscard]] virtual Spans at_pixel(const Timeline& /*timeline*/, const Program& /*program*/,
-                                       const Machine& /*machine*/, std::uint32_t /*segment*/, std::uint32_t /*x*/,
-                                       std::uint32_t /*y*/) const {
+  /// Same as machines::spans_at_pixel(), for a timeline of this kind.
+  [[nodiscard]] virtual Spans spans_at_pixel(const Timeline& /*timeline*/, const Program& /*program*/,
+                                             const Machine& /*machine*/, std::uint32_t /*segment*/, std::uint32_t /*x*/,
+                                             std::uint32_t /*y*/) const {
     return {};
   }
   [[nodiscard]] virtual Resources resources(const Machine& machine, const isa::FrameHeader& header) const = 0;
@@ -125,7 +126,7 @@ class KindOf : public Kind {
   void init_own_figures(Machine& machine) const final { machine.own = Figures{}; }
 
  protected:
-  static const Figures& figures_of(const Machine& machine) { return own<Figures>(machine); }
+  static const Figures& figures_of(const Machine& machine) { return kind_figures<Figures>(machine); }
 };
 
 }  // namespace csgsim::machines

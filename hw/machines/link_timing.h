@@ -23,7 +23,7 @@ struct LinkAccount {
 };
 
 /// Converts the account to that of a part named `part_name`.
-PartAccount part_of(const LinkAccount& account, std::string part_name);
+PartAccount part_account(const LinkAccount& account, std::string part_name);
 
 /// Computes when words pass a link, without stepping. Words are counted from the last request. Edges are numbered from
 /// the frame's first, number 0; clock c lasts from edge c to edge c + 1.
@@ -32,7 +32,7 @@ class LinkTiming {
   explicit LinkTiming(const Link& link);
 
   /// Records a request that reaches the host at `edge`. The FIFO is then empty.
-  void request(std::uint64_t edge);
+  void record_request(std::uint64_t edge);
 
   /// Sends the next word and returns the edge at which it enters the FIFO; it can be read from the next edge on. The
   /// word `fifo_depth` words before it must have been read.
@@ -40,14 +40,14 @@ class LinkTiming {
 
   /// Sends the next word only if it enters the FIFO before `edge`; returns whether it does, and sets `stored_edge` to
   /// the edge at which it enters. Unread words occupy room in the FIFO.
-  bool send_before(std::uint64_t edge, std::uint64_t& stored_edge);
+  bool try_send_before(std::uint64_t edge, std::uint64_t& stored_edge);
 
   /// Reads the oldest word in the FIFO at `edge`.
-  void read(std::uint64_t edge);
+  void read_word(std::uint64_t edge);
 
   /// Accounts for the host's clocks from the last word until `edge`: if words are left, as sending for the clocks of
   /// one word and as blocked after these; otherwise as done.
-  void stop(std::uint64_t edge, bool words_left);
+  void account_until(std::uint64_t edge, bool words_left);
 
   [[nodiscard]] const LinkAccount& account() const { return account_; }
 
@@ -62,8 +62,8 @@ class LinkTiming {
 
  private:
   [[nodiscard]] std::uint64_t room_edge() const;
-  void store(std::uint64_t edge);
-  [[nodiscard]] std::size_t after(std::size_t slot) const { return slot + 1 == read_edges_.size() ? 0 : slot + 1; }
+  void store_word(std::uint64_t edge);
+  [[nodiscard]] std::size_t next_slot(std::size_t slot) const { return slot + 1 == read_edges_.size() ? 0 : slot + 1; }
 
   Link link_;
   std::uint64_t since_ = 0;  ///< edge from which the next word is on the link

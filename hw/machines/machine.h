@@ -44,9 +44,9 @@ struct Size {
 
 /// The path of instructions to a machine: words on a link that end in a FIFO (format: hw/isa/wire.h).
 struct Link {
-  std::uint32_t width = isa::LinkWord::most_bits;  ///< bits of a word
-  std::uint32_t word_clocks = 1;                   ///< clocks from one word to the next
-  std::uint32_t fifo_depth = 16;                   ///< words
+  std::uint32_t width = isa::LinkWord::max_bits;  ///< bits of a word
+  std::uint32_t word_clocks = 1;                  ///< clocks from one word to the next
+  std::uint32_t fifo_depth = 16;                  ///< words
   std::uint32_t latency = 0;  ///< clocks from a request, at the beginning of a frame or a jump, to the first word
 
   constexpr bool operator==(const Link&) const = default;
@@ -68,24 +68,24 @@ struct Machine {
   std::uint32_t clear_clocks = 0;      ///< clocks to clear all memory of the pixel processors
   Link link;
   Host host;
-  std::any own;                 ///< parameters that only machines of this kind have; see own<Figures>()
+  std::any own;                 ///< parameters that only machines of this kind have; see kind_figures<Figures>()
   std::vector<Figure> figures;  ///< every parameter of the file, in the order of the file
 };
 
 /// The parameters that only the machine's kind has, in the type that the kind defines. Throws std::bad_any_cast for a
 /// machine of another kind.
 template <class Figures>
-const Figures& own(const Machine& machine) {
+const Figures& kind_figures(const Machine& machine) {
   return std::any_cast<const Figures&>(machine.own);
 }
 
 template <class Figures>
-Figures& own(Machine& machine) {
+Figures& kind_figures(Machine& machine) {
   return std::any_cast<Figures&>(machine.own);
 }
 
 /// A machine of the given kind without pixels, to be filled in by a description or a test.
-Machine blank(const Kind& kind);
+Machine blank_machine(const Kind& kind);
 
 /// Sets the size of the picture. An array that holds the whole picture gets the same size. Throws InputError if lines
 /// of the picture are longer than a chain of cells.
@@ -108,10 +108,10 @@ std::vector<std::string> ideal_candidates(const Machine& machine);
 void make_ideal(Machine& machine, std::string_view key);
 
 /// Keys of the machine's ideal parameters.
-std::vector<std::string> idealisations(const Machine& machine);
+std::vector<std::string> ideal_parameters(const Machine& machine);
 
 /// The record of the machine for Programs that are compiled for it.
-isa::MachineRecord record_of(const Machine& machine);
+isa::MachineRecord machine_record(const Machine& machine);
 
 /// The parameters that differ between two machines of one kind, except the picture size, as texts such as `alu.bits 4
 /// instead of 1`, where 4 is the value of `first`.
@@ -119,6 +119,6 @@ std::vector<std::string> figure_differences(const Machine& first, const Machine&
 
 /// Whether two machines are the same hardware: of one kind, with equal parameters except the picture size. Names and
 /// sources are ignored.
-bool same_hardware(const Machine& first, const Machine& second);
+bool is_same_hardware(const Machine& first, const Machine& second);
 
 }  // namespace csgsim::machines

@@ -18,13 +18,13 @@ std::string_view file_of(std::string_view spec) {
   return end == spec.npos ? std::string_view() : spec.substr(0, end + file_ending.size());
 }
 
-std::string_view base_of(std::string_view spec) {
+std::string_view base_name(std::string_view spec) {
   const std::string_view file = file_of(spec);
   return file.empty() ? spec.substr(0, spec.find('+')) : file;
 }
 
 std::vector<std::string> changes_of(std::string_view spec) {
-  std::string_view rest = spec.substr(base_of(spec).size());
+  std::string_view rest = spec.substr(base_name(spec).size());
   std::vector<std::string> changes;
   while (!rest.empty()) {
     rest.remove_prefix(1);
@@ -35,7 +35,7 @@ std::vector<std::string> changes_of(std::string_view spec) {
   return changes;
 }
 
-std::string name_of_edits(std::span<const Figure> figures, std::span<const Figure> original_figures) {
+std::string edits_suffix(std::span<const Figure> figures, std::span<const Figure> original_figures) {
   std::string name;
   for (const Figure& figure : original_figures) {
     const auto found = std::ranges::find(figures, figure.key, &Figure::key);

@@ -18,13 +18,13 @@ namespace csgsim::machines {
 std::string_view file_of(std::string_view spec);
 
 /// The name without changes: a built-in name or a file.
-std::string_view base_of(std::string_view spec);
+std::string_view base_name(std::string_view spec);
 
 /// The changes in the name, each as KEY=VALUE.
 std::vector<std::string> changes_of(std::string_view spec);
 
 /// Suffix of an edited machine's name: `+KEY=VALUE` for each parameter of `figures` whose value in `original_figures`
 /// differs.
-std::string name_of_edits(std::span<const Figure> figures, std::span<const Figure> original_figures);
+std::string edits_suffix(std::span<const Figure> figures, std::span<const Figure> original_figures);
 
 }  // namespace csgsim::machines

@@ -49,11 +49,11 @@ struct PixelClocks {
 struct RunOutcome {
   std::span<const Skip> skips;  ///< in program order
   /// Enabled pixels of each segment; empty without a run, or if the clocks do not depend on the enabled pixels.
-  std::span<const PixelActivity> met;
+  std::span<const PixelActivity> pixel_activity;
 
   constexpr RunOutcome() = default;
   constexpr RunOutcome(std::span<const Skip> all_skips, std::span<const PixelActivity> all_met)
-      : skips(all_skips), met(all_met) {}
+      : skips(all_skips), pixel_activity(all_met) {}
   template <class Skips>
   requires std::convertible_to<const Skips&, std::span<const Skip>>
   constexpr RunOutcome(const Skips& all_skips) : skips(all_skips) {}
@@ -62,9 +62,9 @@ struct RunOutcome {
 /// An owning copy of RunOutcome.
 struct RunRecord {
   std::vector<Skip> skips;
-  std::vector<PixelActivity> met;
+  std::vector<PixelActivity> pixel_activity;
 
-  [[nodiscard]] RunOutcome outcome() const { return {skips, met}; }
+  [[nodiscard]] RunOutcome outcome() const { return {skips, pixel_activity}; }
 };
 
 }  // namespace csgsim::machines

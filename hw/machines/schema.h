@@ -48,7 +48,7 @@ constexpr FigureSchema or_ideal(FigureSchema figure, std::int64_t ideal) {
 }
 
 /// Returns the schema with values written as one of `names`, which are counted from 0.
-constexpr FigureSchema named(FigureSchema figure, std::span<const std::string_view> names) {
+constexpr FigureSchema with_names(FigureSchema figure, std::span<const std::string_view> names) {
   figure.names = names;
   return figure;
 }
@@ -75,17 +75,18 @@ constexpr FigureSchema figure(std::string_view key, std::string_view unit, std::
 template <class Figures, auto... members>
 constexpr FigureSchema own_figure(std::string_view key, std::string_view unit, std::int64_t least, std::int64_t most,
                                   std::string_view meaning, std::span<const std::string_view> names = {}) {
-  return {key,
-          unit,
-          least,
-          most,
-          meaning,
-          [](Machine& machine, std::int64_t value) {
-            auto& stored = (own<Figures>(machine).*....*members);
-            stored = static_cast<std::remove_reference_t<decltype(stored)>>(value);
-          },
-          [](const Machine& machine) { return static_cast<std::int64_t>((own<Figures>(machine).*....*members)); },
-          names};
+  return {
+      key,
+      unit,
+      least,
+      most,
+      meaning,
+      [](Machine& machine, std::int64_t value) {
+        auto& stored = (kind_figures<Figures>(machine).*....*members);
+        stored = static_cast<std::remove_reference_t<decltype(stored)>>(value);
+      },
+      [](const Machine& machine) { return static_cast<std::int64_t>((kind_figures<Figures>(machine).*....*members)); },
+      names};
 }
 
 /// Schema of a parameter whose single possible value is built into the simulator.

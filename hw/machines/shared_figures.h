@@ -45,7 +45,7 @@ inline constexpr FigureSchema clear_clocks =
                                             "clocks to clear all memory of the pixel processors when a segment begins"),
              0);
 inline constexpr FigureSchema host_processor = or_ideal(
-    named(
+    with_names(
         figure<&Machine::host, &Host::processor>("host.processor", "", 0, std::int64_t{host_processor_names.size()} - 1,
                                                  "processor that compiles a frame while the previous is drawn"),
         host_processor_names),
@@ -53,9 +53,9 @@ inline constexpr FigureSchema host_processor = or_ideal(
 inline constexpr FigureSchema host_count =
     figure<&Machine::host, &Host::count>("host.count", "processors", 1, 4096, "processors that share this work");
 inline constexpr FigureSchema link_width =
-    or_ideal(figure<&Machine::link, &Link::width>("link.width", "bits", 1, isa::LinkWord::most_bits,
+    or_ideal(figure<&Machine::link, &Link::width>("link.width", "bits", 1, isa::LinkWord::max_bits,
                                                   "bits of a word of the link"),
-             isa::LinkWord::most_bits);
+             isa::LinkWord::max_bits);
 inline constexpr FigureSchema link_word_clocks = figure<&Machine::link, &Link::word_clocks>(
     "link.word_clocks", "clocks", 1, max_parameter_clocks, "clocks from one word of the link to the next");
 inline constexpr FigureSchema link_fifo_depth =

@@ -20,9 +20,9 @@ Timeline timeline(const isa::Program& program, const Machine& machine, const Run
   return std::move(*found);
 }
 
-std::vector<ClockSpan> at_pixel(const Timeline& timeline, const isa::Program& program, const Machine& machine,
-                                std::uint32_t segment, std::uint32_t x, std::uint32_t y) {
-  return machine.kind->at_pixel(timeline, program, machine, segment, x, y);
+std::vector<ClockSpan> spans_at_pixel(const Timeline& timeline, const isa::Program& program, const Machine& machine,
+                                      std::uint32_t segment, std::uint32_t x, std::uint32_t y) {
+  return machine.kind->spans_at_pixel(timeline, program, machine, segment, x, y);
 }
 
 Timeline blank_timeline(const isa::Program& program) {

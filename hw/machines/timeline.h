@@ -32,7 +32,7 @@ struct Timeline {
   std::vector<ClockSpan> cleared;
 
   /// Pixel activity from which the timeline was computed, for kinds that need it.
-  std::vector<PixelActivity> met{};
+  std::vector<PixelActivity> pixel_activity{};
 };
 
 /// The timeline of a frame, computed without stepping. `outcome`: as for time_frame(). Throws InputError for a kind
@@ -42,8 +42,8 @@ Timeline timeline(const isa::Program& program, const Machine& machine, const Run
 /// For each instruction of a segment: the clocks in which pixel (x, y) of the picture, which must lie in the segment's
 /// region, executes it. Its effects are visible from the span's `end` on. `timeline` must belong to the Program and the
 /// machine. The span of a skipped instruction is empty and begins at 0.
-std::vector<ClockSpan> at_pixel(const Timeline& timeline, const isa::Program& program, const Machine& machine,
-                                std::uint32_t segment, std::uint32_t x, std::uint32_t y);
+std::vector<ClockSpan> spans_at_pixel(const Timeline& timeline, const isa::Program& program, const Machine& machine,
+                                      std::uint32_t segment, std::uint32_t x, std::uint32_t y);
 
 /// A timeline with an empty span for each instruction and segment.
 Timeline blank_timeline(const isa::Program& program);

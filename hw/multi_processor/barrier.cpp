@@ -10,7 +10,7 @@ Barrier::Barrier(sc_core::sc_module_name name, const machines::Machine& machine)
     : sc_core::sc_module(name),
       arrivals("arrivals", std::size_t{machine.array.width} * machine.array.height),
       time_(machine),
-      clocks_(machines::own<Figures>(machine).barrier_clocks) {
+      clocks_(machines::kind_figures<Figures>(machine).barrier_clocks) {
   SC_HAS_PROCESS(Barrier);
   SC_METHOD(on_arrival);
   dont_initialize();

@@ -31,9 +31,9 @@ std::uint64_t outer_clocks(const NodePixels& node_pixels, const Figures& figures
 constexpr std::uint64_t bits_a_word = 64;  ///< bits in a word of a plane
 
 /// For each word of a plane's row, a mask that selects the pixels of the node's first `columns` columns.
-std::vector<std::uint64_t> row_mask(const machines::PixelActivity& met, const NodePixels& node_pixels,
+std::vector<std::uint64_t> row_mask(const machines::PixelActivity& pixel_activity, const NodePixels& node_pixels,
                                     std::uint64_t columns, const isa::ArrayShape& nodes) {
-  std::vector<std::uint64_t> mask(met.row_words);
+  std::vector<std::uint64_t> mask(pixel_activity.row_words);
   for (std::uint64_t column = 0; column < columns; ++column) {
     const std::uint64_t x = node_pixels.first_x + column * nodes.width;
     mask[static_cast<std::size_t>(x / bits_a_word)] |= std::uint64_t{1} << x % bits_a_word;
@@ -45,8 +45,8 @@ std::vector<std::uint64_t> row_mask(const machines::PixelActivity& met, const No
 class PlaneCounts {
  public:
   /// `nodes`: array of nodes over which the pixels are interleaved.
-  PlaneCounts(const machines::PixelActivity& met, const NodePixels& own, const isa::ArrayShape& nodes)
-      : met_(met), own_(own), nodes_(nodes), row_(row_mask(met, own, own.columns, nodes)) {}
+  PlaneCounts(const machines::PixelActivity& pixel_activity, const NodePixels& own, const isa::ArrayShape& nodes)
+      : met_(pixel_activity), own_(own), nodes_(nodes), row_(row_mask(pixel_activity, own, own.columns, nodes)) {}
 
   /// Number of set pixels in [begin, end).
   [[nodiscard]] std::uint64_t between(std::uint32_t plane, std::uint64_t begin, std::uint64_t end) const {
@@ -85,29 +85,29 @@ std::uint64_t at_enabled(std::uint64_t enabled, std::uint64_t chosen, const Pixe
 }  // namespace
 
 std::uint64_t pixel_clocks(const isa::Instruction& instruction, const Machine& machine) {
-  return pixel_costs(instruction, machines::own<Figures>(machine)).full;
+  return pixel_costs(instruction, machines::kind_figures<Figures>(machine)).full;
 }
 
-machines::PixelClocks all_pixel_clocks(const isa::Segment& segment, std::size_t index, const Machine& machine,
-                                       const machines::PixelActivity* met) {
-  const PixelCosts costs = pixel_costs(segment.instructions[index], machines::own<Figures>(machine));
+machines::PixelClocks subsegment_pixel_clocks(const isa::Segment& segment, std::size_t index, const Machine& machine,
+                                              const machines::PixelActivity* pixel_activity) {
+  const PixelCosts costs = pixel_costs(segment.instructions[index], machines::kind_figures<Figures>(machine));
   const NodePixels own{0, 0, segment.region.width, segment.region.height};
-  if (met == nullptr) return {own.count() * costs.maximum(), own.count() * costs.maximum()};
-  const PlaneCounts counts(*met, own, {1, 1, 0});
-  const machines::PixelActivity::Planes planes = met->instructions[index];
+  if (pixel_activity == nullptr) return {own.count() * costs.maximum(), own.count() * costs.maximum()};
+  const PlaneCounts counts(*pixel_activity, own, {1, 1, 0});
+  const machines::PixelActivity::Planes planes = pixel_activity->instructions[index];
   const std::uint64_t enabled = counts.all(planes.enabled);
   const std::uint64_t clocks = at_enabled(enabled, counts.all(planes.chosen), costs);
   return {(own.count() - enabled) * costs.disabled + clocks, clocks};
 }
 
 std::uint64_t clearing_clocks(const NodePixels& node_pixels, const Machine& machine) {
-  const Figures& figures = machines::own<Figures>(machine);
+  const Figures& figures = machines::kind_figures<Figures>(machine);
   const std::uint64_t memory_words = quotient_up(machine.array.memory_bits, figures.word_bits) + 1;
   return pass_clocks(node_pixels, memory_words * figures.operations.write, figures);
 }
 
 RenderingClocks::RenderingClocks(const ListPart& part, const Machine& machine)
-    : part_(part), machine_(machine), figures_(machines::own<Figures>(machine)) {
+    : part_(part), machine_(machine), figures_(machines::kind_figures<Figures>(machine)) {
   costs_.reserve(part.instructions.size());
   for (const isa::Instruction& instruction : part.instructions)
     costs_.push_back(instruction_costs(instruction, part.form, figures_));
@@ -115,15 +115,15 @@ RenderingClocks::RenderingClocks(const ListPart& part, const Machine& machine)
     chain_ += one.link;
     once_ += one.once;
     row_ += one.row;
-    pixel_ += one.pixel + (part.met == nullptr ? one.at_pixel.maximum() : one.at_pixel.disabled);
+    pixel_ += one.pixel + (part.pixel_activity == nullptr ? one.at_pixel.maximum() : one.at_pixel.disabled);
   }
-  if (part.met != nullptr) compute_weights();
+  if (part.pixel_activity != nullptr) compute_weights();
 }
 
 void RenderingClocks::compute_weights() {
-  std::vector<std::uint64_t> weights(part_.met->planes.size());
+  std::vector<std::uint64_t> weights(part_.pixel_activity->planes.size());
   for (std::size_t i = 0; i < costs_.size(); ++i) {
-    const machines::PixelActivity::Planes planes = part_.met->instructions[part_.first + i];
+    const machines::PixelActivity::Planes planes = part_.pixel_activity->instructions[part_.first + i];
     const PixelCosts& costs = costs_[i].at_pixel;
     weights[planes.enabled] += costs.unselected - costs.disabled;
     weights[planes.chosen] += costs.full - costs.unselected;
@@ -138,7 +138,7 @@ std::uint64_t RenderingClocks::list_clocks(const NodePixels& node_pixels) const 
       outer_clocks(node_pixels, figures_) + chain_ + once_ + node_pixels.rows * row_ + node_pixels.count() * pixel_;
   if (part_.begins) clocks += clearing_clocks(node_pixels, machine_);
   if (weights_.empty()) return clocks;
-  const PlaneCounts counts(*part_.met, node_pixels, machine_.array);
+  const PlaneCounts counts(*part_.pixel_activity, node_pixels, machine_.array);
   for (const Weight& one : weights_) clocks += one.clocks * counts.all(one.plane);
   return clocks;
 }
@@ -159,17 +159,17 @@ std::vector<machines::ClockSpan> RenderingClocks::spans_at(const NodePixels& nod
                                                            std::uint32_t row) const {
   if (costs_.empty()) return {};  // without instructions there are no planes to count
   std::optional<PlaneCounts> counts;
-  if (part_.met != nullptr) counts.emplace(*part_.met, node_pixels, machine_.array);
+  if (part_.pixel_activity != nullptr) counts.emplace(*part_.pixel_activity, node_pixels, machine_.array);
   const auto at_pixels = [&](std::size_t i, std::uint64_t begin, std::uint64_t end) {
     const PixelCosts& costs = costs_[i].at_pixel;
     if (!counts) return (end - begin) * costs.maximum();
-    const machines::PixelActivity::Planes planes = part_.met->instructions[part_.first + i];
+    const machines::PixelActivity::Planes planes = part_.pixel_activity->instructions[part_.first + i];
     const std::uint64_t enabled = counts->between(planes.enabled, begin, end);
     const std::uint64_t chosen = planes.chosen == planes.enabled ? enabled : counts->between(planes.chosen, begin, end);
     return (end - begin - enabled) * costs.disabled + at_enabled(enabled, chosen, costs);
   };
   const auto clocks = [&](std::size_t i, std::uint64_t rows, std::uint64_t begin, std::uint64_t end) {
-    return costs_[i].around(rows, end - begin) + at_pixels(i, begin, end);
+    return costs_[i].overhead_clocks(rows, end - begin) + at_pixels(i, begin, end);
   };
   const auto clocks_of_all = [&](std::uint64_t rows, std::uint64_t begin, std::uint64_t end) {
     std::uint64_t sum = 0;
@@ -206,7 +206,7 @@ std::vector<machines::ClockSpan> RenderingClocks::spans_at(const NodePixels& nod
 
 double max_rendering_clocks(std::span<const isa::Instruction> list, const isa::Region& region, const ListForm& form,
                             const Machine& machine) {
-  const Figures& figures = machines::own<Figures>(machine);
+  const Figures& figures = machines::kind_figures<Figures>(machine);
   double clocks = 0;
   for (const isa::Instruction& instruction : list) {
     const InstructionCosts costs = instruction_costs(instruction, form, figures);

@@ -20,10 +20,11 @@ namespace csgsim::multi_processor {
 /// start of a row.
 std::uint64_t pixel_clocks(const isa::Instruction& instruction, const machines::Machine& machine);
 
-/// Clocks that an instruction takes at all pixels of its subsegment, summed over the nodes. `met`: measured activity,
-/// or null without a run.
-machines::PixelClocks all_pixel_clocks(const isa::Segment& segment, std::size_t index, const machines::Machine& machine,
-                                       const machines::PixelActivity* met);
+/// Clocks that an instruction takes at all pixels of its subsegment, summed over the nodes. `pixel_activity`: measured
+/// activity, or null without a run.
+machines::PixelClocks subsegment_pixel_clocks(const isa::Segment& segment, std::size_t index,
+                                              const machines::Machine& machine,
+                                              const machines::PixelActivity* pixel_activity);
 
 /// The list of a subsegment, or the part of it that is rendered at once.
 struct ListPart {
@@ -32,7 +33,7 @@ struct ListPart {
   bool ends = true;    ///< no part of the list follows
   /// Measured activity of the subsegment's pixels at each instruction of the whole list; null without a run, in which
   /// case each instruction is charged its maximum at each pixel.
-  const machines::PixelActivity* met = nullptr;
+  const machines::PixelActivity* pixel_activity = nullptr;
   std::size_t first = 0;  ///< number of instructions of the list before this part
   ListForm form{};
 };

@@ -62,7 +62,7 @@ class MergedView final : public systemc::PixelView {
     const std::uint32_t row = (region_.y + y) % nodes_.height;
     const std::uint32_t column = (region_.x + x) % nodes_.width;
     const PixelMemory* const memory = memories_[std::size_t{row} * nodes_.width + column].get();
-    const NodePixels pixels = pixels_of(region_, nodes_, row, column);
+    const NodePixels pixels = pixels_of_node(region_, nodes_, row, column);
     if (memory->pixels() < pixels.count()) throw std::logic_error("read of pixels that were not kept");
     return {memory, std::size_t{y / nodes_.height} * pixels.columns + x / nodes_.width};
   }
@@ -102,13 +102,13 @@ void Collector::after_instruction(std::uint32_t node, NodeState state) {
 void Collector::after_subsegment(std::uint32_t node, const isa::Region& region, NodeState end) {
   ends_[node] = std::move(end);
   if (++ended_ < reported_.size()) return;
-  report(region);
+  report_subsegment(region);
   steps_.clear();
   std::fill(reported_.begin(), reported_.end(), 0U);
   ended_ = 0;
 }
 
-void Collector::report(const isa::Region& region) {
+void Collector::report_subsegment(const isa::Region& region) {
   const std::uint32_t segment = names_.segment_of(region);
   for (std::uint32_t index = 0; index < steps_.size(); ++index) {
     systemc::Retired retired{.segment = segment, .index = index};
@@ -129,7 +129,7 @@ void Collector::report(const isa::Region& region) {
 void Collector::after_clear(const isa::Region& segment) {
   if (++ended_ < reported_.size()) return;
   ended_ = 0;
-  for (const isa::Region& part : parts_of(segment, nodes_.width, nodes_.height)) {
+  for (const isa::Region& part : divide_region(segment, nodes_.width, nodes_.height)) {
     retirement->after_segment(names_.segment_of(part), systemc::ClearView());
   }
 }

@@ -38,7 +38,7 @@ class Collector final : public sc_core::sc_module, public CollectorPort {
   void after_clear(const isa::Region& segment) override;
 
  private:
-  void report(const isa::Region& region);
+  void report_subsegment(const isa::Region& region);
 
   const isa::ArrayShape nodes_;
   const bool branches_;

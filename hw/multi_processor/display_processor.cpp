@@ -14,7 +14,7 @@ namespace csgsim::multi_processor {
 DisplayProcessor::DisplayProcessor(sc_core::sc_module_name name, const machines::Machine& machine)
     : sc_core::sc_module(name),
       time_(machine),
-      figures_(machines::own<Figures>(machine)),
+      figures_(machines::kind_figures<Figures>(machine)),
       nodes_(machine.array),
       bus_width_(machine.link.width) {
   SC_HAS_PROCESS(DisplayProcessor);
@@ -108,14 +108,14 @@ void DisplayProcessor::spend(DisplayActivity activity, std::uint64_t clocks) {
 void DisplayProcessor::draw_segment(const isa::Region& segment) {
   if (!figures_.divides_ahead || is_remote_) wait_for_nodes();
   division::Candidates survivors = prune(segment);
-  const std::size_t parts = parts_of(segment, nodes_.width, nodes_.height).size();
+  const std::size_t parts = divide_region(segment, nodes_.width, nodes_.height).size();
   // A picture that is one subsegment has a list even if no primitive is left.
   const bool is_picture = parts == 1 && segment == isa::Region{0, 0, model_.width, model_.height};
   const bool is_active = !survivors.primitives.empty() || is_picture;
   wait_for_nodes();
   survivors_ = std::move(survivors);
   is_remote_ = false;
-  broadcast(segment, is_active);
+  broadcast_segment(segment, is_active);
   ++counted_.segment_count;
   if (is_active) ++counted_.active_segments;
   ++barriers_;
@@ -135,7 +135,7 @@ void DisplayProcessor::on_bus_word() {
 }
 
 void DisplayProcessor::take_request(const BusRequest& bus_word) {
-  append(request_, bus_word.word, bus_width_);
+  append_word(request_, bus_word.word, bus_width_);
   if (!bus_word.last) return;
   request_pending_ = true;
   request_received_.notify(sc_core::SC_ZERO_TIME);
@@ -179,15 +179,15 @@ void DisplayProcessor::broadcast_frame() {
 }
 
 /// Half-spaces stay here if they leave no room for two commands in a node.
-void DisplayProcessor::broadcast(const isa::Region& segment, bool is_active) {
+void DisplayProcessor::broadcast_segment(const isa::Region& segment, bool is_active) {
   begin_broadcast();
   send(isa::SegmentStart{segment}, false);
   if (is_active) {
     const Records records = segment_records(model_, survivors_);
-    const std::uint64_t reserved = 2 * quotient_up(std::uint64_t{isa::LinkWord::most_bits}, figures_.word_bits);
+    const std::uint64_t reserved = 2 * quotient_up(std::uint64_t{isa::LinkWord::max_bits}, figures_.word_bits);
     is_remote_ = frame_words_ + memory_words(records) + reserved > figures_.memory_words;
     if (is_remote_) {
-      send(segment_heads(model_, survivors_), WordKind::heads, false);
+      send(segment_records_without_halfspaces(model_, survivors_), WordKind::heads, false);
     } else {
       send(records, WordKind::segment, false);
       counted_.broadcast_halfspaces += survivors_.entry_count() - survivors_.primitives.size();

@@ -57,7 +57,7 @@ class DisplayProcessor final : public sc_core::sc_module {
   [[nodiscard]] std::uint64_t remote_plane_clocks() const;
   void draw_segment(const isa::Region& segment);
   void broadcast_frame();
-  void broadcast(const isa::Region& segment, bool is_active);
+  void broadcast_segment(const isa::Region& segment, bool is_active);
   [[nodiscard]] std::uint64_t memory_words(const Records& records) const;
   void begin_broadcast();
   void end_broadcast();

@@ -45,7 +45,7 @@ constexpr auto schema = std::to_array<FigureSchema>({
                                           "halvings of the picture into segments"),
     own_figure<Figures, &Figures::order>("rendering.order", "", 0, 2,
                                          "loop order of a node over pixels and instructions", rendering_order_names),
-    own_figure<Figures, &Figures::host, &HostLink::width>("host.link_width", "bits", 1, isa::LinkWord::most_bits,
+    own_figure<Figures, &Figures::host, &HostLink::width>("host.link_width", "bits", 1, isa::LinkWord::max_bits,
                                                           "bits of a word of the host's link"),
     own_figure<Figures, &Figures::host, &HostLink::word_clocks>(
         "host.link_word_clocks", "clocks", 1, max_parameter_clocks, "clocks between two words of the host's link"),
@@ -153,7 +153,7 @@ constexpr auto schema = std::to_array<FigureSchema>({
 
 }  // namespace
 
-void Kind::complete(Machine& machine) const { price(machines::own<Figures>(machine)); }
+void Kind::complete(Machine& machine) const { compute_processor_clocks(machines::kind_figures<Figures>(machine)); }
 
 std::optional<machines::Division> Kind::division(const Machine& machine) const {
   return machines::Division{.list_entries = ~std::uint64_t{0},
@@ -162,7 +162,7 @@ std::optional<machines::Division> Kind::division(const Machine& machine) const {
 
 std::optional<Machine> Kind::subdivided(const Machine& machine, std::uint32_t levels, machines::Parts parts) const {
   Machine cut = machine;
-  machines::own<Figures>(cut).levels = levels;
+  machines::kind_figures<Figures>(cut).levels = levels;
   if (parts == machines::Parts::segments) cut.array.width = cut.array.height = 1;
   return cut;
 }
@@ -181,8 +181,8 @@ std::uint64_t Kind::clocks(const isa::Instruction& instruction, const Machine& m
 }
 
 machines::PixelClocks Kind::clocks_at_pixels(const isa::Segment& segment, std::size_t index, const Machine& machine,
-                                             const machines::PixelActivity* met) const {
-  return all_pixel_clocks(segment, index, machine, met);
+                                             const machines::PixelActivity* pixel_activity) const {
+  return subsegment_pixel_clocks(segment, index, machine, pixel_activity);
 }
 
 machines::Resources Kind::resources(const Machine& machine, const isa::FrameHeader& header) const {

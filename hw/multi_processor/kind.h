@@ -25,14 +25,14 @@ class Kind final : public machines::KindOf<Figures> {
   bool depends_on_pixels(const Machine& machine) const override;
   std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine) const override;
   machines::PixelClocks clocks_at_pixels(const isa::Segment& segment, std::size_t index, const Machine& machine,
-                                         const machines::PixelActivity* met) const override;
+                                         const machines::PixelActivity* pixel_activity) const override;
   machines::FrameTiming time(const Program& program, const Machine& machine, const RunOutcome& outcomes) const override;
   /// Clocks from the first node's start of an instruction at its first pixel of the subsegment to the last node's end
-  /// at its last pixel; at_pixel gives the clocks of the node that holds the pixel.
+  /// at its last pixel; spans_at_pixel gives the clocks of the node that holds the pixel.
   std::optional<Timeline> timeline(const Program& program, const Machine& machine,
                                    const RunOutcome& outcomes) const override;
-  Spans at_pixel(const Timeline& timeline, const Program& program, const Machine& machine, std::uint32_t segment,
-                 std::uint32_t x, std::uint32_t y) const override;
+  Spans spans_at_pixel(const Timeline& timeline, const Program& program, const Machine& machine, std::uint32_t segment,
+                       std::uint32_t x, std::uint32_t y) const override;
   machines::Resources resources(const Machine& machine, const isa::FrameHeader& header) const override;
   std::vector<machines::Load> loads(const machines::FrameTiming& timing) const override;
 };

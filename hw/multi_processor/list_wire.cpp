@@ -33,7 +33,8 @@ isa::Linear expression_of(const division::Plane& plane, Opcode opcode, const div
                           const isa::Region& square, unsigned width) {
   if (has_field(opcode)) return linear_of(division::depth_expression(header, plane), square, width);
   const bool is_end = opcode == Opcode::edge_negative && !plane.is_edge;
-  return linear_of(division::line_expression(is_end ? division::beyond_range(header, plane) : plane), square, width);
+  return linear_of(division::line_expression(is_end ? division::depth_range_excess(header, plane) : plane), square,
+                   width);
 }
 
 /// The first half-space that gives the instruction's expression.
@@ -122,7 +123,7 @@ std::optional<isa::Command> ListReader::take(const isa::LinkWord& word, const Li
   if (!is_plain_) {
     held_.push_back(word);
     if (held_.size() * std::size_t{word_bits_} < isa::opcode_bits) return std::nullopt;
-    if (std::optional<Instruction> instruction = expression(form, model)) {
+    if (std::optional<Instruction> instruction = decode_expression(form, model)) {
       held_.clear();
       return *instruction;
     }
@@ -138,9 +139,9 @@ std::optional<isa::Command> ListReader::take(const isa::LinkWord& word, const Li
 }
 
 /// Decodes the expression if the held words are complete. Sets is_plain_ if the command has no expression.
-std::optional<Instruction> ListReader::expression(const ListForm& form, const division::DisplayModel& model) {
+std::optional<Instruction> ListReader::decode_expression(const ListForm& form, const division::DisplayModel& model) {
   division::BitWriter gathered;
-  for (const isa::LinkWord& word : held_) append(gathered, word, word_bits_);
+  for (const isa::LinkWord& word : held_) append_word(gathered, word, word_bits_);
   const division::Bits bits = gathered.take();
   division::BitReader in(bits);
   const auto number = static_cast<std::uint8_t>(in.take(isa::opcode_bits));

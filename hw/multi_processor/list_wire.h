@@ -34,7 +34,8 @@ class ListReader {
                                    const division::DisplayModel& model);
 
  private:
-  [[nodiscard]] std::optional<isa::Instruction> expression(const ListForm& form, const division::DisplayModel& model);
+  [[nodiscard]] std::optional<isa::Instruction> decode_expression(const ListForm& form,
+                                                                  const division::DisplayModel& model);
 
   unsigned word_bits_;
   isa::WireDecoder plain_;

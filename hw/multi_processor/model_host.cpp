@@ -5,7 +5,7 @@
 namespace csgsim::multi_processor {
 
 ModelHost::ModelHost(sc_core::sc_module_name name, const machines::Machine& machine)
-    : sc_core::sc_module(name), time_(machine), link_(machines::own<Figures>(machine).host) {
+    : sc_core::sc_module(name), time_(machine), link_(machines::kind_figures<Figures>(machine).host) {
   SC_HAS_PROCESS(ModelHost);
   SC_THREAD(work);
 }
@@ -21,12 +21,12 @@ void ModelHost::work() {
     wait(time_.of(link_.latency));
     for (std::uint64_t sent = 0; sent < bits(); sent += link_.width) {
       wait(time_.of(link_.word_clocks));
-      word.write({++words_, word_from(sent)});
+      word.write({++words_, link_word_at(sent)});
     }
   }
 }
 
-isa::LinkWord ModelHost::word_from(std::uint64_t first_bit) const {
+isa::LinkWord ModelHost::link_word_at(std::uint64_t first_bit) const {
   isa::LinkWord sent;
   for (std::uint64_t bit = first_bit; bit < std::min(first_bit + link_.width, bits()); ++bit) {
     const std::uint64_t place = bit - length_bits;

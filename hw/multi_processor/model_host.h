@@ -28,7 +28,7 @@ class ModelHost final : public sc_core::sc_module {
 
  private:
   void work();
-  [[nodiscard]] isa::LinkWord word_from(std::uint64_t first_bit) const;
+  [[nodiscard]] isa::LinkWord link_word_at(std::uint64_t first_bit) const;
   [[nodiscard]] std::uint64_t bits() const { return length_bits + 8 * std::uint64_t{model_.size()}; }
 
   TimeBase time_;

@@ -126,7 +126,7 @@ std::vector<std::uint32_t> MultiProcessor::picture_of(const isa::Program& progra
 }
 
 std::vector<wave::Tap> MultiProcessor::taps(const isa::Program& program, const wave::Request& request) const {
-  wave::check_no_trees(request);
+  wave::check_no_tree_levels(request);
   std::vector<wave::Tap> taps{
       wave::number("host.words", 32, [this] { return wave::Number(host_word_.read().number); })};
   const auto add = [&](std::vector<wave::Tap> more) { wave::add(std::move(more), taps); };

@@ -16,7 +16,7 @@ namespace csgsim::multi_processor {
 Node::Node(sc_core::sc_module_name name, const machines::Machine& machine, std::uint32_t number)
     : sc_core::sc_module(name),
       time_(machine),
-      figures_(machines::own<Figures>(machine)),
+      figures_(machines::kind_figures<Figures>(machine)),
       nodes_(machine.array),
       number_(number),
       bus_width_(machine.link.width),
@@ -78,7 +78,7 @@ void Node::take_from_display(const BusRequest& bus_word) {
 
 void Node::begin_segment(const isa::Region& segment) {
   segment_ = segment;
-  parts_ = parts_of(segment, nodes_.width, nodes_.height);
+  parts_ = divide_region(segment, nodes_.width, nodes_.height);
   lists_received_ = 0;
 }
 
@@ -121,8 +121,8 @@ void Node::take_list_command(const isa::Command& command) {
 
 /// A sending node always has room, because its memory already holds the commands that it sends.
 void Node::update_room_line() {
-  const std::uint32_t max_words = quotient_up(std::uint32_t{isa::LinkWord::most_bits}, figures_.word_bits);
-  room->pull(number_, !sending_ && room_for_lists() - own_.words() - list_words_ < max_words);
+  const std::uint32_t max_words = quotient_up(std::uint32_t{isa::LinkWord::max_bits}, figures_.word_bits);
+  room->set_pulled(number_, !sending_ && room_for_lists() - own_.words() - list_words_ < max_words);
 }
 
 /// Half-spaces are numbered in the order of their arrival.
@@ -159,7 +159,7 @@ void Node::take_record(const BusRequest& bus_word) {
 void Node::begin_frame() {
   receiving_ = false;
   activities_.change(NodeActivity::waiting, time_.now());
-  const NodePixels most_pixels = pixels_of({0, 0, records_.model().width, records_.model().height}, nodes_, 0, 0);
+  const NodePixels most_pixels = pixels_of_node({0, 0, records_.model().width, records_.model().height}, nodes_, 0, 0);
   image_columns_ = most_pixels.columns;
   screen_.begin(frame_start_, most_pixels.count(), records_.model().fields.colour.width);
   image_.assign(std::size_t{most_pixels.columns} * most_pixels.rows, 0);
@@ -188,7 +188,7 @@ void Node::advance(std::uint64_t clocks) {
   work_done_ = 0;
   while (work_done_ < clocks) {
     const std::uint64_t now = time_.now();
-    const std::uint64_t free = screen_.free_from(now, clocks - work_done_);
+    const std::uint64_t free = screen_.free_clocks_from(now, clocks - work_done_);
     if (free == 0) {
       wait(time_.of(screen_.turn_clocks_left(now)));
       continue;
@@ -303,7 +303,7 @@ void Node::render(const List& list) {
   rendering_ = {};
   for (NodeState& step : renderer.steps()) collector->after_instruction(number_, std::move(step));
   if (list.ends) {
-    store(list.region, own, colours);
+    store_image(list.region, own, colours);
     collector->after_subsegment(number_, list.region, {.pixels = std::move(renderer.memory())});
   } else {
     saved_ = {list.region, std::move(renderer.memory())};
@@ -312,14 +312,14 @@ void Node::render(const List& list) {
 }
 
 NodePixels Node::own_pixels(const isa::Region& region) const {
-  return pixels_of(region, nodes_, number_ / nodes_.width, number_ % nodes_.width);
+  return pixels_of_node(region, nodes_, number_ / nodes_.width, number_ % nodes_.width);
 }
 
 void Node::clear(const isa::Region& region) {
   const NodePixels own = own_pixels(region);
   const division::DisplayModel& model = records_.model();
   spend(NodeActivity::rendering, background_clocks(figures_, own, model.fields.colour));
-  store(region, own, std::vector<std::uint32_t>(own.count(), model.background));
+  store_image(region, own, std::vector<std::uint32_t>(own.count(), model.background));
 }
 
 /// Clears a segment that no primitive touches.
@@ -329,7 +329,8 @@ void Node::clear_segment() {
   wait_for_others();
 }
 
-void Node::store(const isa::Region& region, const NodePixels& node_pixels, const std::vector<std::uint32_t>& colours) {
+void Node::store_image(const isa::Region& region, const NodePixels& node_pixels,
+                       const std::vector<std::uint32_t>& colours) {
   for (std::uint32_t row = 0; row < node_pixels.rows; ++row) {
     const std::size_t y = (region.y + node_pixels.first_y) / nodes_.height + row;
     const std::size_t x = (region.x + node_pixels.first_x) / nodes_.width;

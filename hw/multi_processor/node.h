@@ -129,7 +129,7 @@ class Node final : public sc_core::sc_module {
   [[nodiscard]] std::uint64_t room_for_lists() const;
   [[nodiscard]] ListForm choose_list_form() const;
 
-  void store(const isa::Region& region, const NodePixels& node_pixels, const std::vector<std::uint32_t>& colours);
+  void store_image(const isa::Region& region, const NodePixels& node_pixels, const std::vector<std::uint32_t>& colours);
   [[nodiscard]] NodePixels own_pixels(const isa::Region& region) const;
 
   TimeBase time_;

@@ -90,7 +90,7 @@ std::uint64_t Node::screen_turn_clocks(std::uint64_t start_clock) {
   std::uint64_t clocks = 0;
   for (std::uint64_t at = start_clock; at < time_.now();) {
     const std::uint64_t left = time_.now() - at;
-    const std::uint64_t free = screen_.free_from(at, left);
+    const std::uint64_t free = screen_.free_clocks_from(at, left);
     const std::uint64_t turn = free > 0 ? 0 : std::min(left, screen_.turn_clocks_left(at));
     clocks += turn;
     at += free + turn;
@@ -100,7 +100,7 @@ std::uint64_t Node::screen_turn_clocks(std::uint64_t start_clock) {
 
 void Node::take_answer(const BusRequest& bus_word) {
   if (!awaiting_answer_) return;
-  append(answer_, bus_word.word, bus_width_);
+  append_word(answer_, bus_word.word, bus_width_);
   if (!bus_word.last) return;
   awaiting_answer_ = false;
   answered_.notify(sc_core::SC_ZERO_TIME);

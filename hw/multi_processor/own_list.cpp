@@ -55,7 +55,7 @@ void OwnList::begin(const isa::Region& part, const RecordReader& records, const 
   begin(room_words);
   form_ = form;
   TimedDatapath path(records.model(), node_test_costs(records.format(), figures_), form, figures_.number_clocks);
-  const division::Divided divided = division::Divider(records.model()).divide(part, records.survivors(), path);
+  const division::SquareDivision divided = division::Divider(records.model()).divide(part, records.survivors(), path);
   counts_ = divided.counts();
   commands_.push_back({isa::SegmentStart{part}});
   for (std::size_t i = 0; i < divided.instructions.size(); ++i) {

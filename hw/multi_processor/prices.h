@@ -42,7 +42,7 @@ struct InstructionCosts {
   std::uint64_t pixel = 0;
 
   /// Clocks of a node with `rows` rows and `pixels` pixels, without the clocks of at_pixel.
-  [[nodiscard]] constexpr std::uint64_t around(std::uint64_t rows, std::uint64_t pixels) const {
+  [[nodiscard]] constexpr std::uint64_t overhead_clocks(std::uint64_t rows, std::uint64_t pixels) const {
     return once + rows * row + pixels * pixel;
   }
 };

@@ -25,7 +25,7 @@ struct Task {
 
 Operations single(Operation kind) { return operation_counts({{kind, 1}}); }
 
-void price(const Task& task, const processors::Processor& processor, std::uint32_t compiler_factor) {
+void compute_processor_clocks(const Task& task, const processors::Processor& processor, std::uint32_t compiler_factor) {
   if (task.clocks != machines::not_priced) return;
   constexpr std::uint64_t hand_written = 1000;
   task.clocks = static_cast<std::uint32_t>(
@@ -41,14 +41,14 @@ const processors::Processor& complete(ProcessorFigures& figures) {
 
 }  // namespace
 
-void price(Figures& figures) {
+void compute_processor_clocks(Figures& figures) {
   const processors::Processor& display = complete(figures.display_processor);
   TestClocks& first = figures.display_tests;
   for (const Task& task : std::to_array<Task>({{figures.transform_clocks, host::plane_transform_operations()},
                                                {first.primitive, host::box_test_operations()},
                                                {first.halfspace, host::halfspace_test_operations()},
                                                {first.cell, host::cell_test_operations()}}))
-    price(task, display, figures.display_processor.compiler_factor);
+    compute_processor_clocks(task, display, figures.display_processor.compiler_factor);
 
   const processors::Processor& node = complete(figures.node_processor);
   OperationClocks& words = figures.operations;
@@ -75,7 +75,7 @@ void price(Figures& figures) {
                                                {second.tree_node, host::node_visit_operations()},
                                                {second.instruction, host::instruction_listing_operations()},
                                                {figures.number_clocks, host::number_listing_operations()}}))
-    price(task, node, figures.node_processor.compiler_factor);
+    compute_processor_clocks(task, node, figures.node_processor.compiler_factor);
 }
 
 }  // namespace csgsim::multi_processor

@@ -7,6 +7,6 @@ namespace csgsim::multi_processor {
 /// Replaces each member that is machines::not_priced. A clock count becomes the clocks of its task
 /// (hw/host/node_recipes.h) on its processor, times the compiler factor, rounded up. A compiler factor becomes that of
 /// the processor.
-void price(Figures& figures);
+void compute_processor_clocks(Figures& figures);
 
 }  // namespace csgsim::multi_processor

@@ -129,7 +129,7 @@ Records frame_records(const DisplayModel& model) {
 }
 
 Records segment_records(const DisplayModel& model, const division::Candidates& survivors) {
-  Records records = segment_heads(model, survivors);
+  Records records = segment_records_without_halfspaces(model, survivors);
   auto next = records.begin();
   for (const std::uint32_t index : survivors.primitives) {
     ++next;
@@ -139,7 +139,7 @@ Records segment_records(const DisplayModel& model, const division::Candidates& s
   return records;
 }
 
-Records segment_heads(const DisplayModel& model, const division::Candidates& survivors) {
+Records segment_records_without_halfspaces(const DisplayModel& model, const division::Candidates& survivors) {
   const RecordFormat format = format_of(model);
   Records records{numbers_record({{survivors.primitives.size(), format.primitives}})};
   for (const std::uint32_t index : survivors.primitives) {
@@ -149,7 +149,7 @@ Records segment_heads(const DisplayModel& model, const division::Candidates& sur
   return records;
 }
 
-void append(BitWriter& bits, const isa::LinkWord& word, unsigned word_bits) {
+void append_word(BitWriter& bits, const isa::LinkWord& word, unsigned word_bits) {
   for (unsigned at = 0; at < word_bits; at += max_bits) {
     const unsigned count = std::min(max_bits, word_bits - at);
     bits.put(word.number(at, count), count);
@@ -177,7 +177,7 @@ division::Bits halfspace_record(const DisplayModel& model, const division::Candi
 void RecordReader::begin_frame() {
   model_ = {};
   frame_words_ = segment_words_ = 0;
-  await(Record::header);
+  expect_record(Record::header);
 }
 
 void RecordReader::begin_segment(bool with_halfspaces) {
@@ -188,7 +188,7 @@ void RecordReader::begin_segment(bool with_halfspaces) {
   survivors_ = {};
   survivors_.halfspaces.resize(model_.primitives.size());
   survivors_.listed.assign(model_.primitives.size(), false);
-  await(Record::count);
+  expect_record(Record::count);
 }
 
 void RecordReader::take(const isa::LinkWord& word) {
@@ -202,11 +202,11 @@ void RecordReader::take(const isa::LinkWord& word) {
   if (missing_bits_ > 0) return;
   const division::Bits bits = gathered_.take();
   BitReader in(bits);
-  read(in);
+  read_record(in);
   await_next();
 }
 
-void RecordReader::await(Record record) {
+void RecordReader::expect_record(Record record) {
   next_ = record;
   gathered_ = {};
   missing_bits_ = bits_of(record);
@@ -217,13 +217,13 @@ void RecordReader::await_next() {
   const bool of_frame = next_ == Record::header || next_ == Record::primitive || next_ == Record::node;
   (of_frame ? frame_words_ : segment_words_) += quotient_up(bits_of(next_), memory_word_bits_);
   if (of_frame) {
-    if (model_.primitives.size() < primitives_) return await(Record::primitive);
-    if (model_.nodes.size() < nodes_) return await(Record::node);
+    if (model_.primitives.size() < primitives_) return expect_record(Record::primitive);
+    if (model_.nodes.size() < nodes_) return expect_record(Record::node);
   } else {
-    if (halfspaces_to_come_ > 0) return await(Record::halfspace);
-    if (primitives_to_come_ > 0) return await(Record::survivor);
+    if (halfspaces_to_come_ > 0) return expect_record(Record::halfspace);
+    if (primitives_to_come_ > 0) return expect_record(Record::survivor);
   }
-  await(Record::none);
+  expect_record(Record::none);
   division::validate(model_);
 }
 
@@ -240,7 +240,7 @@ unsigned RecordReader::bits_of(Record record) const {
   return 0;
 }
 
-void RecordReader::read(BitReader& in) {
+void RecordReader::read_record(BitReader& in) {
   switch (next_) {
     case Record::none: return;
     case Record::header: return read_header(in);

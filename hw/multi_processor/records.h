@@ -47,7 +47,7 @@ Records frame_records(const division::DisplayModel& model);
 /// Records of a segment with its surviving primitives and half-spaces.
 Records segment_records(const division::DisplayModel& model, const division::Candidates& survivors);
 /// Records of a segment with its surviving primitives, without their half-spaces.
-Records segment_heads(const division::DisplayModel& model, const division::Candidates& survivors);
+Records segment_records_without_halfspaces(const division::DisplayModel& model, const division::Candidates& survivors);
 
 /// Identifies a surviving half-space.
 struct HalfspaceId {
@@ -65,7 +65,7 @@ division::Bits halfspace_record(const division::DisplayModel& model, const divis
                                 const HalfspaceId& id);
 
 /// Appends the `word_bits` bits of a bus word to `bits`.
-void append(division::BitWriter& bits, const isa::LinkWord& word, unsigned word_bits);
+void append_word(division::BitWriter& bits, const isa::LinkWord& word, unsigned word_bits);
 
 /// A half-space with its plane, which is not shared with other half-spaces.
 struct ReadHalfspace {
@@ -109,9 +109,9 @@ class RecordReader {
  private:
   enum class Record : std::uint8_t { none, header, primitive, node, count, survivor, halfspace };
 
-  void await(Record record);
+  void expect_record(Record record);
   void await_next();
-  void read(division::BitReader& in);
+  void read_record(division::BitReader& in);
   void read_header(division::BitReader& in);
   void read_primitive(division::BitReader& in);
   void read_node(division::BitReader& in);

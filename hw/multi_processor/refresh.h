@@ -21,10 +21,10 @@ class Refresh {
 
   /// Clock in which a node finishes `work_clocks` clocks of work that start at clock `begin_clock`; `begin_clock` if
   /// `work_clocks` is 0.
-  [[nodiscard]] std::uint64_t end_of(std::uint64_t begin_clock, std::uint64_t work_clocks) const;
+  [[nodiscard]] std::uint64_t end_clock(std::uint64_t begin_clock, std::uint64_t work_clocks) const;
 
  private:
-  [[nodiscard]] std::uint64_t free_until(std::uint64_t clock) const;
+  [[nodiscard]] std::uint64_t free_clocks_until(std::uint64_t clock) const;
 
   std::uint64_t turns_per_second_ = 0;
   std::uint64_t clock_hz_;

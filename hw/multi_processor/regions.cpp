@@ -25,7 +25,7 @@ std::uint32_t part_length(std::uint32_t length, std::uint32_t parts) { return qu
 
 }  // namespace
 
-std::vector<isa::Region> parts_of(const isa::Region& region, std::uint32_t columns, std::uint32_t rows) {
+std::vector<isa::Region> divide_region(const isa::Region& region, std::uint32_t columns, std::uint32_t rows) {
   const std::uint32_t width = part_length(region.width, columns);
   const std::uint32_t height = part_length(region.height, rows);
   std::vector<isa::Region> parts;
@@ -39,19 +39,21 @@ std::vector<isa::Region> parts_of(const isa::Region& region, std::uint32_t colum
 }
 
 std::vector<isa::Region> picture_segments(machines::Size picture, std::uint32_t levels) {
-  return parts_of({0, 0, picture.width, picture.height}, 1U << (levels + 1) / 2, 1U << levels / 2);
+  return divide_region({0, 0, picture.width, picture.height}, 1U << (levels + 1) / 2, 1U << levels / 2);
 }
 
 std::vector<isa::Region> Kind::regions(const machines::Machine& machine) const {
   std::vector<isa::Region> all;
-  for (const isa::Region& segment : picture_segments(machine.picture, machines::own<Figures>(machine).levels)) {
-    const std::vector<isa::Region> parts = parts_of(segment, machine.array.width, machine.array.height);
+  for (const isa::Region& segment :
+       picture_segments(machine.picture, machines::kind_figures<Figures>(machine).levels)) {
+    const std::vector<isa::Region> parts = divide_region(segment, machine.array.width, machine.array.height);
     all.insert(all.end(), parts.begin(), parts.end());
   }
   return all;
 }
 
-NodePixels pixels_of(const isa::Region& region, const isa::ArrayShape& array, std::uint32_t row, std::uint32_t column) {
+NodePixels pixels_of_node(const isa::Region& region, const isa::ArrayShape& array, std::uint32_t row,
+                          std::uint32_t column) {
   const Places across = places_of(region.x, region.width, array.width, column);
   const Places down = places_of(region.y, region.height, array.height, row);
   if (across.count == 0 || down.count == 0) return {};

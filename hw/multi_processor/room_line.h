@@ -10,7 +10,7 @@ namespace csgsim::multi_processor {
 class RoomPort : virtual public sc_core::sc_interface {
  public:
   /// Sets whether the node pulls the line.
-  virtual void pull(std::uint32_t node, bool is_pulled_by_node) = 0;
+  virtual void set_pulled(std::uint32_t node, bool is_pulled_by_node) = 0;
   [[nodiscard]] virtual bool is_pulled() const = 0;
 };
 
@@ -20,7 +20,7 @@ class RoomLine final : public sc_core::sc_module, public RoomPort {
  public:
   RoomLine(sc_core::sc_module_name name, std::uint32_t nodes);
 
-  void pull(std::uint32_t node, bool is_pulled_by_node) override { pulls_[node] = is_pulled_by_node; }
+  void set_pulled(std::uint32_t node, bool is_pulled_by_node) override { pulls_[node] = is_pulled_by_node; }
   [[nodiscard]] bool is_pulled() const override;
 
  private:

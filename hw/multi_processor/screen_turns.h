@@ -22,7 +22,7 @@ class ScreenTurns {
   }
 
   /// Number of free clocks, at most `limit`, from `clock` to the next turn; 0 during a turn. `clock` must not decrease.
-  [[nodiscard]] std::uint64_t free_from(std::uint64_t clock, std::uint64_t limit) {
+  [[nodiscard]] std::uint64_t free_clocks_from(std::uint64_t clock, std::uint64_t limit) {
     if (rate_ == 0) return limit;
     while (first() + figures_.clocks <= clock) next();
     return first() <= clock ? 0 : std::min(limit, first() - clock);

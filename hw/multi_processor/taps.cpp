@@ -20,7 +20,7 @@ namespace {
 using wave::Number;
 using wave::Tap;
 
-std::string place_of(const isa::Region& region) {
+std::string corner_text(const isa::Region& region) {
   return region.width == 0 ? std::string() : fmt::format("{},{}", region.x, region.y);
 }
 
@@ -37,7 +37,7 @@ class PixelStory {
       : node_(node),
         region_(region),
         machine_(machine),
-        own_(pixels_of(region, machine.array, pixel.y % machine.array.height, pixel.x % machine.array.width)),
+        own_(pixels_of_node(region, machine.array, pixel.y % machine.array.height, pixel.x % machine.array.width)),
         place_(std::size_t{(pixel.y - region.y - own_.first_y) / machine.array.height} * own_.columns +
                (pixel.x - region.x - own_.first_x) / machine.array.width) {}
 
@@ -80,8 +80,8 @@ class PixelStory {
     moments_.clear();
     const std::vector<systemc::Keep> keeps(now.list->instructions.size(), systemc::Keep::nothing);
     before_ = now.before->pixels() == 0 ? PixelMemory() : now.before->of(place_);
-    ListRenderer renderer(machines::own<Figures>(machine_), machine_.array, now.list->instructions, now.list->form,
-                          keeps, own_, *now.before);
+    ListRenderer renderer(machines::kind_figures<Figures>(machine_), machine_.array, now.list->instructions,
+                          now.list->form, keeps, own_, *now.before);
     renderer.watch(place_, moments_);
     renderer.render();
     return true;
@@ -105,7 +105,7 @@ std::string node_name(std::uint32_t node, const isa::ArrayShape& nodes) {
 
 std::vector<Tap> display_taps(const DisplayProcessor& display) {
   return {wave::text("display.activity", [&display] { return std::string(display.activity()); }),
-          wave::text("display.segment", [&display] { return place_of(display.segment()); })};
+          wave::text("display.segment", [&display] { return corner_text(display.segment()); })};
 }
 
 std::vector<Tap> bus_taps(const ControlBus& bus, const sc_core::sc_signal<BusLines>& lines,
@@ -126,17 +126,17 @@ std::vector<Tap> node_taps(const std::string& part, const Node& node) {
   return {wave::text(part + ".activity", [&node] { return std::string(node.activity()); }),
           wave::text(part + ".subsegment", [&node] {
             const List* const list = node.rendering().list;
-            return list == nullptr ? std::string() : place_of(list->region);
+            return list == nullptr ? std::string() : corner_text(list->region);
           })};
 }
 
 std::vector<Tap> pixel_taps(wave::Pixel pixel, const Node& node, const isa::Program& program,
                             const machines::Machine& machine) {
-  const std::string part = wave::part_of(pixel);
+  const std::string part = wave::pixel_part_name(pixel);
   const std::uint32_t segment = wave::segment_of(pixel, program);
   const auto story = std::make_shared<PixelStory>(pixel, node, program.segments[segment].region, machine);
-  std::vector<Tap> taps =
-      wave::instruction_taps(part, program, [story, first = isa::first_numbers(program)[segment]]() -> Number {
+  std::vector<Tap> taps = wave::instruction_taps(
+      part, program, [story, first = isa::first_instruction_numbers(program)[segment]]() -> Number {
         const Number index = story->instruction();
         return index ? Number(first + *index) : std::nullopt;
       });

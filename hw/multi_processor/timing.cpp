@@ -37,20 +37,20 @@ using Met = std::span<const machines::PixelActivity>;
 /// Converts clocks of a rendering that begins in clock `begin` of the frame to timeline clocks: clock 0 of a timeline
 /// begins one clock after the frame, at the first possible clock edge.
 ClockSpan to_timeline(const ClockSpan& span, std::uint64_t begin, const Refresh& refresh) {
-  const std::uint64_t end = refresh.end_of(begin, span.end) - 1;
-  return {span.empty() ? end : refresh.end_of(begin, span.begin + 1) - 2, end};
+  const std::uint64_t end = refresh.end_clock(begin, span.end) - 1;
+  return {span.empty() ? end : refresh.end_clock(begin, span.begin + 1) - 2, end};
 }
 
 /// Steps through a frame, stage by stage.
 class FrameModel {
  public:
-  FrameModel(const isa::Program& program, const Machine& machine, Met met, const Requested& requested)
+  FrameModel(const isa::Program& program, const Machine& machine, Met pixel_activity, const Requested& requested)
       : program_(program),
         machine_(machine),
-        met_(met),
+        met_(pixel_activity),
         requested_(requested),
-        figures_(machines::own<Figures>(machine)),
-        sizes_(sizes_of(program.display_model)),
+        figures_(machines::kind_figures<Figures>(machine)),
+        sizes_(read_model_sizes(program.display_model)),
         memory_(display_memory(program, sizes_, figures_)),
         colour_(program.colour),
         refresh_(isa::frame_header(program), machine) {
@@ -61,7 +61,7 @@ class FrameModel {
     receive();
     transform();
     broadcast_frame();
-    for (const Subsegments parts : by_segment(program_, machine_)) draw(parts);
+    for (const Subsegments parts : subsegments_by_segment(program_, machine_)) draw(parts);
     return {nodes_free_, complete()};
   }
 
@@ -84,7 +84,7 @@ class FrameModel {
   }
 
   void draw(Subsegments parts) {
-    const SegmentDivision division = division_of(parts);
+    const SegmentDivision division = segment_division(parts);
     ++counted_.segment_count;
     divide(division);
     const Passes passes = plan_passes(parts, sizes_, machine_);
@@ -125,7 +125,7 @@ class FrameModel {
   /// The tests are counted twice if memory cannot hold the survivors.
   void divide(const SegmentDivision& division) {
     const TestClocks& each = figures_.display_tests;
-    const std::uint64_t times = memory_.holds(division, sizes_, figures_) ? 1 : 2;
+    const std::uint64_t times = memory_.can_hold(division, sizes_, figures_) ? 1 : 2;
     const std::uint64_t plane = memory_.has_planes ? 0 : remote_plane_clocks(sizes_, figures_);
     const std::uint64_t clocks =
         times * (division.boxes * each.primitive + division.halfspace_tests * (each.halfspace + plane) +
@@ -169,7 +169,7 @@ class FrameModel {
     std::uint64_t slowest = now;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const isa::DivisionStep counts = parts[i].division->sum();
-      const std::uint64_t end = refresh_.end_of(now, clocks[i]);
+      const std::uint64_t end = refresh_.end_clock(now, clocks[i]);
       counted_.second_box_tests += counts.boxes;
       counted_.second_halfspace_tests += counts.halfspaces;
       counted_.second_cell_tests += counts.cells;
@@ -191,7 +191,7 @@ class FrameModel {
                      message.reads * (read.request_words + read.answer_words) * machine_.link.word_clocks);
     counted_.bus.add(BusActivity::granting, 2 * message.reads * machine_.link.latency);
     counted_.display.add(DisplayActivity::broadcasting, message.reads * read.answer);
-    const std::uint64_t end = refresh_.end_of(now, message.divided);
+    const std::uint64_t end = refresh_.end_clock(now, message.divided);
     counted_.nodes[message.node].add(NodeActivity::pruning, end - now);
     counted_.stages.second_pruning += end - now;
     return end;
@@ -211,7 +211,7 @@ class FrameModel {
   }
 
   [[nodiscard]] NodePixels own_pixels(const isa::Region& region, std::uint32_t node) const {
-    return pixels_of(region, machine_.array, node / machine_.array.width, node % machine_.array.width);
+    return pixels_of_node(region, machine_.array, node / machine_.array.width, node % machine_.array.width);
   }
 
   std::uint64_t render(const ListPart& part, const isa::Region& region, std::uint64_t now) {
@@ -221,10 +221,10 @@ class FrameModel {
     const RenderingClocks rendering(part, machine_);
     for (std::uint32_t i = 0; i < counted_.nodes.size(); ++i) {
       const NodePixels own = own_pixels(region, i);
-      const bool is_alike = part.met == nullptr;
+      const bool is_alike = part.pixel_activity == nullptr;
       const auto [one, is_new] =
           known.try_emplace({own.columns, own.rows, is_alike ? 0 : own.first_x, is_alike ? 0 : own.first_y});
-      if (is_new) one->second = refresh_.end_of(now, rendering.all(own, colour_));
+      if (is_new) one->second = refresh_.end_clock(now, rendering.all(own, colour_));
       counted_.nodes[i].add(NodeActivity::rendering, one->second - now);
       slowest = std::max(slowest, one->second);
     }
@@ -240,7 +240,7 @@ class FrameModel {
     return {.instructions = std::span(segment.instructions).subspan(piece.first, piece.count),
             .begins = piece.first == 0,
             .ends = piece.ends,
-            .met = met_.empty() ? nullptr : &met_[number_of(segment)],
+            .pixel_activity = met_.empty() ? nullptr : &met_[number_of(segment)],
             .first = piece.first,
             .form = form_};
   }
@@ -306,8 +306,8 @@ class FrameModel {
 /// Form of the subsegment's list, if it is rendered in one pass.
 std::optional<ListForm> form_of_whole(const isa::Program& program, const Machine& machine, std::uint32_t segment) {
   const isa::Segment* const part = &program.segments[segment];
-  const ModelSizes sizes = sizes_of(program.display_model);
-  for (const Subsegments parts : by_segment(program, machine)) {
+  const ModelSizes sizes = read_model_sizes(program.display_model);
+  for (const Subsegments parts : subsegments_by_segment(program, machine)) {
     if (part < parts.data() || part >= parts.data() + parts.size()) continue;
     const Passes passes = plan_passes(parts, sizes, machine);
     const auto is_of_part = [&](const Message& message) {
@@ -321,21 +321,21 @@ std::optional<ListForm> form_of_whole(const isa::Program& program, const Machine
 
 }  // namespace
 
-FrameClocks time_stages(const isa::Program& program, const Machine& machine, Met met) {
+FrameClocks time_stages(const isa::Program& program, const Machine& machine, Met pixel_activity) {
   check_fits(program, machine);
-  return FrameModel(program, machine, met, {}).run();
+  return FrameModel(program, machine, pixel_activity, {}).run();
 }
 
 std::vector<StartedPart> started_parts(const isa::Program& program, const Machine& machine, std::uint32_t segment,
-                                       Met met) {
+                                       Met pixel_activity) {
   std::vector<StartedPart> parts;
-  FrameModel(program, machine, met, {.segment = segment, .parts = &parts}).run();
+  FrameModel(program, machine, pixel_activity, {.segment = segment, .parts = &parts}).run();
   return parts;
 }
 
 machines::FrameTiming Kind::time(const isa::Program& program, const Machine& machine,
                                  const machines::RunOutcome& outcomes) const {
-  const FrameClocks timing = time_stages(program, machine, outcomes.met);
+  const FrameClocks timing = time_stages(program, machine, outcomes.pixel_activity);
   return {.clocks = timing.clocks, .account = account(timing.account, machine.array)};
 }
 
@@ -343,28 +343,30 @@ std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, co
                                                  const machines::RunOutcome& outcomes) const {
   check_fits(program, machine);
   machines::Timeline timeline = machines::blank_timeline(program);
-  timeline.met.assign(outcomes.met.begin(), outcomes.met.end());
-  FrameModel(program, machine, timeline.met, {.timeline = &timeline}).run();
+  timeline.pixel_activity.assign(outcomes.pixel_activity.begin(), outcomes.pixel_activity.end());
+  FrameModel(program, machine, timeline.pixel_activity, {.timeline = &timeline}).run();
   return timeline;
 }
 
-std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeline, const isa::Program& program,
-                                                const Machine& machine, std::uint32_t segment, std::uint32_t x,
-                                                std::uint32_t y) const {
+std::vector<machines::ClockSpan> Kind::spans_at_pixel(const machines::Timeline& timeline, const isa::Program& program,
+                                                      const Machine& machine, std::uint32_t segment, std::uint32_t x,
+                                                      std::uint32_t y) const {
   const isa::Segment& part = program.segments[segment];
   const isa::ArrayShape& nodes = machine.array;
-  const NodePixels own = pixels_of(part.region, nodes, y % nodes.height, x % nodes.width);
+  const NodePixels own = pixels_of_node(part.region, nodes, y % nodes.height, x % nodes.width);
   const std::uint32_t column = (x - part.region.x - own.first_x) / nodes.width;
   const std::uint32_t row = (y - part.region.y - own.first_y) / nodes.height;
   const Refresh refresh(isa::frame_header(program), machine);
   std::vector<StartedPart> parts;
   if (const std::optional<ListForm> form = form_of_whole(program, machine, segment)) {
     // The timeline contains the first clock in which a node executes the list.
-    const machines::PixelActivity* const met = timeline.met.empty() ? nullptr : &timeline.met[segment];
-    parts.push_back(
-        {{.instructions = part.instructions, .met = met, .form = *form}, timeline.cleared[segment].begin + 1, 0});
+    const machines::PixelActivity* const pixel_activity =
+        timeline.pixel_activity.empty() ? nullptr : &timeline.pixel_activity[segment];
+    parts.push_back({{.instructions = part.instructions, .pixel_activity = pixel_activity, .form = *form},
+                     timeline.cleared[segment].begin + 1,
+                     0});
   } else {
-    parts = started_parts(program, machine, segment, timeline.met);
+    parts = started_parts(program, machine, segment, timeline.pixel_activity);
   }
   std::vector<ClockSpan> all;
   for (const StartedPart& one : parts) {

@@ -21,10 +21,10 @@ struct FrameClocks {
   FrameAccount account;
 };
 
-/// Computes the timing stage by stage; the clocked modules must count the same clocks. `met`: as in
-/// machines::RunOutcome; if `met` is empty and nodes branch, the result is an upper bound.
+/// Computes the timing stage by stage; the clocked modules must count the same clocks. `pixel_activity`: as in
+/// machines::RunOutcome; if `pixel_activity` is empty and nodes branch, the result is an upper bound.
 FrameClocks time_stages(const isa::Program& program, const machines::Machine& machine,
-                        std::span<const machines::PixelActivity> met = {});
+                        std::span<const machines::PixelActivity> pixel_activity = {});
 
 /// Part of a subsegment's list, and the clocks of the frame from its start on the nodes until the slowest node has
 /// rendered it.
@@ -34,8 +34,9 @@ struct StartedPart {
   std::uint64_t end = 0;
 };
 
-/// Parts of the list of subsegment `segment`, in order. `met`: as in time_stages; must outlive the result.
+/// Parts of the list of subsegment `segment`, in order. `pixel_activity`: as in time_stages; must outlive the result.
 std::vector<StartedPart> started_parts(const isa::Program& program, const machines::Machine& machine,
-                                       std::uint32_t segment, std::span<const machines::PixelActivity> met = {});
+                                       std::uint32_t segment,
+                                       std::span<const machines::PixelActivity> pixel_activity = {});
 
 }  // namespace csgsim::multi_processor

@@ -22,7 +22,7 @@ constexpr double max_seconds = 1e6;
 constexpr double max_reported_clocks = 1e18;
 
 void check_display_memory(const DisplayMemory& memory, const Machine& machine) {
-  const std::uint64_t available = machines::own<Figures>(machine).display_memory_words;
+  const std::uint64_t available = machines::kind_figures<Figures>(machine).display_memory_words;
   if (memory.model_words <= available) return;
   throw InputError(
       fmt::format("the model without its planes needs {} words, but the display processor of {} has {}; increase "
@@ -34,7 +34,7 @@ void check_display_memory(const DisplayMemory& memory, const Machine& machine) {
 void check_segment_memory(Subsegments parts, const ModelSizes& sizes, const DisplayMemory& memory,
                           const Machine& machine) {
   const bool is_remote = list_room(parts, sizes, machine).is_remote;
-  if (!is_remote || memory.holds(division_of(parts), sizes, machines::own<Figures>(machine))) return;
+  if (!is_remote || memory.can_hold(segment_division(parts), sizes, machines::kind_figures<Figures>(machine))) return;
   throw InputError(fmt::format(
       "what remains of the model in the segment at {},{} fits neither the memory of the nodes of {} nor that of its "
       "display processor; increase node.memory_words, display.memory_words or subdivision.levels in the machine file",
@@ -43,7 +43,7 @@ void check_segment_memory(Subsegments parts, const ModelSizes& sizes, const Disp
 
 /// Upper bound: half-spaces are read over the bus, planes from the host, and the first pruning is done twice.
 double test_clocks(const isa::Segment& part, const ModelSizes& sizes, const Machine& machine) {
-  const Figures& figures = machines::own<Figures>(machine);
+  const Figures& figures = machines::kind_figures<Figures>(machine);
   const auto plane = static_cast<double>(remote_plane_clocks(sizes, figures));
   const TestClocks each = node_test_clocks(sizes, figures);
   const auto read = static_cast<double>(read_clocks(sizes, machine).clocks());
@@ -69,7 +69,7 @@ double data_words(const isa::Segment& part, const ModelSizes& sizes) {
 }
 
 void check_time(const isa::Program& program, const ModelSizes& sizes, const Machine& machine) {
-  const Figures& figures = machines::own<Figures>(machine);
+  const Figures& figures = machines::kind_figures<Figures>(machine);
   double clocks = static_cast<double>(figures.host.latency) + machine.link.latency +
                   static_cast<double>(host_words(program, figures.host.width)) * figures.host.word_clocks +
                   static_cast<double>(sizes.planes) * figures.transform_clocks +
@@ -99,16 +99,17 @@ void check_time(const isa::Program& program, const ModelSizes& sizes, const Mach
 }  // namespace
 
 void check_fits(const isa::Program& program, const Machine& machine) {
-  const ModelSizes sizes = sizes_of(program.display_model);
+  const ModelSizes sizes = read_model_sizes(program.display_model);
   if (sizes.planes == 0 && sizes.depth == 0) {
     throw InputError(fmt::format(
         "the Program has no display model for {} to divide; compile the model for this machine", machine.name));
   }
   check_refresh(isa::frame_header(program), machine);
   check_time(program, sizes, machine);
-  const DisplayMemory memory = display_memory(program, sizes, machines::own<Figures>(machine));
+  const DisplayMemory memory = display_memory(program, sizes, machines::kind_figures<Figures>(machine));
   check_display_memory(memory, machine);
-  for (const Subsegments parts : by_segment(program, machine)) check_segment_memory(parts, sizes, memory, machine);
+  for (const Subsegments parts : subsegments_by_segment(program, machine))
+    check_segment_memory(parts, sizes, memory, machine);
 }
 
 }  // namespace csgsim::multi_processor

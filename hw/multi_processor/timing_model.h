@@ -7,7 +7,7 @@
 namespace csgsim::multi_processor {
 
 using division::ModelSizes;
-using division::sizes_of;
+using division::read_model_sizes;
 
 // Words of the model's records on the bus or in a node's memory; each record begins at a new word.
 

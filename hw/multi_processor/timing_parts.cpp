@@ -13,8 +13,8 @@
 
 namespace csgsim::multi_processor {
 
-std::vector<Subsegments> by_segment(const isa::Program& program, const machines::Machine& machine) {
-  const std::uint32_t levels = machines::own<Figures>(machine).levels;
+std::vector<Subsegments> subsegments_by_segment(const isa::Program& program, const machines::Machine& machine) {
+  const std::uint32_t levels = machines::kind_figures<Figures>(machine).levels;
   std::vector<Subsegments> all;
   Subsegments left = program.segments;
   for (const isa::Region& segment : picture_segments({program.shape.width, program.shape.height}, levels)) {
@@ -30,7 +30,7 @@ std::vector<Subsegments> by_segment(const isa::Program& program, const machines:
 }
 
 /// Each subsegment tests all primitives that survive in the segment.
-SegmentDivision division_of(Subsegments parts) {
+SegmentDivision segment_division(Subsegments parts) {
   const isa::DivisionCounts& counts = *parts.front().division;
   const std::uint64_t boxes = counts.sum().boxes;
   const bool draws =
@@ -77,7 +77,7 @@ std::uint64_t host_words(const isa::Program& program, std::uint32_t word_bits) {
   return quotient_up(host_bits(program), word_bits);
 }
 
-bool DisplayMemory::holds(const SegmentDivision& division, const ModelSizes& sizes, const Figures& figures) const {
+bool DisplayMemory::can_hold(const SegmentDivision& division, const ModelSizes& sizes, const Figures& figures) const {
   const std::uint64_t left = segment_words(sizes, division.primitives, division.halfspaces, figures.word_bits);
   return model_words + left <= figures.display_memory_words;
 }

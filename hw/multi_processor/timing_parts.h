@@ -15,7 +15,7 @@ namespace csgsim::multi_processor {
 using Subsegments = std::span<const isa::Segment>;
 
 /// The Program's subsegments, one span per segment of the picture.
-std::vector<Subsegments> by_segment(const isa::Program& program, const machines::Machine& machine);
+std::vector<Subsegments> subsegments_by_segment(const isa::Program& program, const machines::Machine& machine);
 
 /// Work of the display processor for a segment, and its survivors, as counted by the host.
 struct SegmentDivision {
@@ -27,7 +27,7 @@ struct SegmentDivision {
   std::uint64_t halfspaces = 0;  ///< surviving half-spaces
 };
 
-SegmentDivision division_of(Subsegments parts);
+SegmentDivision segment_division(Subsegments parts);
 
 /// Test clocks of a node, including unpacking of a box, a half-space without its colour, or a node of the tree.
 TestClocks node_test_clocks(const ModelSizes& sizes, const Figures& figures);
@@ -45,7 +45,7 @@ struct DisplayMemory {
       true;  ///< otherwise the model is stored without its planes, which are read from the host when tested
 
   /// Whether the display processor's memory has room for the survivors of a segment in addition.
-  [[nodiscard]] bool holds(const SegmentDivision& division, const ModelSizes& sizes, const Figures& figures) const;
+  [[nodiscard]] bool can_hold(const SegmentDivision& division, const ModelSizes& sizes, const Figures& figures) const;
 };
 
 DisplayMemory display_memory(const isa::Program& program, const ModelSizes& sizes, const Figures& figures);

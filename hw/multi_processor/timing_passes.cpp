@@ -29,7 +29,7 @@ struct BuiltPart {
 
 /// Maximum number of a node's words that a command takes.
 std::uint64_t max_command_words(const Machine& machine) {
-  return quotient_up(isa::LinkWord::most_bits, machines::own<Figures>(machine).word_bits);
+  return quotient_up(isa::LinkWord::max_bits, machines::kind_figures<Figures>(machine).word_bits);
 }
 
 /// Words of a command of a list: its start, the instructions, its end.
@@ -104,12 +104,13 @@ class ListExchange {
         is_remote_(room.is_remote),
         is_alone_(machine.array.width * machine.array.height == 1),
         max_command_words_(max_command_words(machine)),
-        node_bits_(machines::own<Figures>(machine).word_bits),
+        node_bits_(machines::kind_figures<Figures>(machine).word_bits),
         bus_bits_(machine.link.width) {
     const std::uint64_t own_room = parts.size() == 1 || is_remote_ ? room_ : room_ / 2;
     for (const isa::Segment& part : parts)
       built_.push_back(
-          ListBuilder(part, own_room, is_remote_ ? read : 0, form, each, machines::own<Figures>(machine)).build());
+          ListBuilder(part, own_room, is_remote_ ? read : 0, form, each, machines::kind_figures<Figures>(machine))
+              .build());
   }
 
   Passes run() {
@@ -197,8 +198,8 @@ class ListExchange {
 }  // namespace
 
 ListRoom list_room(Subsegments parts, const ModelSizes& sizes, const Machine& machine) {
-  const Figures& figures = machines::own<Figures>(machine);
-  const SegmentDivision division = division_of(parts);
+  const Figures& figures = machines::kind_figures<Figures>(machine);
+  const SegmentDivision division = segment_division(parts);
   const std::uint64_t reserved = 2 * max_command_words(machine);
   std::uint64_t records = 0;
   for (const std::uint64_t halfspaces : {division.halfspaces, std::uint64_t{0}}) {
@@ -216,7 +217,7 @@ ListRoom list_room(Subsegments parts, const ModelSizes& sizes, const Machine& ma
 ListForm list_form(Subsegments parts, bool is_remote, const ModelSizes& sizes, const Machine& machine) {
   if (is_remote) return {};
   ListForm form = longest_form(sizes, machine);
-  const std::uint64_t halfspaces = division_of(parts).halfspaces;
+  const std::uint64_t halfspaces = segment_division(parts).halfspaces;
   form.number_bits = 1;
   while (halfspaces > 0 && (halfspaces - 1) >> form.number_bits > 0) ++form.number_bits;
   return form;
@@ -224,7 +225,7 @@ ListForm list_form(Subsegments parts, bool is_remote, const ModelSizes& sizes, c
 
 ListForm longest_form(const ModelSizes& sizes, const Machine& machine) {
   const auto bits = [](std::uint32_t width) { return static_cast<std::uint8_t>(width); };
-  if (machines::own<Figures>(machine).lists == ListKind::instructions) return {};
+  if (machines::kind_figures<Figures>(machine).lists == ListKind::instructions) return {};
   return {.has_numbers = true,
           .number_bits = 64,
           .record_bits = static_cast<unsigned>(halfspace_bits(sizes)),
@@ -241,7 +242,7 @@ ReadClocks read_clocks(const ModelSizes& sizes, const Machine& machine) {
 }
 
 Passes plan_passes(Subsegments parts, const ModelSizes& sizes, const Machine& machine) {
-  const TestClocks each = node_test_clocks(sizes, machines::own<Figures>(machine));
+  const TestClocks each = node_test_clocks(sizes, machines::kind_figures<Figures>(machine));
   const ListRoom room = list_room(parts, sizes, machine);
   const ListForm form = list_form(parts, room.is_remote, sizes, machine);
   return ListExchange(parts, room, read_clocks(sizes, machine).clocks(), form, each, machine).run();

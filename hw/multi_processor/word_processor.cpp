@@ -120,7 +120,7 @@ void WordProcessor::write(PixelMemory& memory, std::size_t pixel, isa::Field fie
 }
 
 /// The low `width` bits as a two's complement number, arithmetically shifted right (floor).
-std::int64_t WordProcessor::value_of(std::uint64_t sum, const isa::Linear& linear) {
+std::int64_t WordProcessor::extract_value(std::uint64_t sum, const isa::Linear& linear) {
   shift_words(linear.width, linear.shift);
   const unsigned unused = sum_bits - linear.width;
   return static_cast<std::int64_t>(sum << unused) >> unused >> linear.shift;
@@ -143,12 +143,12 @@ void WordProcessor::test_enable(const isa::Instruction& instruction, const Pixel
 void WordProcessor::act(const isa::Instruction& instruction, PixelMemory& memory, std::size_t pixel,
                         std::uint64_t sum) {
   const isa::Linear& linear = instruction.linear;
-  carry_out(instruction, memory, pixel, linear.width > 0 ? value_of(sum, linear) : 0);
+  execute_opcode(instruction, memory, pixel, linear.width > 0 ? extract_value(sum, linear) : 0);
   skipping_ = false;
 }
 
-void WordProcessor::carry_out(const isa::Instruction& instruction, PixelMemory& memory, std::size_t pixel,
-                              std::int64_t linear_value) {
+void WordProcessor::execute_opcode(const isa::Instruction& instruction, PixelMemory& memory, std::size_t pixel,
+                                   std::int64_t linear_value) {
   using isa::Opcode;
   const isa::Field first = instruction.fields[0];
   const isa::Field second = instruction.fields[1];
@@ -211,7 +211,7 @@ void WordProcessor::carry_out(const isa::Instruction& instruction, PixelMemory& 
     case Opcode::linear_minus:
       add_words(linear.width);
       return put(static_cast<std::uint64_t>(linear_value) - take(first));
-    case Opcode::root: return put(root_of(take(first), first.width / 2U));
+    case Opcode::root: return put(compute_root(take(first), first.width / 2U));
     case Opcode::squares: throw std::logic_error("squares instruction on a machine of degree 1");
   }
 }
@@ -219,7 +219,7 @@ void WordProcessor::carry_out(const isa::Instruction& instruction, PixelMemory& 
 /// Square root of a number of 2 x `bits` bits, and its remainder. The root is found bit by bit from the top: each trial
 /// shifts two bits into the remainder, forms the number to add or subtract by a shift of two places, adds it, and tests
 /// the sign.
-std::uint64_t WordProcessor::root_of(std::uint64_t field, unsigned bits) {
+std::uint64_t WordProcessor::compute_root(std::uint64_t field, unsigned bits) {
   const std::uint64_t radicand = field & ((std::uint64_t{1} << (2 * bits)) - 1);
   std::int64_t remainder = 0;
   std::int64_t root = 0;

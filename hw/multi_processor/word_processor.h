@@ -101,10 +101,10 @@ class WordProcessor {
   std::uint64_t read(const PixelMemory& memory, std::size_t pixel, isa::Field field);
   void write_enable(PixelMemory& memory, std::size_t pixel, bool is_enabled);
   void write(PixelMemory& memory, std::size_t pixel, isa::Field field, std::uint64_t value, bool is_selected);
-  std::int64_t value_of(std::uint64_t sum, const isa::Linear& linear);
-  std::uint64_t root_of(std::uint64_t field, unsigned bits);
-  void carry_out(const isa::Instruction& instruction, PixelMemory& memory, std::size_t pixel,
-                 std::int64_t linear_value);
+  std::int64_t extract_value(std::uint64_t sum, const isa::Linear& linear);
+  std::uint64_t compute_root(std::uint64_t field, unsigned bits);
+  void execute_opcode(const isa::Instruction& instruction, PixelMemory& memory, std::size_t pixel,
+                      std::int64_t linear_value);
   void write_linear(const isa::Instruction& instruction, PixelMemory& memory, std::size_t pixel,
                     std::int64_t linear_value, bool is_selected);
 

@@ -21,8 +21,8 @@ machines::Account account(const ControllerAccount& controller, const machines::L
                                        {"answering", controller.answering},
                                        {"jumping", controller.jumping},
                                        {"draining", controller.draining}}},
-                                     machines::part_of(link, "host link")}};
-  if (machines::own<Figures>(machine).scan_out_buffers < 2) return result;
+                                     machines::part_account(link, "host link")}};
+  if (machines::kind_figures<Figures>(machine).scan_out_buffers < 2) return result;
   result.counts.push_back({"refresh_waits", controller.refresh_waits});
   std::vector<machines::ActivityClocks>& activities = result.parts.front().clocks;
   activities.push_back({"refreshing", controller.refreshing});

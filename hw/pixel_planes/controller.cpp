@@ -104,10 +104,10 @@ void Controller::put_control_word() {
     case State::idle:
       if (!refreshed_) put({});
       return;
-    case State::asking: ask(); [[fallthrough]];
+    case State::asking: request_frame(); [[fallthrough]];
     case State::ready:
       status_.busy = false;
-      await(jumped_ ? account_.jumping : account_.starved);
+      count_waiting_clock(jumped_ ? account_.jumping : account_.starved);
       break;
     case State::issuing:
       issue();
@@ -118,10 +118,10 @@ void Controller::put_control_word() {
       ++account_.clearing;
       break;
     case State::waiting:
-      await(account_.answering);
+      count_waiting_clock(account_.answering);
       ++instruction_clocks_;
       break;
-    case State::holding: await(account_.holding); break;
+    case State::holding: count_waiting_clock(account_.holding); break;
     case State::copying:
       copy();
       ++account_.copying;
@@ -129,7 +129,7 @@ void Controller::put_control_word() {
     case State::draining:
       if (drained_ == figures_.latency) return finish();
       ++drained_;
-      await(account_.draining);
+      count_waiting_clock(account_.draining);
       break;
   }
   ++status_.clocks;
@@ -137,12 +137,12 @@ void Controller::put_control_word() {
 
 /// Spends a clock without a step of the controller. Counts the clock in `activity_clocks`, or as refreshing if a
 /// refresh word is sent in it.
-void Controller::await(std::uint64_t& activity_clocks) {
+void Controller::count_waiting_clock(std::uint64_t& activity_clocks) {
   if (!refreshed_) put({});
   ++(refreshed_ ? account_.refreshing : activity_clocks);
 }
 
-void Controller::ask() {
+void Controller::request_frame() {
   requests.nb_write(0);
   state_ = State::ready;
 }
@@ -279,17 +279,17 @@ void Controller::take_answer() {
   if (!answer.read().valid) return;
   const isa::Instruction& question = status_.instruction;
   const bool any_enabled = answer.read().any_enabled;
-  const std::uint64_t skipped = isa::skipped_after(question, any_enabled ? 1 : 0);
+  const std::uint64_t skipped = isa::skipped_instruction_count(question, any_enabled ? 1 : 0);
   accounts.nb_write({.cleared = false,
                      .clocks = instruction_clocks_,
                      .answered = question.opcode == isa::Opcode::global_or,
                      .answer = any_enabled,
                      .skipped = skipped});
   state_ = State::ready;
-  if (skipped > 0) jump(skipped);
+  if (skipped > 0) skip_instructions(skipped);
 }
 
-void Controller::jump(std::uint64_t instruction_count) {
+void Controller::skip_instructions(std::uint64_t instruction_count) {
   next_ordinal_ += instruction_count;
   requests.nb_write(next_ordinal_);
   receiver_.drop(link);

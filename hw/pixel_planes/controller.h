@@ -97,7 +97,7 @@ class Controller final : public systemc::ClockedModule {
   void on_clock() override;
   void act();
   void begin_frame();
-  void ask();
+  void request_frame();
   void begin_command();
   void begin(const isa::Instruction& instruction);
   void begin(const isa::SegmentStart& start);
@@ -106,7 +106,7 @@ class Controller final : public systemc::ClockedModule {
   [[nodiscard]] bool has_control_wires() const;
   bool refresh();
   void put_control_word();
-  void await(std::uint64_t& activity_clocks);
+  void count_waiting_clock(std::uint64_t& activity_clocks);
   void issue();
   void issue_ahead();
   Issued issued();
@@ -118,7 +118,7 @@ class Controller final : public systemc::ClockedModule {
   void finish();
   void put(const ControlWord& word, const array::RootBits& bits = {});
   void take_answer();
-  void jump(std::uint64_t instruction_count);
+  void skip_instructions(std::uint64_t instruction_count);
   void receive();
   [[nodiscard]] std::uint64_t edges() const;
 

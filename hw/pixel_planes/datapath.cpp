@@ -21,19 +21,19 @@ void Datapath::put(const ControlWord& word, const array::RootBits& bits) {
 }
 
 void Datapath::clock() {
-  carry_out(at_pixels());
+  execute_word(at_pixels());
   if (length_ == 0) return;
   clock_trees();
   shift();
 }
 
-void Datapath::carry_out(const ControlWord& word) {
+void Datapath::execute_word(const ControlWord& word) {
   last_executed_ = word;
   if (word.clears) {
-    pixels_.select(word.clear.width, word.clear.height);
+    pixels_.select_pixels(word.clear.width, word.clear.height);
     pixels_.clear_memory(word.clear.address, word.clear.bits);
   } else if (has_leaf_bits_) {
-    pixels_.step_with(leaf_bits_, word.step);
+    pixels_.step_with_planes(leaf_bits_, word.step);
   } else {
     pixels_.step(word.step, leaves_);
   }

@@ -65,7 +65,7 @@ class Datapath {
 
  private:
   [[nodiscard]] bool trees_active() const { return adders_ ? adders_->any_active() : trees_.any_active(); }
-  void carry_out(const ControlWord& word);
+  void execute_word(const ControlWord& word);
   void clock_trees();
   void shift();
 

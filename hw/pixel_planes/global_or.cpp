@@ -26,12 +26,12 @@ GlobalOr::GlobalOr(sc_core::sc_module_name name, array::PlaneShape shape, std::u
   }
 }
 
-void GlobalOr::set_answers(std::vector<bool> results) { known_answers_.emplace(results.begin(), results.end()); }
+void GlobalOr::set_test_results(std::vector<bool> results) { known_results_.emplace(results.begin(), results.end()); }
 
 bool GlobalOr::any_enabled() {
-  if (!known_answers_) return enable->any_enabled();
-  const bool found = known_answers_->front();
-  known_answers_->pop_front();
+  if (!known_results_) return enable->any_enabled();
+  const bool found = known_results_->front();
+  known_results_->pop_front();
   return found;
 }
 
@@ -47,10 +47,10 @@ void GlobalOr::shift() {
   if (!clock.posedge()) return;
   for (std::size_t i = levels_.size() - 1; i > 0; --i) {
     levels_[i].pending = levels_[i - 1].pending;
-    if (levels_[i].pending) gather(levels_[i - 1], levels_[i]);
+    if (levels_[i].pending) reduce_level(levels_[i - 1], levels_[i]);
   }
   levels_.front().pending = question.read();
-  if (levels_.front().pending) gather_enable(levels_.front());
+  if (levels_.front().pending) reduce_enable(levels_.front());
   const Level& last = levels_.back();
   answer.write({.valid = last.pending, .any_enabled = last.pending && last.bits.front()});
   const bool rests = std::none_of(levels_.begin(), levels_.end(), [](const Level& level) { return level.pending; });
@@ -58,9 +58,9 @@ void GlobalOr::shift() {
 }
 
 /// Each gate of the first level combines consecutive pixels in row order.
-void GlobalOr::gather_enable(Level& level) {
+void GlobalOr::reduce_enable(Level& level) {
   std::fill(level.bits.begin(), level.bits.end(), false);
-  if (known_answers_) {
+  if (known_results_) {
     level.bits.front() = any_enabled();
     return;
   }
@@ -78,7 +78,7 @@ void GlobalOr::gather_enable(Level& level) {
   }
 }
 
-void GlobalOr::gather(const Level& from, Level& to) const {
+void GlobalOr::reduce_level(const Level& from, Level& to) const {
   std::fill(to.bits.begin(), to.bits.end(), false);
   for (std::size_t i = 0; i < from.bits.size(); ++i) {
     if (from.bits[i]) to.bits[i / fan_in_] = true;

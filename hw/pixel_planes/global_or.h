@@ -26,7 +26,7 @@ class GlobalOr final : public sc_core::sc_module {
   GlobalOr(sc_core::sc_module_name name, array::PlaneShape shape, std::uint32_t fan_in);
 
   /// Queues the results of the next global-OR tests, in order, for a machine of which only some pixels are simulated.
-  void set_answers(std::vector<bool> results);
+  void set_test_results(std::vector<bool> results);
 
  private:
   /// Registers after the gates of one level of the tree.
@@ -38,13 +38,13 @@ class GlobalOr final : public sc_core::sc_module {
   [[nodiscard]] bool any_enabled();
   void reduce();
   void shift();
-  void gather_enable(Level& level);
-  void gather(const Level& from, Level& to) const;
+  void reduce_enable(Level& level);
+  void reduce_level(const Level& from, Level& to) const;
 
   array::PlaneShape shape_;
   std::uint32_t fan_in_;
   std::vector<Level> levels_;  ///< from the pixels to the controller
-  std::optional<std::deque<bool>> known_answers_;
+  std::optional<std::deque<bool>> known_results_;
 };
 
 }  // namespace csgsim::pixel_planes

@@ -26,8 +26,8 @@ class Kind final : public machines::KindOf<Figures> {
   /// which the steps are at the pixels, which all execute them at the same time.
   std::optional<Timeline> timeline(const Program& program, const Machine& machine,
                                    const RunOutcome& outcome) const override;
-  Spans at_pixel(const Timeline& timeline, const Program& program, const Machine& machine, std::uint32_t segment,
-                 std::uint32_t x, std::uint32_t y) const override;
+  Spans spans_at_pixel(const Timeline& timeline, const Program& program, const Machine& machine, std::uint32_t segment,
+                       std::uint32_t x, std::uint32_t y) const override;
   machines::Resources resources(const Machine& machine, const isa::FrameHeader& header) const override;
   std::vector<machines::Load> loads(const machines::FrameTiming& timing) const override;
   bool bit_serial_pixels() const override { return true; }

@@ -30,7 +30,7 @@ ControllerFigures controller_figures(const machines::Machine& machine) {
           .latency = machines::evaluator_latency(machine),
           .memory_bits = machine.array.memory_bits,
           .clear_clocks = machine.clear_clocks,
-          .two_buffers = machines::own<Figures>(machine).scan_out_buffers >= 2};
+          .two_buffers = machines::kind_figures<Figures>(machine).scan_out_buffers >= 2};
 }
 
 array::TreeForm tree_form(const machines::Machine& machine) {
@@ -71,9 +71,10 @@ PixelPlanes::PixelPlanes(sc_core::sc_module_name name, const machines::Machine& 
       host_("host", systemc::period_of(machine), machine.link),
       controller_("controller", systemc::period_of(machine), sequencer(machine), controller_figures(machine)),
       pipeline_("pipeline", machine, form, earlier),
-      global_or_("global_or", plane_shape(machine), machines::own<Figures>(machine).or_fan_in),
+      global_or_("global_or", plane_shape(machine), machines::kind_figures<Figures>(machine).or_fan_in),
       scan_out_("scan_out", systemc::period_of(machine), plane_shape(machine),
-                machines::own<Figures>(machine).scan_out_pixels, machines::own<Figures>(machine).scan_out_port) {
+                machines::kind_figures<Figures>(machine).scan_out_pixels,
+                machines::kind_figures<Figures>(machine).scan_out_port) {
   SC_HAS_PROCESS(PixelPlanes);
   sc_core::sc_report_handler::set_actions(sc_core::SC_WARNING, sc_core::SC_THROW);
 
@@ -140,13 +141,13 @@ void PixelPlanes::run_until_shown() {
   }
 }
 
-void PixelPlanes::check(std::span<const isa::Program> programs) const {
+void PixelPlanes::check_programs(std::span<const isa::Program> programs) const {
   const array::PlaneShape shape = plane_shape(machine_);
   const isa::Field first = isa::frame_header(programs.front()).colour;
   for (const isa::Program& program : programs) {
     check_fits(program.shape, {shape.width, shape.height, pipeline_.pixels().memory_bits()});
     const isa::Field colour = isa::frame_header(program).colour;
-    if (machines::own<Figures>(machine_).scan_out_buffers < 2 || colour.width == first.width) continue;
+    if (machines::kind_figures<Figures>(machine_).scan_out_buffers < 2 || colour.width == first.width) continue;
     throw InputError("a machine with two buffers cannot draw frames with colours of " + std::to_string(first.width) +
                      " and " + std::to_string(colour.width) +
                      " bits in sequence; compile all with the same --colour-bits");
@@ -162,11 +163,11 @@ std::vector<systemc::RunReport> PixelPlanes::run_sequence(std::span<const isa::P
                                                           std::span<systemc::RunListener* const> listeners) {
   std::vector<systemc::RunReport> reports(programs.size());
   if (programs.empty()) return reports;
-  check(programs);
+  check_programs(programs);
   systemc::elaborate();
   for (std::size_t i = 0; i < programs.size(); ++i) {
     const std::uint64_t begun = begun_;
-    draw(programs[i], *listeners[i], reports[i]);
+    draw_frame(programs[i], *listeners[i], reports[i]);
     if (i > 0) reports[i - 1].interval_clocks = begun_ - begun;
   }
   run_until_shown();
@@ -175,10 +176,10 @@ std::vector<systemc::RunReport> PixelPlanes::run_sequence(std::span<const isa::P
   return reports;
 }
 
-void PixelPlanes::draw(const isa::Program& program, systemc::RunListener& listener, systemc::RunReport& report) {
+void PixelPlanes::draw_frame(const isa::Program& program, systemc::RunListener& listener, systemc::RunReport& report) {
   retirement_.begin(listener);
   completion_.begin(program.segments);
-  start(program);
+  start_frame(program);
   while (drawn_ == programs_.read() && !systemc::is_stopped()) {
     systemc::run();
     collect();
@@ -200,10 +201,10 @@ void PixelPlanes::draw(const isa::Program& program, systemc::RunListener& listen
   }
 }
 
-void PixelPlanes::start(const isa::Program& program) {
-  if (earlier_) pipeline_.show(shown_field(program, machine_));
+void PixelPlanes::start_frame(const isa::Program& program) {
+  if (earlier_) pipeline_.show(displayed_field(program, machine_));
   if (start_) return resume(program, *std::exchange(start_, std::nullopt));
-  if (earlier_) global_or_.set_answers(earlier_->answers);
+  if (earlier_) global_or_.set_test_results(earlier_->answers);
   host_.load(link::frame_words(program, machine_.link.width));
   waiting_frames_.nb_write(true);
 }
@@ -214,8 +215,8 @@ void PixelPlanes::resume(const isa::Program& program, const Start& start) {
   const array::PixelReplay fresh(earlier_->pixels, machine_.array.memory_bits, sequencer(machine_), machine_.alu_bits);
   const array::PixelReplay replay = replay_until(program, earlier_->answers, start, fresh);
   pipeline_.resume(replay.pixels(), replay.tree());
-  const auto first = static_cast<std::ptrdiff_t>(start.questions);
-  global_or_.set_answers({earlier_->answers.begin() + first, earlier_->answers.end()});
+  const auto first = static_cast<std::ptrdiff_t>(start.tests_before);
+  global_or_.set_test_results({earlier_->answers.begin() + first, earlier_->answers.end()});
   link::FrameWords words = link::frame_words(program, machine_.link.width, start.ordinal + 1, start.end);
   for (std::size_t i = start.moment.words_read; i < start.moment.words_sent; ++i) link_.nb_write(words.words[i]);
   host_.resume(std::move(words), start.moment.words_sent, start.moment.clocks_left);
@@ -225,7 +226,7 @@ void PixelPlanes::resume(const isa::Program& program, const Start& start) {
 
 std::uint64_t PixelPlanes::skip_to(const isa::Program& program, wave::Window window) {
   if (!earlier_) return 0;
-  start_ = start_before(program, machine_, *earlier_, window);
+  start_ = find_start_before(program, machine_, *earlier_, window);
   return start_ ? start_->moment.clock : 0;
 }
 
@@ -243,8 +244,8 @@ std::vector<wave::Tap> PixelPlanes::taps(const isa::Program& program, const wave
   }));
   add(scan_out_taps());
   for (std::size_t i = 0; i < request.pixels.size(); ++i) {
-    const array::Place place = place_of(request.pixels[i], program);
-    const array::Place built = earlier_ ? array::Place{built_index(*earlier_, place), 0} : place;
+    const array::Place place = position_in_array(request.pixels[i], program);
+    const array::Place built = earlier_ ? array::Place{simulated_pixel_index(*earlier_, place), 0} : place;
     add(pixel_taps(request.pixels[i], {pipeline_, place, built, nullptr, trees}, program, request.tree_levels,
                    machine_.alu_bits));
   }

@@ -65,13 +65,13 @@ class PixelPlanes final : public sc_core::sc_module, public systemc::ClockedMach
     systemc::RunReport* report;
   };
 
-  void start(const isa::Program& program);
+  void start_frame(const isa::Program& program);
   void resume(const isa::Program& program, const Start& start);
-  void check(std::span<const isa::Program> programs) const;
+  void check_programs(std::span<const isa::Program> programs) const;
   [[nodiscard]] std::vector<wave::Tap> host_taps() const;
   [[nodiscard]] std::vector<wave::Tap> controller_taps(const isa::Program& program) const;
   [[nodiscard]] std::vector<wave::Tap> scan_out_taps() const;
-  void draw(const isa::Program& program, systemc::RunListener& listener, systemc::RunReport& report);
+  void draw_frame(const isa::Program& program, systemc::RunListener& listener, systemc::RunReport& report);
   void collect();
   void run_until_shown();
   [[nodiscard]] std::uint64_t edges() const;

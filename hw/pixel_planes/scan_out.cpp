@@ -103,20 +103,20 @@ void ScanOut::shift(std::uint64_t clocks) {
 void ScanOut::latch() {
   if (!latches()) return;
   if (port_ == ScanOutPort::own) {
-    latch_bit({static_cast<std::uint16_t>(colour_.base + latched_), static_cast<std::uint16_t>(row_)});
+    latch_refresh_bit({static_cast<std::uint16_t>(colour_.base + latched_), static_cast<std::uint16_t>(row_)});
   } else {
-    if (const std::optional<RefreshStep> step = refresh->refreshed()) latch_bit(*step);
-    ask();
+    if (const std::optional<RefreshStep> step = refresh->refreshed()) latch_refresh_bit(*step);
+    request_bit();
   }
 }
 
-void ScanOut::ask() {
+void ScanOut::request_bit() {
   if (requested_ == colour_.width) return;
   const RefreshStep step{static_cast<std::uint16_t>(colour_.base + requested_), static_cast<std::uint16_t>(row_)};
   if (refreshes.nb_write(step)) ++requested_;
 }
 
-void ScanOut::latch_bit(RefreshStep refresh_step) {
+void ScanOut::latch_refresh_bit(RefreshStep refresh_step) {
   array::add_plane(refresh->memory_row(refresh_step.address, refresh_step.row), refresh_step.address - colour_.base,
                    latch_row_);
   ++latched_;

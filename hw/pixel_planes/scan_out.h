@@ -51,8 +51,8 @@ class ScanOut final : public sc_core::sc_module {
   void sleep();
   [[nodiscard]] bool latches() const { return row_ != shape_.height && latched_ != colour_.width; }
   void latch();
-  void ask();
-  void latch_bit(RefreshStep refresh_step);
+  void request_bit();
+  void latch_refresh_bit(RefreshStep refresh_step);
 
   const sc_core::sc_time period_;
   array::PlaneShape shape_;

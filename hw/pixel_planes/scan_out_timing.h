@@ -21,10 +21,10 @@ class ScanOutTiming {
   [[nodiscard]] std::uint64_t request() const { return row_ < rows_ && shared_ ? request_ : never; }
 
   /// Records that the controller sends the requested refresh word at `edge`.
-  void send(std::uint64_t edge);
+  void record_refresh_word(std::uint64_t edge);
 
   /// Records that the controller sends each remaining word at the earliest possible edge from `edge` on.
-  void send_all(std::uint64_t edge);
+  void record_remaining_words(std::uint64_t edge);
 
   // Results after all words have been sent.
   /// Edge at which the controller is notified that the last row has been latched.

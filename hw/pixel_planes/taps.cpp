@@ -141,7 +141,7 @@ std::vector<Tap> control_taps(const std::string& part, const PixelPipeline& pipe
 
 std::vector<Tap> pixel_taps(wave::Pixel pixel, PixelPoint point, const isa::Program& program,
                             std::span<const wave::TreeLevel> levels, unsigned alu_bits) {
-  const std::string part = wave::part_of(pixel);
+  const std::string part = wave::pixel_part_name(pixel);
   for (const wave::TreeLevel level : levels) {
     const bool is_x = level.axis == wave::TreeLevel::Axis::x;
     const unsigned deepest = is_x ? point.pipeline.now().x_levels() : point.pipeline.now().y_levels();

@@ -83,7 +83,7 @@ class FrameModel {
         spans_(spans) {}
 
   machines::FrameTiming time() {
-    link_.request(1);
+    link_.record_request(1);
     for (std::size_t i = 0; i < tasks_.size(); i += 1 + tasks_[i].jumps_over) {
       receive(tasks_[i]);
       begin(tasks_[i]);
@@ -94,7 +94,7 @@ class FrameModel {
       }
       if (tasks_[i].jumps_over > 0) jump(i);
     }
-    link_.stop(free_, false);
+    link_.account_until(free_, false);
     return {.clocks = free_,
             .latency_clocks = machines::evaluator_latency(machine_),
             .account = account(account_, link_.account(), machine_, instructions_)};
@@ -113,7 +113,7 @@ class FrameModel {
     const std::uint64_t read = first_word_ + link.words_read();
     const std::uint64_t left = first_word_ + count_words(first_task_, tasks_.size()) - read;
     std::uint64_t stored = 0;
-    while (link.sent() - link.words_read() < left && link.send_before(begun_, stored)) continue;
+    while (link.sent() - link.words_read() < left && link.try_send_before(begun_, stored)) continue;
     return {.clock = begun_,
             .words_read = read,
             .words_sent = first_word_ + link.sent(),
@@ -131,7 +131,7 @@ class FrameModel {
     for (std::uint32_t word = 0; word < task.words; ++word) {
       const std::uint64_t stored = link_.send();
       read_ = std::max({stored + 1, read_ + 1, word == 0 ? begun_ : 0});
-      link_.read(read_);
+      link_.read_word(read_);
     }
   }
 
@@ -181,7 +181,7 @@ class FrameModel {
   /// as soon as it is requested.
   [[nodiscard]] std::uint64_t latched_after(std::uint64_t edge) const {
     ScanOutTiming shown = *shown_;
-    shown.send_all(first_ + edge);
+    shown.record_remaining_words(first_ + edge);
     return std::max(shown.latched(), first_ + edge) - first_;
   }
 
@@ -199,7 +199,7 @@ class FrameModel {
     if (edge >= first_ + before) return none;
     account_.refresh_waits += edge - shown_->request();
     ++account_.refreshing;
-    shown_->send(edge);
+    shown_->record_refresh_word(edge);
     return edge - first_;
   }
 
@@ -212,14 +212,14 @@ class FrameModel {
     for (; sent && task < tasks_.size(); task += sent ? 1 : 0) {
       for (std::uint32_t word = 0; sent && word < tasks_[task].words; ++word) {
         std::uint64_t stored = 0;
-        sent = link_.send_before(known, stored);
+        sent = link_.try_send_before(known, stored);
         if (!sent || task != question + 1) continue;
         read_ = std::max({stored + 1, read_ + 1, word == 0 ? begun_ : 0});
-        link_.read(read_);  // reading a word at free_ itself would make room too late for another word
+        link_.read_word(read_);  // reading a word at free_ itself would make room too late for another word
       }
     }
-    link_.stop(known, !sent);
-    link_.request(known);
+    link_.account_until(known, !sent);
+    link_.record_request(known);
     const std::size_t next_task = question + 1 + tasks_[question].jumps_over;
     first_word_ += count_words(first_task_, next_task);
     first_task_ = next_task;
@@ -252,7 +252,7 @@ class FrameModel {
 class SequenceModel {
  public:
   explicit SequenceModel(const machines::Machine& machine)
-      : machine_(machine), two_buffers_(machines::own<Figures>(machine).scan_out_buffers >= 2) {}
+      : machine_(machine), two_buffers_(machines::kind_figures<Figures>(machine).scan_out_buffers >= 2) {}
 
   void draw(const std::vector<Task>& tasks, std::uint32_t colour_bits) {
     FrameModel frame(machine_, tasks, copy_clocks(colour_bits, machine_), shown_ ? &*shown_ : nullptr, begin_);
@@ -263,12 +263,12 @@ class SequenceModel {
   void add(machines::FrameTiming frame, std::uint32_t colour_bits) {
     timings_.push_back(std::move(frame));
     const std::uint64_t drawn = begin_ + timings_.back().clocks;
-    if (shown_ && shown_->request() <= drawn) shown_->send(drawn);
+    if (shown_ && shown_->request() <= drawn) shown_->record_refresh_word(drawn);
     std::uint64_t next = drawn + 1;
     if (colour_bits > 0) {
       show(drawn + 1, colour_bits);
       if (!two_buffers_) {
-        shown_->send_all(drawn);
+        shown_->record_remaining_words(drawn);
         next = shown_->latched();
       }
     }
@@ -281,7 +281,7 @@ class SequenceModel {
 
   /// Timing of all frames; the last picture is shown completely.
   std::vector<machines::FrameTiming> finish() {
-    if (shown_) shown_->send_all(begin_);
+    if (shown_) shown_->record_remaining_words(begin_);
     end_picture();
     return std::move(timings_);
   }
@@ -315,7 +315,7 @@ class SequenceModel {
 /// picture is scanned out while another is drawn, so all frames have the same timing.
 std::uint64_t steady_interval(const machines::FrameTiming& alone, const std::vector<Task>& tasks,
                               std::uint32_t colour_bits, const machines::Machine& machine) {
-  const bool two_buffers = machines::own<Figures>(machine).scan_out_buffers >= 2;
+  const bool two_buffers = machines::kind_figures<Figures>(machine).scan_out_buffers >= 2;
   SequenceModel model(machine);
   model.add(alone, colour_bits);
   std::uint64_t before = ScanOutTiming::never;
@@ -342,7 +342,7 @@ std::uint64_t Kind::clocks(const isa::Instruction& instruction, const machines::
   const std::uint64_t steps = machines::bit_serial_clocks(instruction, machine);
   if (!isa::needs_global_or(instruction.opcode)) return steps;
   return steps + or_levels(std::uint64_t{machine.array.width} * machine.array.height,
-                           machines::own<Figures>(machine).or_fan_in);
+                           machines::kind_figures<Figures>(machine).or_fan_in);
 }
 
 machines::FrameTiming Kind::time(const isa::Program& program, const machines::Machine& machine,
@@ -385,9 +385,9 @@ Moment instruction_moment(const isa::Program& program, const machines::Machine& 
   return *frame.watched();
 }
 
-std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeline, const isa::Program& program,
-                                                const machines::Machine& machine, std::uint32_t segment,
-                                                std::uint32_t /*x*/, std::uint32_t /*y*/) const {
+std::vector<machines::ClockSpan> Kind::spans_at_pixel(const machines::Timeline& timeline, const isa::Program& program,
+                                                      const machines::Machine& machine, std::uint32_t segment,
+                                                      std::uint32_t /*x*/, std::uint32_t /*y*/) const {
   const std::vector<isa::Instruction>& instructions = program.segments[segment].instructions;
   std::vector<machines::ClockSpan> steps = timeline.issued[segment];
   for (std::size_t i = 0; i < steps.size(); ++i) {

@@ -10,27 +10,27 @@ namespace {
 /// Account of a unit that neither refreshes nor waits for the ring.
 machines::PartAccount part(std::string name, const SquareClocks& clocks) {
   using enum SquareActivity;
-  return machines::part_of(
+  return machines::part_account(
       std::move(name), clocks, square_activity_names,
       {working, waiting_for_host, waiting_for_divider, waiting_for_renderer, waiting_for_frame_buffer, done});
 }
 
 machines::PartAccount processor(std::string name, const SquareClocks& clocks) {
   using enum SquareActivity;
-  return machines::part_of(std::move(name), clocks, square_activity_names,
-                           {working, waiting_for_host, waiting_for_renderer, waiting_for_ring, done});
+  return machines::part_account(std::move(name), clocks, square_activity_names,
+                                {working, waiting_for_host, waiting_for_renderer, waiting_for_ring, done});
 }
 
 machines::PartAccount ring(const SquareClocks& clocks) {
-  return machines::part_of("ring", clocks, square_activity_names,
-                           {SquareActivity::working, SquareActivity::waiting_for_divider});
+  return machines::part_account("ring", clocks, square_activity_names,
+                                {SquareActivity::working, SquareActivity::waiting_for_divider});
 }
 
 machines::PartAccount frame_buffer(const SquareClocks& clocks) {
   using enum SquareActivity;
-  return machines::part_of("frame buffer", clocks, square_activity_names,
-                           {working, waiting_for_host, waiting_for_divider, waiting_for_renderer,
-                            waiting_for_frame_buffer, done, refreshing});
+  return machines::part_account("frame buffer", clocks, square_activity_names,
+                                {working, waiting_for_host, waiting_for_divider, waiting_for_renderer,
+                                 waiting_for_frame_buffer, done, refreshing});
 }
 
 /// Adds the units that distribute the squares, and those that supply them.

@@ -15,7 +15,7 @@ CornerDivider::CornerDivider(sc_core::sc_module_name name, const machines::Machi
                              const ModelReceiver& receiver)
     : sc_core::sc_module(name),
       machine_(machine),
-      figures_(machines::own<Figures>(machine_)),
+      figures_(machines::kind_figures<Figures>(machine_)),
       period_(systemc::period_of(machine)),
       receiver_(receiver),
       store_(machine) {
@@ -88,7 +88,7 @@ void CornerDivider::divide(std::size_t square, SteppedDatapath& path) {
   state_ = "testing";
   const isa::Region& region = squares_[square];
   if (figures_.levels == 2 && enclosing_group(region) != group_) begin_group(enclosing_group(region), path);
-  path.enter(list_ ? Level::listed : Level::whole);
+  path.set_level(list_ ? Level::listed : Level::whole);
   divider_->divide(region, list_ ? *list_ : divider_->all(), path);
   if (begun_square_) return store(isa::SegmentEnd{}, true);
   store(StoredWord{.word = {}, .is_clear = true, .is_last = true});
@@ -96,7 +96,7 @@ void CornerDivider::divide(std::size_t square, SteppedDatapath& path) {
 
 void CornerDivider::begin_group(const isa::Region& group, SteppedDatapath& path) {
   group_ = group;
-  path.enter(Level::group);
+  path.set_level(Level::group);
   list_ = divider_->survivors(group, path);
   path.take_counts();
   const std::uint64_t entries = list_->entry_count();
@@ -112,7 +112,7 @@ isa::Region CornerDivider::enclosing_group(const isa::Region& square) const {
   return {x, y, std::min(width, picture_.width - x), std::min(height, picture_.height - y)};
 }
 
-bool CornerDivider::share_divider(const isa::Region& first, const isa::Region& second) const {
+bool CornerDivider::are_in_same_group(const isa::Region& first, const isa::Region& second) const {
   return figures_.levels == 2 && enclosing_group(first) == enclosing_group(second);
 }
 

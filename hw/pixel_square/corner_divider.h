@@ -36,7 +36,7 @@ class CornerDivider final : public sc_core::sc_module {
   void begin(const machines::Size& picture, std::span<const isa::Region> squares, std::vector<std::size_t> assigned);
 
   /// Whether both squares lie in one group, so that the same divider divides them.
-  [[nodiscard]] bool share_divider(const isa::Region& first, const isa::Region& second) const;
+  [[nodiscard]] bool are_in_same_group(const isa::Region& first, const isa::Region& second) const;
 
   [[nodiscard]] Store& store() { return store_; }
   [[nodiscard]] const Store& store() const { return store_; }

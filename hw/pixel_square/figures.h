@@ -90,7 +90,7 @@ struct Figures {
 
 /// Maximum number of finished squares, with `colour_bits` bits of colour per pixel, that can wait for the frame buffer
 /// while another square is drawn; 0 if squares leave from the pixels' own memory.
-constexpr std::uint64_t squares_waiting(const Figures& figures, std::uint32_t colour_bits) {
+constexpr std::uint64_t waiting_square_capacity(const Figures& figures, std::uint32_t colour_bits) {
   if (figures.backing_bits == no_backing) return figures.buffers - 1;
   return figures.backing_bits / (colour_bits == 0 ? 1 : colour_bits);
 }

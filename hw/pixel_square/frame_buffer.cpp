@@ -22,13 +22,15 @@ std::uint64_t bits_of(std::span<const std::uint64_t> bits, std::uint64_t from, u
 
 FrameBuffer::FrameBuffer(sc_core::sc_module_name name, const machines::Machine& machine)
     : systemc::ClockedModule(name),
-      colours("colours", machines::own<Figures>(machine).renderers),
-      clears("clears", has_ring(machines::own<Figures>(machine)) ? machines::own<Figures>(machine).processors : 1),
+      colours("colours", machines::kind_figures<Figures>(machine).renderers),
+      clears("clears", has_ring(machines::kind_figures<Figures>(machine))
+                           ? machines::kind_figures<Figures>(machine).processors
+                           : 1),
       period_(systemc::period_of(machine)),
-      port_bits_(colour_word_bits(machines::own<Figures>(machine))),
+      port_bits_(colour_word_bits(machines::kind_figures<Figures>(machine))),
       incoming_(colours.size() + clears.size()),
-      screen_(machines::own<Figures>(machine), machine.clock_hz),
-      free_(machines::own<Figures>(machine).banks) {}
+      screen_(machines::kind_figures<Figures>(machine), machine.clock_hz),
+      free_(machines::kind_figures<Figures>(machine).banks) {}
 
 void FrameBuffer::begin(const FrameContents& contents) {
   if (contents.picture != contents_.picture) {
@@ -57,7 +59,7 @@ void FrameBuffer::end_of_elaboration() {
 void FrameBuffer::on_clock() {
   if (!clock.posedge()) return;
   const std::uint64_t now = systemc::edges(period_);
-  count(now - std::exchange(acted_at_, now));
+  count_clocks(now - std::exchange(acted_at_, now));
   serve_ports();
   if (served_) return clocks_.add(SquareActivity::working);
   if (screen_.row()) clocks_.add(SquareActivity::refreshing);
@@ -65,7 +67,7 @@ void FrameBuffer::on_clock() {
 }
 
 /// Accounts for the elapsed clocks; the frame buffer slept through all but the last.
-void FrameBuffer::count(std::uint64_t clocks) {
+void FrameBuffer::count_clocks(std::uint64_t clocks) {
   if (screen_.row()) clocks_.add(SquareActivity::refreshing, clocks - 1);
   screen_.advance(clocks);
 }
@@ -88,31 +90,31 @@ void FrameBuffer::serve_ports() {
   const std::size_t first = turn_;
   for (std::size_t i = 0; i < ports && free_left_ > 0; ++i) {
     const std::size_t port = first + i < ports ? first + i : first + i - ports;
-    if (!serve(port)) continue;
+    if (!try_serve(port)) continue;
     --free_left_;
     served_ = port;
     turn_ = port + 1 == ports ? 0 : port + 1;
   }
 }
 
-bool FrameBuffer::serve(std::size_t port) {
-  if (!has_pending(port) || !claim_bank(port)) return false;
-  if (clears_through(port) && incoming_[port].gathered == header_bits) {
+bool FrameBuffer::try_serve(std::size_t port) {
+  if (!has_pending(port) || !try_claim_bank(port)) return false;
+  if (is_clear_port(port) && incoming_[port].gathered == header_bits) {
     clear(incoming_[port]);
     return true;
   }
   PortWord word;
-  words(port).nb_read(word);
-  take(port, word);
+  port_words(port).nb_read(word);
+  accept_word(port, word);
   return true;
 }
 
-sc_core::sc_fifo_in<PortWord>& FrameBuffer::words(std::size_t port) {
-  return clears_through(port) ? clears[port - colours.size()] : colours[port];
+sc_core::sc_fifo_in<PortWord>& FrameBuffer::port_words(std::size_t port) {
+  return is_clear_port(port) ? clears[port - colours.size()] : colours[port];
 }
 
 bool FrameBuffer::has_pending(std::size_t port) {
-  return (clears_through(port) && incoming_[port].gathered == header_bits) || words(port).num_available() > 0;
+  return (is_clear_port(port) && incoming_[port].gathered == header_bits) || port_words(port).num_available() > 0;
 }
 
 bool FrameBuffer::any_pending() {
@@ -122,7 +124,7 @@ bool FrameBuffer::any_pending() {
 }
 
 /// Claims the bank in which the port's next word begins, and returns whether it was free; a header word needs no bank.
-bool FrameBuffer::claim_bank(std::size_t port) {
+bool FrameBuffer::try_claim_bank(std::size_t port) {
   const Incoming& square = incoming_[port];
   if (square.gathered < header_bits) return true;
   const std::uint32_t bank = bank_of(row_of(square));
@@ -131,12 +133,12 @@ bool FrameBuffer::claim_bank(std::size_t port) {
   return true;
 }
 
-void FrameBuffer::take(std::size_t port, const PortWord& word) {
+void FrameBuffer::accept_word(std::size_t port, const PortWord& word) {
   Incoming& square = incoming_[port];
-  if (square.gathered == header_bits) return store(square, span_of(word.bits));
+  if (square.gathered == header_bits) return store_colours(square, span_of(word.bits));
   take_header(square, word);
   served_square_ = square.region;
-  if (square.gathered == header_bits) finish_if_whole(square);
+  if (square.gathered == header_bits) finish_if_complete(square);
 }
 
 void FrameBuffer::take_header(Incoming& square, const PortWord& word) const {
@@ -147,15 +149,15 @@ void FrameBuffer::take_header(Incoming& square, const PortWord& word) const {
 }
 
 /// Appends the bits to those already stored; bits beyond the square's end are padding.
-void FrameBuffer::store(Incoming& square, std::span<const std::uint64_t> bits) {
+void FrameBuffer::store_colours(Incoming& square, std::span<const std::uint64_t> bits) {
   const Cursor next = for_each_colour(square, [&](const Cursor& at, std::uint64_t from, unsigned count) {
     std::uint32_t& colour = pixel(square, at);
     if (at.place == 0) colour = 0;
     colour |= static_cast<std::uint32_t>(bits_of(bits, from, count)) << at.place;
   });
-  square.next_bit += bits_to_come(square);
+  square.next_bit += remaining_word_bits(square);
   square.next = next;
-  finish_if_whole(square);
+  finish_if_complete(square);
 }
 
 void FrameBuffer::clear(Incoming& square) {
@@ -163,11 +165,11 @@ void FrameBuffer::clear(Incoming& square) {
   for_each_colour(square, [&](const Cursor& at, std::uint64_t from, unsigned count) {
     put_bits(span_of(bits), from, count, contents_.background >> at.place & array::low_bits(count));
   });
-  store(square, span_of(bits));
+  store_colours(square, span_of(bits));
 }
 
 /// Number of bits of the next word that belong to the square.
-std::uint64_t FrameBuffer::bits_to_come(const Incoming& square) const {
+std::uint64_t FrameBuffer::remaining_word_bits(const Incoming& square) const {
   return std::min<std::uint64_t>(port_bits_, colour_bits(square) - square.next_bit);
 }
 
@@ -176,7 +178,7 @@ std::uint64_t FrameBuffer::bits_to_come(const Incoming& square) const {
 template <class Visit>
 FrameBuffer::Cursor FrameBuffer::for_each_colour(const Incoming& square, const Visit& visit) const {
   Cursor at = square.next;
-  const std::uint64_t end = bits_to_come(square);
+  const std::uint64_t end = remaining_word_bits(square);
   for (std::uint64_t from = 0; from < end;) {
     const auto count = static_cast<unsigned>(std::min<std::uint64_t>(contents_.colour_bits - at.place, end - from));
     visit(at, from, count);
@@ -191,7 +193,7 @@ FrameBuffer::Cursor FrameBuffer::for_each_colour(const Incoming& square, const V
   return at;
 }
 
-void FrameBuffer::finish_if_whole(Incoming& square) {
+void FrameBuffer::finish_if_complete(Incoming& square) {
   served_square_ = square.region;
   if (square.next_bit < colour_bits(square)) return;
   square = {};

@@ -77,27 +77,27 @@ class FrameBuffer final : public systemc::ClockedModule {
 
   void end_of_elaboration() override;
   void on_clock() override;
-  void count(std::uint64_t clocks);
+  void count_clocks(std::uint64_t clocks);
   void sleep();
   void serve_ports();
-  bool serve(std::size_t port);
-  [[nodiscard]] bool clears_through(std::size_t port) const { return port >= colours.size(); }
-  [[nodiscard]] sc_core::sc_fifo_in<PortWord>& words(std::size_t port);
+  bool try_serve(std::size_t port);
+  [[nodiscard]] bool is_clear_port(std::size_t port) const { return port >= colours.size(); }
+  [[nodiscard]] sc_core::sc_fifo_in<PortWord>& port_words(std::size_t port);
   [[nodiscard]] bool has_pending(std::size_t port);
   [[nodiscard]] bool any_pending();
-  [[nodiscard]] bool claim_bank(std::size_t port);
+  [[nodiscard]] bool try_claim_bank(std::size_t port);
   [[nodiscard]] std::uint32_t bank_of(std::uint32_t row) const {
     return row % static_cast<std::uint32_t>(free_.size());
   }
   [[nodiscard]] static std::uint32_t row_of(const Incoming& square) { return square.region.y + square.next.y; }
-  void take(std::size_t port, const PortWord& word);
+  void accept_word(std::size_t port, const PortWord& word);
   void take_header(Incoming& square, const PortWord& word) const;
-  void store(Incoming& square, std::span<const std::uint64_t> bits);
+  void store_colours(Incoming& square, std::span<const std::uint64_t> bits);
   void clear(Incoming& square);
-  [[nodiscard]] std::uint64_t bits_to_come(const Incoming& square) const;
+  [[nodiscard]] std::uint64_t remaining_word_bits(const Incoming& square) const;
   template <class Visit>
   Cursor for_each_colour(const Incoming& square, const Visit& visit) const;
-  void finish_if_whole(Incoming& square);
+  void finish_if_complete(Incoming& square);
   [[nodiscard]] std::uint64_t colour_bits(const Incoming& square) const;
   [[nodiscard]] std::uint32_t& pixel(const Incoming& square, const Cursor& position);
 

@@ -13,13 +13,13 @@ namespace csgsim::pixel_square {
 
 GraphicsProcessors::GraphicsProcessors(sc_core::sc_module_name name, const machines::Machine& machine)
     : systemc::ClockedModule(name),
-      words("words", machines::own<Figures>(machine).processors),
+      words("words", machines::kind_figures<Figures>(machine).processors),
       targets("targets", words.size()),
-      finished("finished", machines::own<Figures>(machine).renderers),
+      finished("finished", machines::kind_figures<Figures>(machine).renderers),
       period_(systemc::period_of(machine)),
-      word_bits_(machines::own<Figures>(machine).ring_bits),
+      word_bits_(machines::kind_figures<Figures>(machine).ring_bits),
       latency_(machine.link.latency),
-      fifo_depth_(machines::own<Figures>(machine).port_fifo_depth),
+      fifo_depth_(machines::kind_figures<Figures>(machine).port_fifo_depth),
       processors_(words.size()),
       reserved_(finished.size()),
       assigned_(finished.size()) {}
@@ -61,14 +61,14 @@ void GraphicsProcessors::on_clock() {
   const std::uint64_t now = systemc::edges(period_);
   const std::uint64_t slept = now - std::exchange(acted_at_, now) - 1;
   for (Processor& processor : processors_) processor.clocks.add(processor.activity, slept);
-  for (std::size_t i = 0; i < processors_.size(); ++i) release(i);
-  for (std::size_t i = 0; i < processors_.size(); ++i) record(i, act(i));
+  for (std::size_t i = 0; i < processors_.size(); ++i) release_renderer(i);
+  for (std::size_t i = 0; i < processors_.size(); ++i) record_activity(i, act_processor(i));
   if (latency_left_ > 0) --latency_left_;
   if (all_stalled()) next_trigger(words_taken_);
 }
 
 /// Releases the square and the renderer of a processor whose words have all left.
-void GraphicsProcessors::release(std::size_t processor_index) {
+void GraphicsProcessors::release_renderer(std::size_t processor_index) {
   Processor& processor = processors_[processor_index];
   if (!processor.all_sent || static_cast<std::size_t>(words[processor_index].num_free()) < fifo_depth_) return;
   if (processor.renderer) reserved_[*processor.renderer] = false;
@@ -77,19 +77,19 @@ void GraphicsProcessors::release(std::size_t processor_index) {
   processor.all_sent = false;
 }
 
-SquareActivity GraphicsProcessors::act(std::size_t processor_index) {
+SquareActivity GraphicsProcessors::act_processor(std::size_t processor_index) {
   Processor& processor = processors_[processor_index];
   if (latency_left_ > 0) return SquareActivity::waiting_for_host;
   if (processor.all_sent) return SquareActivity::waiting_for_ring;
-  if (!processor.square && !take_square(processor)) return SquareActivity::done;
-  if (!processor.is_clear && !processor.renderer && !request_renderer(processor))
+  if (!processor.square && !try_take_square(processor)) return SquareActivity::done;
+  if (!processor.is_clear && !processor.renderer && !try_request_renderer(processor))
     return SquareActivity::waiting_for_renderer;
   if (words[processor_index].num_free() == 0) return SquareActivity::waiting_for_ring;
-  send(processor_index);
+  send_word(processor_index);
   return SquareActivity::working;
 }
 
-bool GraphicsProcessors::take_square(Processor& processor) {
+bool GraphicsProcessors::try_take_square(Processor& processor) {
   if (next_ == segments_.size()) return false;
   const isa::Segment& segment = segments_[next_];
   processor.square = next_++;
@@ -99,7 +99,7 @@ bool GraphicsProcessors::take_square(Processor& processor) {
   return true;
 }
 
-bool GraphicsProcessors::request_renderer(Processor& processor) {
+bool GraphicsProcessors::try_request_renderer(Processor& processor) {
   const auto unfinished = [&](std::size_t renderer) { return assigned_[renderer] - finished[renderer].read(); };
   for (std::size_t i = 0; i < reserved_.size(); ++i) {
     if (reserved_[i] || (processor.renderer && unfinished(i) >= unfinished(*processor.renderer))) continue;
@@ -117,7 +117,7 @@ RingWord GraphicsProcessors::next_word(const Processor& processor) const {
   return {{}, {slice_of({&header, 1}, processor.sent * word_bits_, word_bits_)}};
 }
 
-void GraphicsProcessors::send(std::size_t processor_index) {
+void GraphicsProcessors::send_word(std::size_t processor_index) {
   Processor& processor = processors_[processor_index];
   targets[processor_index].write(processor.renderer.value_or(finished.size()));
   words[processor_index].nb_write(next_word(processor));
@@ -128,7 +128,7 @@ void GraphicsProcessors::send(std::size_t processor_index) {
   ++skipped_;
 }
 
-void GraphicsProcessors::record(std::size_t processor_index, SquareActivity activity) {
+void GraphicsProcessors::record_activity(std::size_t processor_index, SquareActivity activity) {
   Processor& processor = processors_[processor_index];
   processor.activity = activity;
   processor.clocks.add(activity);

@@ -66,13 +66,13 @@ class GraphicsProcessors final : public systemc::ClockedModule {
   void on_clock() override;
   [[nodiscard]] bool all_stalled() const;
   [[nodiscard]] bool all_done() const;
-  void release(std::size_t processor_index);
-  SquareActivity act(std::size_t processor_index);
-  bool take_square(Processor& processor);
-  bool request_renderer(Processor& processor);
-  void send(std::size_t processor_index);
+  void release_renderer(std::size_t processor_index);
+  SquareActivity act_processor(std::size_t processor_index);
+  bool try_take_square(Processor& processor);
+  bool try_request_renderer(Processor& processor);
+  void send_word(std::size_t processor_index);
   [[nodiscard]] RingWord next_word(const Processor& processor) const;
-  void record(std::size_t processor_index, SquareActivity activity);
+  void record_activity(std::size_t processor_index, SquareActivity activity);
 
   const sc_core::sc_time period_;
   const std::uint32_t word_bits_;

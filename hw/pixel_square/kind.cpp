@@ -98,7 +98,7 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
         own_figure<Figures, &Figures::ring_channels>("ring.channels", "channels", 1, 4096,
                                                      "words that the ring of processors carries concurrently"),
         all_channels),
-    own_figure<Figures, &Figures::ring_bits>("ring.width", "bits", 1, isa::LinkWord::most_bits,
+    own_figure<Figures, &Figures::ring_bits>("ring.width", "bits", 1, isa::LinkWord::max_bits,
                                              "bits of a word of commands or colours on the ring"),
     own_figure<Figures, &Figures::ring_word_clocks>("ring.word_clocks", "clocks", 1, max_parameter_clocks,
                                                     "clocks between two words on a channel of the ring"),
@@ -114,9 +114,9 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
     own_figure<Figures, &Figures::model_bits>(
         "divider.memory", "bits", 1, 4'000'000'000,
         "memory for the model; if the model does not fit, its planes stay on the host"),
-    machines::or_ideal(own_figure<Figures, &Figures::record_bits>("divider.port", "bits", 1, isa::LinkWord::most_bits,
+    machines::or_ideal(own_figure<Figures, &Figures::record_bits>("divider.port", "bits", 1, isa::LinkWord::max_bits,
                                                                   "bits of a model record read per clock"),
-                       isa::LinkWord::most_bits),
+                       isa::LinkWord::max_bits),
     own_figure<Figures, &Figures::halfspaces>("divider.halfspaces", "half-spaces", 1, 1'000'000'000,
                                               "half-spaces held for a surface; the rest go to the model memory"),
     own_figure<Figures, &Figures::nodes>("divider.nodes", "nodes", 1, 1'000'000'000,
@@ -154,7 +154,7 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
 void Kind::complete(Machine& machine) const { machines::check_evaluator(machine); }
 
 /// Graphics processors compile the model themselves.
-std::uint32_t Kind::hosts(const Machine& machine) const {
+std::uint32_t Kind::host_processor_count(const Machine& machine) const {
   const Figures& figures = figures_of(machine);
   return figures.divider == DividerKind::processors ? figures.processors : machine.host.count;
 }
@@ -177,7 +177,7 @@ namespace {
 
 /// Checks the limits of a divider in the machine.
 void check_display_model(const isa::Program& program, const Machine& machine) {
-  const Figures& figures = machines::own<Figures>(machine);
+  const Figures& figures = machines::kind_figures<Figures>(machine);
   if (figures.divider != DividerKind::corners) return;
   if (program.display_model.empty()) {
     throw InputError(fmt::format(
@@ -206,7 +206,7 @@ void check_answers(const isa::Program& program, const Machine& machine) {
 
 /// Rejects a colour wider than the backing memory.
 void check_backing(const isa::FrameHeader& header, const Machine& machine) {
-  const Figures& figures = machines::own<Figures>(machine);
+  const Figures& figures = machines::kind_figures<Figures>(machine);
   if (figures.backing_bits == no_backing || header.colour.width <= figures.backing_bits) return;
   throw InputError(
       fmt::format("a pixel has {} bits of colour, but the backing memory of {} holds {}; increase "
@@ -244,7 +244,7 @@ namespace {
 /// Memory of all dividers, without the tree's nodes and the leaders of cells.
 std::uint64_t divider_memory_bits(const Machine& machine) {
   constexpr std::uint64_t list_entry_bits = 32;
-  const Figures& figures = machines::own<Figures>(machine);
+  const Figures& figures = machines::kind_figures<Figures>(machine);
   if (figures.divider != DividerKind::corners) return 0;
   const std::uint64_t list = figures.levels == 2 ? figures.list_entries * list_entry_bits : 0;
   return figures.dividers * (figures.model_bits + list + figures.halfspaces * halfspace_entry_bits(figures) +

@@ -16,7 +16,7 @@ class Kind final : public machines::KindOf<Figures> {
   std::vector<isa::Region> regions(const Machine& machine) const override;
   /// Whether the renderers' controllers can skip instructions by a global OR; no answer returns to the host.
   bool has_global_or(const Machine& machine) const override;
-  std::uint32_t hosts(const Machine& machine) const override;
+  std::uint32_t host_processor_count(const Machine& machine) const override;
   std::optional<machines::Division> division(const Machine& machine) const override;
   /// Returns the machine with renderers as large as the parts. A segment is divided into the subsegments of thesis 7.4.
   std::optional<Machine> subdivided(const Machine& machine, std::uint32_t levels, machines::Parts parts) const override;
@@ -27,8 +27,8 @@ class Kind final : public machines::KindOf<Figures> {
   /// all pixels at once, after the levels of the trees.
   std::optional<Timeline> timeline(const Program& program, const Machine& machine,
                                    const RunOutcome& outcomes) const override;
-  Spans at_pixel(const Timeline& timeline, const Program& program, const Machine& machine, std::uint32_t segment,
-                 std::uint32_t x, std::uint32_t y) const override;
+  Spans spans_at_pixel(const Timeline& timeline, const Program& program, const Machine& machine, std::uint32_t segment,
+                       std::uint32_t x, std::uint32_t y) const override;
   machines::Resources resources(const Machine& machine, const isa::FrameHeader& header) const override;
   std::vector<machines::Load> loads(const machines::FrameTiming& timing) const override;
   bool bit_serial_pixels() const override { return true; }

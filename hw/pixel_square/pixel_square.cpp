@@ -28,7 +28,7 @@ auto fifo_maker(int depth) {
 int link_depth(const machines::Machine& machine) { return static_cast<int>(machine.link.fifo_depth); }
 
 int port_depth(const machines::Machine& machine) {
-  return static_cast<int>(machines::own<Figures>(machine).port_fifo_depth);
+  return static_cast<int>(machines::kind_figures<Figures>(machine).port_fifo_depth);
 }
 
 /// Number of units that send headers of squares to clear.
@@ -37,9 +37,11 @@ std::size_t clearing_parts(const Figures& figures) { return has_ring(figures) ? 
 }  // namespace
 
 PixelSquareMachine::RingParts::RingParts(const machines::Machine& machine)
-    : words("processor_words", machines::own<Figures>(machine).processors, fifo_maker<RingWord>(port_depth(machine))),
+    : words("processor_words", machines::kind_figures<Figures>(machine).processors,
+            fifo_maker<RingWord>(port_depth(machine))),
       targets("targets", words.size()),
-      colours("carried_colours", machines::own<Figures>(machine).renderers, fifo_maker<PortWord>(port_depth(machine))),
+      colours("carried_colours", machines::kind_figures<Figures>(machine).renderers,
+              fifo_maker<PortWord>(port_depth(machine))),
       ring("ring", machine) {}
 
 PixelSquareMachine::PixelSquareMachine(sc_core::sc_module_name name, const machines::Machine& machine,
@@ -47,12 +49,14 @@ PixelSquareMachine::PixelSquareMachine(sc_core::sc_module_name name, const machi
     : sc_core::sc_module(name),
       machine_(machine),
       clock_("clock", systemc::period_of(machine)),
-      instructions_("instructions", machines::own<Figures>(machine).renderers,
+      instructions_("instructions", machines::kind_figures<Figures>(machine).renderers,
                     fifo_maker<isa::LinkWord>(link_depth(machine))),
-      colours_("colours", machines::own<Figures>(machine).renderers, fifo_maker<PortWord>(port_depth(machine))),
-      clears_("clears", clearing_parts(machines::own<Figures>(machine)), fifo_maker<PortWord>(port_depth(machine))),
-      finished_("finished", machines::own<Figures>(machine).renderers),
-      renderers_("renderers", machines::own<Figures>(machine).renderers,
+      colours_("colours", machines::kind_figures<Figures>(machine).renderers,
+               fifo_maker<PortWord>(port_depth(machine))),
+      clears_("clears", clearing_parts(machines::kind_figures<Figures>(machine)),
+              fifo_maker<PortWord>(port_depth(machine))),
+      finished_("finished", machines::kind_figures<Figures>(machine).renderers),
+      renderers_("renderers", machines::kind_figures<Figures>(machine).renderers,
                  [&](const char* renderer, std::size_t /*index*/) { return new Renderer(renderer, machine, form); }),
       frame_buffer_("frame_buffer", machine) {
   SC_HAS_PROCESS(PixelSquareMachine);
@@ -79,7 +83,7 @@ PixelSquareMachine::PixelSquareMachine(sc_core::sc_module_name name, const machi
 }
 
 void PixelSquareMachine::bind_front(const machines::Machine& machine) {
-  switch (machines::own<Figures>(machine).divider) {
+  switch (machines::kind_figures<Figures>(machine).divider) {
     case DividerKind::host: front_.host = std::make_unique<HostSender>("host", machine); return bind_sender();
     case DividerKind::corners: bind_divider(machine); return bind_sender();
     case DividerKind::processors: return bind_ring(machine);
@@ -94,7 +98,7 @@ void PixelSquareMachine::bind_divider(const machines::Machine& machine) {
   front_.receiver = std::make_unique<ModelReceiver>("receiver", machine);
   front_.receiver->clock(clock_);
   front_.receiver->model(*front_.model);
-  for (std::uint32_t i = 0; i < machines::own<Figures>(machine).dividers; ++i)
+  for (std::uint32_t i = 0; i < machines::kind_figures<Figures>(machine).dividers; ++i)
     front_.dividers.push_back(
         std::make_unique<CornerDivider>(("divider_" + std::to_string(i)).c_str(), machine, *front_.receiver));
   front_.sender = std::make_unique<StoreSender>("sender", machine);
@@ -148,7 +152,7 @@ void PixelSquareMachine::begin_dividers(const machines::Size& picture) {
   std::size_t turn = 0;
   for (std::size_t square = 0; square < squares_.size(); ++square) {
     const CornerDivider& any = *front_.dividers.front();
-    if (square > 0 && !any.share_divider(squares_[square - 1], squares_[square])) turn = (turn + 1) % own.size();
+    if (square > 0 && !any.are_in_same_group(squares_[square - 1], squares_[square])) turn = (turn + 1) % own.size();
     own[turn].push_back(square);
     stores.push_back(&front_.dividers[turn]->store());
   }
@@ -273,7 +277,7 @@ std::vector<wave::Tap> PixelSquareMachine::pixel_taps(wave::Pixel pixel, const i
         pixel_square::pixel_taps(pixel, segment, renderer.parts(), program, request.tree_levels, machine_.alu_bits));
   });
   std::vector<wave::Tap> taps = merge_taps(std::move(each));
-  const std::string part = wave::part_of(pixel);
+  const std::string part = wave::pixel_part_name(pixel);
   taps.push_back(wave::number(part + ".renderer", 8, [this, segment]() -> wave::Number {
     for (std::size_t i = 0; i < renderers_.size(); ++i) {
       if (holds_segment(renderers_[i].parts(), segment)) return i;

@@ -62,7 +62,7 @@ std::vector<Place> places_in_groups(std::uint32_t columns, std::uint32_t rows, S
 }  // namespace
 
 std::vector<isa::Region> Kind::regions(const machines::Machine& machine) const {
-  const Figures& figures = machines::own<Figures>(machine);
+  const Figures& figures = machines::kind_figures<Figures>(machine);
   const machines::Size& picture = machine.picture;
   const isa::ArrayShape& array = machine.array;
   const std::uint32_t columns = quotient_up(picture.width, array.width);

@@ -23,8 +23,8 @@ Renderer::Renderer(sc_core::sc_module_name name, const machines::Machine& machin
       accounts_("accounts", static_cast<int>(machines::evaluator_latency(machine)) + 2),
       controller_("controller", machine),
       pipeline_("pipeline", machine, form),
-      global_or_("global_or", plane_shape(machine), machines::own<Figures>(machine).or_fan_in),
-      output_("output", machines::own<Figures>(machine)) {
+      global_or_("global_or", plane_shape(machine), machines::kind_figures<Figures>(machine).or_fan_in),
+      output_("output", machines::kind_figures<Figures>(machine)) {
   controller_.clock(clock);
   controller_.link(link);
   controller_.answer(answer_);

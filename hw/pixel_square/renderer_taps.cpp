@@ -20,7 +20,7 @@ using wave::Tap;
 /// instruction of that segment.
 std::function<Number()> at_pixels(const RendererParts& parts, const isa::Program& program,
                                   std::optional<std::uint32_t> segment) {
-  return [parts, segment, firsts = isa::first_numbers(program)]() -> Number {
+  return [parts, segment, firsts = isa::first_instruction_numbers(program)]() -> Number {
     const std::optional<std::uint32_t> drawn = parts.completion.segment();
     const pixel_planes::ControlWord& word = parts.pipeline.now().at_pixels();
     if (!drawn || !word.steps || (segment && *segment != *drawn)) return std::nullopt;
@@ -45,10 +45,10 @@ std::vector<Tap> renderer_taps(const std::string& part, const RendererParts& par
   std::vector<Tap> taps{wave::text(part + ".state", [parts] { return std::string(parts.controller.state()); }),
                         wave::text(part + ".square", [segment, &program] {
                           const std::optional<std::uint32_t> number = segment();
-                          return number ? wave::place_of(program.segments[*number]) : std::string();
+                          return number ? wave::corner_text(program.segments[*number]) : std::string();
                         })};
   wave::add(wave::instruction_taps(part + ".controller", program,
-                                   [parts, segment, firsts = isa::first_numbers(program)]() -> Number {
+                                   [parts, segment, firsts = isa::first_instruction_numbers(program)]() -> Number {
                                      const pixel_planes::ControlWord& word = parts.pipeline.now().control();
                                      const std::optional<std::uint32_t> number = word.steps ? segment() : std::nullopt;
                                      return number ? Number(firsts[*number] + word.ordinal) : std::nullopt;
@@ -66,7 +66,8 @@ std::vector<Tap> pixel_taps(wave::Pixel pixel, std::uint32_t segment, const Rend
   const isa::Region& region = program.segments[segment].region;
   const array::Place place{pixel.x - region.x, pixel.y - region.y};
   const auto shows = [parts, segment] { return holds_segment(parts, segment); };
-  std::vector<Tap> taps = wave::instruction_taps(wave::part_of(pixel), program, at_pixels(parts, program, segment));
+  std::vector<Tap> taps =
+      wave::instruction_taps(wave::pixel_part_name(pixel), program, at_pixels(parts, program, segment));
   wave::add(
       pixel_planes::pixel_taps(pixel, {parts.pipeline, place, place, shows, parts.trees}, program, levels, alu_bits),
       taps);

@@ -18,16 +18,16 @@ std::size_t channels_of(const Figures& figures) {
 
 Ring::Ring(sc_core::sc_module_name name, const machines::Machine& machine)
     : systemc::ClockedModule(name),
-      processors("processors", machines::own<Figures>(machine).processors),
+      processors("processors", machines::kind_figures<Figures>(machine).processors),
       targets("targets", processors.size()),
-      renderers("renderers", machines::own<Figures>(machine).renderers),
+      renderers("renderers", machines::kind_figures<Figures>(machine).renderers),
       links("links", renderers.size()),
       colours("colours", renderers.size()),
       clears("clears", processors.size()),
       period_(systemc::period_of(machine)),
-      channels_(channels_of(machines::own<Figures>(machine))),
-      word_clocks_(machines::own<Figures>(machine).ring_word_clocks),
-      banks_(machines::own<Figures>(machine).banks),
+      channels_(channels_of(machines::kind_figures<Figures>(machine))),
+      word_clocks_(machines::kind_figures<Figures>(machine).ring_word_clocks),
+      banks_(machines::kind_figures<Figures>(machine).banks),
       taken_(renderers.size()) {}
 
 void Ring::begin() {
@@ -72,7 +72,7 @@ void Ring::carry() {
   std::size_t carried = 0;
   for (std::size_t i = 0; i < sources && carried < channels_; ++i) {
     const std::size_t source = (first + i) % sources;
-    if (!carry_from(source)) continue;
+    if (!try_carry_from(source)) continue;
     ++carried;
     turn_ = (source + 1) % sources;
   }
@@ -84,14 +84,14 @@ void Ring::carry() {
   if (carried == channels_ || frame_buffer_left_ == 0) full_clocks_ += word_clocks_;
 }
 
-bool Ring::carry_from(std::size_t source) {
-  if (source >= processors.size()) return carry_colours(source - processors.size());
+bool Ring::try_carry_from(std::size_t source) {
+  if (source >= processors.size()) return try_carry_colours(source - processors.size());
   if (processors[source].num_available() == 0) return false;
   const std::uint64_t target = targets[source].read();
-  return target < renderers.size() ? carry_command(source, target) : carry_header(source);
+  return target < renderers.size() ? try_carry_command(source, target) : try_carry_header(source);
 }
 
-bool Ring::carry_command(std::size_t processor, std::size_t renderer) {
+bool Ring::try_carry_command(std::size_t processor, std::size_t renderer) {
   if (taken_[renderer] || links[renderer].num_free() == 0) return false;
   RingWord word;
   processors[processor].nb_read(word);
@@ -100,7 +100,7 @@ bool Ring::carry_command(std::size_t processor, std::size_t renderer) {
   return true;
 }
 
-bool Ring::carry_header(std::size_t processor) {
+bool Ring::try_carry_header(std::size_t processor) {
   if (frame_buffer_left_ == 0 || clears[processor].num_free() == 0) return false;
   RingWord word;
   processors[processor].nb_read(word);
@@ -109,7 +109,7 @@ bool Ring::carry_header(std::size_t processor) {
   return true;
 }
 
-bool Ring::carry_colours(std::size_t renderer) {
+bool Ring::try_carry_colours(std::size_t renderer) {
   if (frame_buffer_left_ == 0 || renderers[renderer].num_available() == 0 || colours[renderer].num_free() == 0)
     return false;
   PortWord word;

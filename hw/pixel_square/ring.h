@@ -49,10 +49,10 @@ class Ring final : public systemc::ClockedModule {
   [[nodiscard]] std::uint64_t edges() const;
   [[nodiscard]] bool has_words();
   void carry();
-  bool carry_from(std::size_t source);
-  bool carry_command(std::size_t processor, std::size_t renderer);
-  bool carry_header(std::size_t processor);
-  bool carry_colours(std::size_t renderer);
+  bool try_carry_from(std::size_t source);
+  bool try_carry_command(std::size_t processor, std::size_t renderer);
+  bool try_carry_header(std::size_t processor);
+  bool try_carry_colours(std::size_t renderer);
 
   const sc_core::sc_time period_;
   const std::size_t channels_;

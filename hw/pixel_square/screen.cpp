@@ -51,7 +51,7 @@ std::uint64_t turns_per_picture(const machines::Size& picture, std::uint32_t col
 }
 
 void check_screen(const isa::FrameHeader& header, const machines::Machine& machine) {
-  const Figures& figures = machines::own<Figures>(machine);
+  const Figures& figures = machines::kind_figures<Figures>(machine);
   const std::uint64_t turns =
       figures.refresh_rate * turns_per_picture({header.shape.width, header.shape.height}, header.colour.width, figures);
   if (turns == 0 || turns <= (machine.clock_hz - 1) / figures.refresh_clocks) return;

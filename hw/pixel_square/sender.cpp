@@ -11,12 +11,12 @@ namespace csgsim::pixel_square {
 
 Sender::Sender(sc_core::sc_module_name name, const machines::Machine& machine, std::uint32_t word_clocks)
     : systemc::ClockedModule(name),
-      links("links", machines::own<Figures>(machine).renderers),
-      finished("finished", machines::own<Figures>(machine).renderers),
+      links("links", machines::kind_figures<Figures>(machine).renderers),
+      finished("finished", machines::kind_figures<Figures>(machine).renderers),
       period_(systemc::period_of(machine)),
       word_clocks_(word_clocks),
-      port_bits_(machines::own<Figures>(machine).port_bits),
-      assigned_(machines::own<Figures>(machine).renderers) {}
+      port_bits_(machines::kind_figures<Figures>(machine).port_bits),
+      assigned_(machines::kind_figures<Figures>(machine).renderers) {}
 
 void Sender::begin_frame(std::size_t squares) {
   squares_ = squares;

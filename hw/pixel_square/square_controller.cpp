@@ -20,12 +20,12 @@ using pixel_planes::ControlWord;
 SquareController::SquareController(sc_core::sc_module_name name, const machines::Machine& machine)
     : sc_core::sc_module(name),
       period_(systemc::period_of(machine)),
-      figures_(machines::own<Figures>(machine)),
+      figures_(machines::kind_figures<Figures>(machine)),
       clear_clocks_(std::max(machine.clear_clocks, 1U)),
       memory_bits_(machine.array.memory_bits),
       latency_(machines::evaluator_latency(machine)),
       pixels_(std::uint64_t{machine.array.width} * machine.array.height),
-      receiver_(command_word_bits(machines::own<Figures>(machine), machine.link.width)),
+      receiver_(command_word_bits(machines::kind_figures<Figures>(machine), machine.link.width)),
       sequencer_(machine.memory_reads, machine.alu_bits, machine.evaluator_bits) {
   SC_HAS_PROCESS(SquareController);
   SC_METHOD(act);
@@ -39,7 +39,7 @@ void SquareController::end_of_elaboration() {
 }
 
 void SquareController::begin(std::uint32_t colour_bits) {
-  waiting_ = squares_waiting(figures_, colour_bits);
+  waiting_ = waiting_square_capacity(figures_, colour_bits);
   if (figures_.backing_bits == no_backing) {
     move_clocks_ = figures_.move_bits == all_planes ? 0 : quotient_up(colour_bits, figures_.move_bits);
   } else {
@@ -97,7 +97,7 @@ void SquareController::advance(std::uint64_t clocks) {
 
 void SquareController::take_answer() {
   if (!answer.read().valid) return;
-  skips_left_ = isa::skipped_after(sequencer_.instruction(), answer.read().any_enabled ? 1 : 0);
+  skips_left_ = isa::skipped_instruction_count(sequencer_.instruction(), answer.read().any_enabled ? 1 : 0);
   accounts.nb_write({.kind = CommandAccount::Kind::instruction, .clocks = instruction_clocks_, .skipped = skips_left_});
   state_ = State::drawing;
 }

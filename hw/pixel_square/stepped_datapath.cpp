@@ -13,7 +13,7 @@ SteppedDatapath::SteppedDatapath(const division::ModelHeader& header, const divi
     : Datapath(header),
       memory_(memory),
       machine_(machine),
-      figures_(machines::own<Figures>(machine)),
+      figures_(machines::kind_figures<Figures>(machine)),
       remote_planes_(remote_planes),
       callbacks_(std::move(callbacks)) {}
 

@@ -31,7 +31,7 @@ class SteppedDatapath final : public division::Datapath {
                   const machines::Machine& machine, bool remote_planes, Callbacks callbacks);
 
   /// Sets the level of all following operations.
-  void enter(Level level) { level_ = level; }
+  void set_level(Level level) { level_ = level; }
 
  private:
   division::PrimitiveHead read_primitive(std::uint32_t primitive) override;

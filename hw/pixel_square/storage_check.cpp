@@ -29,12 +29,12 @@ std::uint64_t spilt_bits(const isa::DivisionStep& surface, const Figures& figure
 
 /// Groups formed by the machine's dividers; empty if there is one level.
 std::vector<division::Group> divider_groups(const isa::Program& program, const machines::Machine& machine) {
-  const Figures& figures = machines::own<Figures>(machine);
+  const Figures& figures = machines::kind_figures<Figures>(machine);
   if (figures.levels < 2) return {};
   std::vector<isa::Region> regions;
   regions.reserve(program.segments.size());
   for (const isa::Segment& segment : program.segments) regions.push_back(segment.region);
-  return division::groups_of(regions, program.shape, machine.array, figures.group_side, figures.group_side);
+  return division::group_squares(regions, program.shape, machine.array, figures.group_side, figures.group_side);
 }
 
 }  // namespace
@@ -45,8 +45,8 @@ bool has_remote_planes(std::uint64_t model_bytes, std::uint64_t plane_count, std
 }
 
 void check_storage(const isa::Program& program, const machines::Machine& machine) {
-  const Figures& figures = machines::own<Figures>(machine);
-  const division::ModelSizes sizes = division::sizes_of(program.display_model);
+  const Figures& figures = machines::kind_figures<Figures>(machine);
+  const division::ModelSizes sizes = division::read_model_sizes(program.display_model);
   const std::uint64_t plane_bits = 1 + 2 * std::uint64_t{sizes.slope} + sizes.constant;
   std::uint64_t kept = byte_bits * program.display_model.size();
   if (has_remote_planes(program.display_model.size(), sizes.planes, plane_bits, figures))
@@ -71,7 +71,7 @@ void check_storage(const isa::Program& program, const machines::Machine& machine
 }
 
 void check_division(const isa::Program& program, const machines::Machine& machine) {
-  const Figures& figures = machines::own<Figures>(machine);
+  const Figures& figures = machines::kind_figures<Figures>(machine);
   if (figures.divider != DividerKind::corners) return;
   division::check_division(program, divider_groups(program, machine), figures.list_entries);
 }

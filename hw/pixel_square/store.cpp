@@ -8,7 +8,7 @@
 namespace csgsim::pixel_square {
 
 Store::Store(const machines::Machine& machine)
-    : period_(systemc::period_of(machine)), depth_(machines::own<Figures>(machine).store_words) {}
+    : period_(systemc::period_of(machine)), depth_(machines::kind_figures<Figures>(machine).store_words) {}
 
 void Store::begin() {
   words_.clear();

@@ -14,7 +14,7 @@ using wave::Tap;
 constexpr unsigned renderer_bits = 8;
 
 std::string square_name(std::size_t square, const isa::Program& program) {
-  return square < program.segments.size() ? wave::place_of(program.segments[square]) : std::string();
+  return square < program.segments.size() ? wave::corner_text(program.segments[square]) : std::string();
 }
 
 Tap either(Tap one, Tap other) {

@@ -27,12 +27,12 @@ namespace {
 using machines::Machine;
 
 std::size_t dividers_in(const Machine& machine) {
-  const Figures& figures = machines::own<Figures>(machine);
+  const Figures& figures = machines::kind_figures<Figures>(machine);
   return figures.divider == DividerKind::corners ? figures.dividers : 0;
 }
 
 std::size_t processors_in(const Machine& machine) {
-  const Figures& figures = machines::own<Figures>(machine);
+  const Figures& figures = machines::kind_figures<Figures>(machine);
   return has_ring(figures) ? figures.processors : 0;
 }
 
@@ -43,9 +43,10 @@ class FrameModel {
              machines::Timeline* timeline)
       : program_(program),
         machine_(machine),
-        parts_{machines::own<Figures>(machine).renderers, dividers_in(machine), processors_in(machine)},
+        parts_{machines::kind_figures<Figures>(machine).renderers, dividers_in(machine), processors_in(machine)},
         agenda_(parts_.count()),
-        clears_(machines::own<Figures>(machine).port_fifo_depth, parts_.sender(), parts_.frame_buffer(), agenda_),
+        clears_(machines::kind_figures<Figures>(machine).port_fifo_depth, parts_.sender(), parts_.frame_buffer(),
+                agenda_),
         renderers_(renderers(program, machine, agenda_)),
         dividers_(dividers(timeline)),
         sender_(program, machine, dividers_, renderers_, clears_, agenda_, skips, timeline),
@@ -66,7 +67,7 @@ class FrameModel {
   static std::vector<RendererTiming> renderers(const isa::Program& program, const Machine& machine, Agenda& agenda) {
     const std::uint32_t colour_bits = isa::frame_header(program).colour.width;
     std::vector<RendererTiming> all;
-    for (std::size_t i = 0; i < machines::own<Figures>(machine).renderers; ++i)
+    for (std::size_t i = 0; i < machines::kind_figures<Figures>(machine).renderers; ++i)
       all.emplace_back(machine, colour_bits, i, agenda);
     return all;
   }
@@ -76,7 +77,7 @@ class FrameModel {
     for (std::size_t i = 0; i < parts_.dividers; ++i)
       all.emplace_back(program_, machine_, parts_.divider(i), parts_.sender(), agenda_, timeline);
     if (all.empty()) return all;
-    const std::vector<std::size_t> divider_of_square = dividers_of(program_, machine_);
+    const std::vector<std::size_t> divider_of_square = divider_of_each_square(program_, machine_);
     for (std::size_t square = 0; square < divider_of_square.size(); ++square)
       all[divider_of_square[square]].assign(square);
     return all;
@@ -102,9 +103,9 @@ class FrameModel {
     if (words > 0) {
       const Time spacing = std::max<Time>(link.word_clocks, link.fifo_depth == 1 ? 2 : 1);
       const Time sent = link.latency + link.word_clocks + (words - 1) * spacing;
-      host_.wait(SquareActivity::waiting_for_host, 1 + link.latency);
-      host_.work(words * link.word_clocks);
-      host_.wait(SquareActivity::waiting_for_divider, sent + 1);
+      host_.count_waiting(SquareActivity::waiting_for_host, 1 + link.latency);
+      host_.count_working(words * link.word_clocks);
+      host_.count_waiting(SquareActivity::waiting_for_divider, sent + 1);
       last = sent + 1;
     }
     for (DividerTiming& divider : dividers_) divider.begin(last, words);
@@ -179,9 +180,9 @@ std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, co
 }
 
 /// A global-OR test occupies the controller until its answer arrives, but the pixels only for one clock.
-std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeline, const isa::Program& program,
-                                                const Machine& machine, std::uint32_t segment, std::uint32_t /*x*/,
-                                                std::uint32_t /*y*/) const {
+std::vector<machines::ClockSpan> Kind::spans_at_pixel(const machines::Timeline& timeline, const isa::Program& program,
+                                                      const Machine& machine, std::uint32_t segment,
+                                                      std::uint32_t /*x*/, std::uint32_t /*y*/) const {
   std::vector<machines::ClockSpan> spans = timeline.issued[segment];
   for (std::size_t i = 0; i < spans.size(); ++i) {
     const bool needs_global_or = isa::needs_global_or(program.segments[segment].instructions[i].opcode);

@@ -97,7 +97,7 @@ class Agenda {
   explicit Agenda(std::size_t parts) : due_(parts, never), this_edge_(parts), next_edge_(parts) {}
 
   /// Schedules the unit for `edge`, the current edge or a later one, and discards its previous entry.
-  void put(std::size_t part, Time edge) {
+  void schedule(std::size_t part, Time edge) {
     due_[part] = edge;
     if (edge == now_) {
       this_edge_.add(part);
@@ -110,7 +110,7 @@ class Agenda {
 
   /// Schedules the unit for `edge` if it sleeps; otherwise keeps its entry.
   void wake(std::size_t part, Time edge) {
-    if (due_[part] == never) put(part, edge);
+    if (due_[part] == never) schedule(part, edge);
   }
 
   /// Returns the next unit to act and its edge. The unit then sleeps until it is scheduled again.
@@ -197,14 +197,14 @@ class Fifo {
 class PartClocks {
  public:
   /// Counts the next `clocks` clocks as working.
-  void work(Time clocks) { add(SquareActivity::working, clocks); }
+  void count_working(Time clocks) { add(SquareActivity::working, clocks); }
 
   /// Attributes all clocks before `now` that have not been counted to `activity`.
-  void wait(SquareActivity activity, Time now) { add(activity, now - next_clock_); }
+  void count_waiting(SquareActivity activity, Time now) { add(activity, now - next_clock_); }
 
   /// Completes the account; `end` is the frame's last clock.
   [[nodiscard]] const SquareClocks& complete(Time end) {
-    wait(SquareActivity::done, end + 1);
+    count_waiting(SquareActivity::done, end + 1);
     return clocks_;
   }
 

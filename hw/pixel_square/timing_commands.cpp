@@ -15,7 +15,7 @@ std::vector<TimedCommand> timed_commands(const isa::Program& program, std::size_
   const isa::Segment& segment = program.segments[square];
   std::vector<TimedCommand> commands;
   if (segment.instructions.empty()) return commands;
-  const std::uint32_t width = command_word_bits(machines::own<Figures>(machine), machine.link.width);
+  const std::uint32_t width = command_word_bits(machines::kind_figures<Figures>(machine), machine.link.width);
   commands.reserve(segment.instructions.size() + 2);
   commands.push_back({.kind = CommandKind::start,
                       .words = isa::wire_words(isa::SegmentStart{segment.region}, width),
@@ -29,7 +29,7 @@ std::vector<TimedCommand> timed_commands(const isa::Program& program, std::size_
   }
   auto skip = std::ranges::lower_bound(skips, square, {}, &machines::Skip::segment);
   for (; skip != skips.end() && skip->segment == square; ++skip)
-    commands[skip->index + 1].skips = isa::skipped_after(segment.instructions[skip->index], 0);
+    commands[skip->index + 1].skips = isa::skipped_instruction_count(segment.instructions[skip->index], 0);
   commands.push_back({.kind = CommandKind::end,
                       .words = isa::wire_words(isa::SegmentEnd{}, width),
                       .clocks = 1 + std::uint64_t{machines::evaluator_latency(machine)},

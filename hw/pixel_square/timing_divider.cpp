@@ -16,13 +16,13 @@ DividerTiming::DividerTiming(const isa::Program& program, const machines::Machin
       part_(part),
       agenda_(&agenda),
       timeline_(timeline),
-      store_(machines::own<Figures>(machine).store_words, part, sender, agenda) {}
+      store_(machines::kind_figures<Figures>(machine).store_words, part, sender, agenda) {}
 
 void DividerTiming::begin(Time now, std::uint64_t model_words) {
-  clocks_.work(model_words);
-  clocks_.wait(SquareActivity::waiting_for_host, now + 1);
+  clocks_.count_working(model_words);
+  clocks_.count_waiting(SquareActivity::waiting_for_host, now + 1);
   before_ = division_.tree_clocks();
-  next(now);
+  schedule_next(now);
 }
 
 /// Lists the words stored for a square and the tests between them. The first square of a group includes the group's
@@ -63,7 +63,7 @@ void DividerTiming::list_pieces(std::size_t square) {
 }
 
 /// Starts the next piece after one that was complete at edge `now`.
-void DividerTiming::next(Time now) {
+void DividerTiming::schedule_next(Time now) {
   if (pieces_.empty()) {
     if (assigned_.empty()) return;
     list_pieces(assigned_.front());
@@ -71,26 +71,26 @@ void DividerTiming::next(Time now) {
   }
   stored_ = 0;
   const Time until = pieces_.front().clocks + 1;
-  clocks_.work(until);
-  agenda_->put(part_, now + until);
+  clocks_.count_working(until);
+  agenda_->schedule(part_, now + until);
 }
 
 void DividerTiming::act(Time now) {
   if (pieces_.empty()) return;
   if (!store_.has_room(now)) {
-    if (store_.has_room_next()) agenda_->put(part_, now + 1);
+    if (store_.has_room_next()) agenda_->schedule(part_, now + 1);
     return;
   }
-  clocks_.wait(SquareActivity::waiting_for_renderer, now + 1);
+  clocks_.count_waiting(SquareActivity::waiting_for_renderer, now + 1);
   const Piece& piece = pieces_.front();
   const bool is_last = ++stored_ == piece.words;
   store_.write(now, is_last ? piece.last : TimedStored{});
   if (is_last) {
     pieces_.pop_front();
-    return next(now);
+    return schedule_next(now);
   }
-  clocks_.work(1);
-  agenda_->put(part_, now + 1);
+  clocks_.count_working(1);
+  agenda_->schedule(part_, now + 1);
 }
 
 }  // namespace csgsim::pixel_square

@@ -43,7 +43,7 @@ class DividerTiming {
   };
 
   void list_pieces(std::size_t square);
-  void next(Time now);
+  void schedule_next(Time now);
 
   const isa::Program& program_;
   const machines::Machine& machine_;

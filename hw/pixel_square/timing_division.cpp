@@ -19,14 +19,14 @@ namespace csgsim::pixel_square {
 
 namespace {
 
-const Figures& figures_of(const machines::Machine& machine) { return machines::own<Figures>(machine); }
+const Figures& figures_of(const machines::Machine& machine) { return machines::kind_figures<Figures>(machine); }
 
 std::uint64_t beyond(std::uint64_t needed, std::uint64_t available) { return needed - std::min(needed, available); }
 
 }  // namespace
 
 DivisionClocks::DivisionClocks(const isa::Program& program, const machines::Machine& machine) : machine_(machine) {
-  const division::ModelSizes sizes = division::sizes_of(program.display_model);
+  const division::ModelSizes sizes = division::read_model_sizes(program.display_model);
   const std::uint64_t port = figures_of(machine).record_bits;
   const std::uint64_t plane_bits = 1 + 2 * std::uint64_t{sizes.slope} + sizes.constant;
   const bool is_remote = has_remote_planes(program.display_model.size(), sizes.planes, plane_bits, figures_of(machine));
@@ -76,7 +76,7 @@ bool DivisionClocks::is_listed(std::uint64_t survivor_count) const {
   return figures_of(machine_).levels == 2 && survivor_count <= figures_of(machine_).list_entries;
 }
 
-std::vector<std::size_t> dividers_of(const isa::Program& program, const machines::Machine& machine) {
+std::vector<std::size_t> divider_of_each_square(const isa::Program& program, const machines::Machine& machine) {
   const Figures& figures = figures_of(machine);
   const std::uint32_t side = figures.levels == 2 ? figures.group_side : 1;
   const std::uint64_t width = std::uint64_t{side} * machine.array.width;

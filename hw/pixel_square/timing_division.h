@@ -37,7 +37,7 @@ class DivisionClocks {
 };
 
 /// Index of the divider of each square. Groups, or single squares if there is one level, are assigned round-robin.
-std::vector<std::size_t> dividers_of(const isa::Program& program, const machines::Machine& machine);
+std::vector<std::size_t> divider_of_each_square(const isa::Program& program, const machines::Machine& machine);
 
 /// Throws InputError if the clocks of a frame's tests would exceed the range of the clock counter.
 void check_countable(const isa::Program& program, const machines::Machine& machine);

@@ -11,8 +11,8 @@ FrameBufferTiming::FrameBufferTiming(const isa::Program& program, const machines
                                      std::vector<Fifo<TimedPortWord>*> ports, Agenda& agenda)
     : program_(program),
       machine_(machine),
-      banks_(machines::own<Figures>(machine).banks),
-      renderers_(machines::own<Figures>(machine).renderers),
+      banks_(machines::kind_figures<Figures>(machine).banks),
+      renderers_(machines::kind_figures<Figures>(machine).renderers),
       ports_(std::move(ports)),
       agenda_(agenda),
       screen_(program, machine),
@@ -23,16 +23,16 @@ FrameBufferTiming::FrameBufferTiming(const isa::Program& program, const machines
 
 void FrameBufferTiming::store(Time now) {
   const std::size_t ports = ports_.size();
-  const std::optional<std::uint32_t> shown = screen_.bank(now);
+  const std::optional<std::uint32_t> shown = screen_.occupied_bank(now);
   taken_.clear();
   if (shown) taken_.push_back(*shown);
   const std::size_t turns = banks_ - taken_.size();
   std::size_t served = 0;
   bool has_word_next = false;
   ready_ports_.for_each_from(turn_, [&](std::size_t port) {
-    const std::optional<TimedPortWord> word = waiting(port, now);
-    if (word && served < turns && take_bank(*word)) {
-      take(port, *word, now);
+    const std::optional<TimedPortWord> word = next_port_word(port, now);
+    if (word && served < turns && try_claim_bank(*word)) {
+      accept_word(port, *word, now);
       ++served;
       turn_ = next_in_turn(port, ports);
     }
@@ -40,16 +40,16 @@ void FrameBufferTiming::store(Time now) {
     return true;
   });
   if (served > 0) {
-    clocks_.wait(SquareActivity::waiting_for_renderer, now);
-    clocks_.work(1);
+    clocks_.count_waiting(SquareActivity::waiting_for_renderer, now);
+    clocks_.count_working(1);
     if (shown) ++shared_;
   }
-  if (served > 0 || has_word_next) agenda_.put(PartNumbers{renderers_}.frame_buffer(), now + 1);
+  if (served > 0 || has_word_next) agenda_.schedule(PartNumbers{renderers_}.frame_buffer(), now + 1);
 }
 
 /// The word that a port can deliver at this edge.
-std::optional<TimedPortWord> FrameBufferTiming::waiting(std::size_t port, Time now) {
-  if (clears_now(port)) {
+std::optional<TimedPortWord> FrameBufferTiming::next_port_word(std::size_t port, Time now) {
+  if (is_clearing(port)) {
     const LeavingSquare& clear = clears_[port - renderers_];
     return TimedPortWord{.last = clear.words_left() == 1, .row = clear.picture_row()};
   }
@@ -58,7 +58,7 @@ std::optional<TimedPortWord> FrameBufferTiming::waiting(std::size_t port, Time n
 }
 
 /// Claims the word's bank for this clock. Returns false if the bank is already claimed.
-bool FrameBufferTiming::take_bank(const TimedPortWord& word) {
+bool FrameBufferTiming::try_claim_bank(const TimedPortWord& word) {
   if (!word.row) return true;
   const std::uint32_t bank = *word.row % banks_;
   if (std::ranges::find(taken_, bank) != taken_.end()) return false;
@@ -66,21 +66,21 @@ bool FrameBufferTiming::take_bank(const TimedPortWord& word) {
   return true;
 }
 
-void FrameBufferTiming::take(std::size_t port, const TimedPortWord& word, Time now) {
-  if (clears_now(port)) {
+void FrameBufferTiming::accept_word(std::size_t port, const TimedPortWord& word, Time now) {
+  if (is_clearing(port)) {
     clears_[port - renderers_].advance();
   } else {
     ports_[port]->read(now);
-    if (port >= renderers_ && word.last) clears_[port - renderers_] = background_of(word.cleared);
+    if (port >= renderers_ && word.last) clears_[port - renderers_] = background_square(word.cleared);
   }
   has_pending(port) ? ready_ports_.add(port) : ready_ports_.remove(port);
-  if (word.last && !clears_now(port) && ++stored_ == program_.segments.size()) end_ = now;
+  if (word.last && !is_clearing(port) && ++stored_ == program_.segments.size()) end_ = now;
 }
 
 /// The words of background for a square.
-LeavingSquare FrameBufferTiming::background_of(std::size_t square) const {
+LeavingSquare FrameBufferTiming::background_square(std::size_t square) const {
   LeavingSquare words(program_.segments[square].region, isa::frame_header(program_).colour.width,
-                      colour_word_bits(machines::own<Figures>(machine_)));
+                      colour_word_bits(machines::kind_figures<Figures>(machine_)));
   words.skip_header();
   return words;
 }

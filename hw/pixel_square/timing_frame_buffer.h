@@ -25,14 +25,14 @@ class FrameBufferTiming {
 
  private:
   /// Whether a square that was received through the port is being cleared.
-  [[nodiscard]] bool clears_now(std::size_t port) const {
+  [[nodiscard]] bool is_clearing(std::size_t port) const {
     return port >= renderers_ && clears_[port - renderers_].words_left() > 0;
   }
-  [[nodiscard]] std::optional<TimedPortWord> waiting(std::size_t port, Time now);
-  [[nodiscard]] bool has_pending(std::size_t port) const { return clears_now(port) || ports_[port]->has_word_next(); }
-  [[nodiscard]] LeavingSquare background_of(std::size_t square) const;
-  bool take_bank(const TimedPortWord& word);
-  void take(std::size_t port, const TimedPortWord& word, Time now);
+  [[nodiscard]] std::optional<TimedPortWord> next_port_word(std::size_t port, Time now);
+  [[nodiscard]] bool has_pending(std::size_t port) const { return is_clearing(port) || ports_[port]->has_word_next(); }
+  [[nodiscard]] LeavingSquare background_square(std::size_t square) const;
+  bool try_claim_bank(const TimedPortWord& word);
+  void accept_word(std::size_t port, const TimedPortWord& word, Time now);
 
   const isa::Program& program_;
   const machines::Machine& machine_;

@@ -15,7 +15,7 @@ ProcessorsTiming::ProcessorsTiming(const isa::Program& program, const machines::
       skips_(skips),
       timeline_(timeline),
       reservations_(renderers.size()) {
-  const Figures& figures = machines::own<Figures>(machine);
+  const Figures& figures = machines::kind_figures<Figures>(machine);
   if (!has_ring(figures)) return;
   const PartNumbers parts{.renderers = renderers.size(), .processors = figures.processors};
   for (std::size_t i = 0; i < figures.processors; ++i) {
@@ -25,24 +25,24 @@ ProcessorsTiming::ProcessorsTiming(const isa::Program& program, const machines::
 }
 
 void ProcessorsTiming::begin() {
-  for (const Processor& processor : processors_) agenda_.put(processor.part, 1 + machine_.link.latency);
+  for (const Processor& processor : processors_) agenda_.schedule(processor.part, 1 + machine_.link.latency);
 }
 
 void ProcessorsTiming::act(std::size_t processor_index, Time now) {
   Processor& processor = processors_[processor_index];
   if (processor.all_sent) return;
-  processor.clocks.wait(processor.activity, now);
-  if (!processor.square && !take_square(processor)) return sleep(processor, SquareActivity::done);
-  if (!processor.commands.empty() && !processor.renderer && !request_renderer(processor, now))
+  processor.clocks.count_waiting(processor.activity, now);
+  if (!processor.square && !try_take_square(processor)) return sleep(processor, SquareActivity::done);
+  if (!processor.commands.empty() && !processor.renderer && !try_request_renderer(processor, now))
     return sleep(processor, SquareActivity::waiting_for_renderer);
   if (!processor.words.has_room(now)) {
-    if (processor.words.has_room_next()) agenda_.put(processor.part, now + 1);
+    if (processor.words.has_room_next()) agenda_.schedule(processor.part, now + 1);
     return sleep(processor, SquareActivity::waiting_for_ring);
   }
   send(processor, now);
 }
 
-bool ProcessorsTiming::take_square(Processor& processor) {
+bool ProcessorsTiming::try_take_square(Processor& processor) {
   if (next_ == program_.segments.size()) return false;
   processor.square = next_++;
   processor.commands = timed_commands(program_, *processor.square, machine_, skips_, timeline_);
@@ -51,15 +51,15 @@ bool ProcessorsTiming::take_square(Processor& processor) {
   return true;
 }
 
-bool ProcessorsTiming::request_renderer(Processor& processor, Time now) {
+bool ProcessorsTiming::try_request_renderer(Processor& processor, Time now) {
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < reservations_.size(); ++i) {
     if (reservations_[i].reserved) continue;
     if (reservations_[i].free_from > now) {
-      agenda_.put(processor.part, reservations_[i].free_from);
+      agenda_.schedule(processor.part, reservations_[i].free_from);
       continue;
     }
-    if (!best || renderers_[i].unfinished(now) < renderers_[*best].unfinished(now)) best = i;
+    if (!best || renderers_[i].unfinished_squares(now) < renderers_[*best].unfinished_squares(now)) best = i;
   }
   if (!best) return false;
   processor.renderer = best;
@@ -73,15 +73,15 @@ void ProcessorsTiming::send(Processor& processor, Time now) {
   processor.all_sent = word.ends;
   if (word.ends && !word.renderer) ++skipped_;
   processor.words.write(now, word);
-  processor.clocks.work(1);
+  processor.clocks.count_working(1);
   processor.activity = SquareActivity::waiting_for_ring;
-  if (!processor.all_sent) agenda_.put(processor.part, now + 1);
+  if (!processor.all_sent) agenda_.schedule(processor.part, now + 1);
 }
 
 TimedRingWord ProcessorsTiming::next_word(Processor& processor) {
   ++processor.sent;
   if (processor.commands.empty()) {
-    const bool last = processor.sent == header_words(colour_word_bits(machines::own<Figures>(machine_)));
+    const bool last = processor.sent == header_words(colour_word_bits(machines::kind_figures<Figures>(machine_)));
     return {.renderer = std::nullopt,
             .command = {},
             .header = {.last = last, .row = std::nullopt, .cleared = *processor.square},
@@ -96,12 +96,12 @@ TimedRingWord ProcessorsTiming::next_word(Processor& processor) {
 
 void ProcessorsTiming::leave(std::size_t processor_index, Time now) {
   Processor& processor = processors_[processor_index];
-  processor.clocks.wait(SquareActivity::waiting_for_ring, now + 1);
+  processor.clocks.count_waiting(SquareActivity::waiting_for_ring, now + 1);
   if (processor.renderer) reservations_[*processor.renderer] = {.reserved = false, .free_from = now + 1};
   processor.renderer.reset();
   processor.square.reset();
   processor.all_sent = false;
-  agenda_.put(processor.part, now + 1);
+  agenda_.schedule(processor.part, now + 1);
   for (const Processor& other : processors_)
     if (other.activity == SquareActivity::waiting_for_renderer) agenda_.wake(other.part, now + 1);
 }

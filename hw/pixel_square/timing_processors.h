@@ -69,8 +69,8 @@ class ProcessorsTiming {
     Time free_from = 0;
   };
 
-  bool take_square(Processor& processor);
-  bool request_renderer(Processor& processor, Time now);
+  bool try_take_square(Processor& processor);
+  bool try_request_renderer(Processor& processor, Time now);
   void send(Processor& processor, Time now);
   [[nodiscard]] TimedRingWord next_word(Processor& processor);
   void sleep(Processor& processor, SquareActivity activity) { processor.activity = activity; }

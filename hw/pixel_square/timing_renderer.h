@@ -51,7 +51,7 @@ class RendererTiming {
   void assign() { ++assigned_; }
 
   /// Number of assigned squares that are not finished, as visible at edge `now`.
-  [[nodiscard]] std::uint64_t unfinished(Time now) const {
+  [[nodiscard]] std::uint64_t unfinished_squares(Time now) const {
     return assigned_ - finished_ + (finished_at_ == now ? 1 : 0);
   }
 

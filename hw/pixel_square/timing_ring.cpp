@@ -6,15 +6,15 @@ namespace csgsim::pixel_square {
 
 RingTiming::RingTiming(const machines::Machine& machine, ProcessorsTiming& processors,
                        std::vector<RendererTiming>& renderers, Agenda& agenda)
-    : word_clocks_(machines::own<Figures>(machine).ring_word_clocks),
-      banks_(machines::own<Figures>(machine).banks),
+    : word_clocks_(machines::kind_figures<Figures>(machine).ring_word_clocks),
+      banks_(machines::kind_figures<Figures>(machine).banks),
       processors_(processors),
       renderers_(renderers),
       agenda_(agenda),
       part_(PartNumbers{.renderers = renderers.size()}.ring()),
-      channels_(machines::own<Figures>(machine).ring_channels),
+      channels_(machines::kind_figures<Figures>(machine).ring_channels),
       sources_(renderers.size() + processors.count()) {
-  const Figures& figures = machines::own<Figures>(machine);
+  const Figures& figures = machines::kind_figures<Figures>(machine);
   if (!has_ring(figures)) return;
   const std::size_t sources = renderers.size() + processors.count();
   if (channels_ == all_channels) channels_ = sources;
@@ -26,7 +26,7 @@ RingTiming::RingTiming(const machines::Machine& machine, ProcessorsTiming& proce
 
 /// Sleeps if no word can be carried until another unit acts.
 void RingTiming::carry(Time now) {
-  if (now % word_clocks_ != 0) return agenda_.put(part_, step_after(now));
+  if (now % word_clocks_ != 0) return agenda_.schedule(part_, step_after(now));
   const std::size_t sources = processors_.count() + renderers_.size();
   to_frame_buffer_ = 0;
   std::size_t carried = 0;
@@ -40,11 +40,11 @@ void RingTiming::carry(Time now) {
   });
   words_ += carried;
   if (carried > 0) {
-    clocks_.wait(SquareActivity::waiting_for_divider, now + 1 - word_clocks_);
-    clocks_.work(word_clocks_);
+    clocks_.count_waiting(SquareActivity::waiting_for_divider, now + 1 - word_clocks_);
+    clocks_.count_working(word_clocks_);
   }
   if (carried == channels_ || to_frame_buffer_ == banks_) ++full_steps_;
-  if (retry) agenda_.put(part_, step_after(now));
+  if (retry) agenda_.schedule(part_, step_after(now));
 }
 
 RingTiming::Outcome RingTiming::carry_from(std::size_t source, Time now) {
@@ -98,7 +98,7 @@ RingTiming::Outcome RingTiming::carry_from_renderer(std::size_t index, Time now)
 }
 
 RingAccount RingTiming::account(Time end) {
-  clocks_.wait(SquareActivity::waiting_for_divider, end + 1);
+  clocks_.count_waiting(SquareActivity::waiting_for_divider, end + 1);
   return {clocks_.complete(end), words_, full_steps_ * word_clocks_};
 }
 

@@ -15,7 +15,7 @@ __extension__ using Wide = unsigned __int128;
 }  // namespace
 
 ScreenTiming::ScreenTiming(const isa::Program& program, const machines::Machine& machine) {
-  const Figures& figures = machines::own<Figures>(machine);
+  const Figures& figures = machines::kind_figures<Figures>(machine);
   const isa::FrameHeader header = isa::frame_header(program);
   turns_per_picture_ = turns_per_picture({header.shape.width, header.shape.height}, header.colour.width, figures);
   turns_per_second_ = turns_per_picture_ * figures.refresh_rate;
@@ -35,7 +35,7 @@ Time ScreenTiming::turn_start(std::uint64_t turn) const {
   return static_cast<Time>((Wide{turn} * clock_hz_ + turns_per_second_ - 1) / turns_per_second_);
 }
 
-void ScreenTiming::go_to(std::uint64_t turn) {
+void ScreenTiming::advance_to_turn(std::uint64_t turn) {
   next_ = turn_start(turn + 1);
   if (turn == 0) return;
   end_ = turn_start(turn) + turn_clocks_;
@@ -43,9 +43,9 @@ void ScreenTiming::go_to(std::uint64_t turn) {
   bank_ = static_cast<std::uint32_t>(row % banks_);
 }
 
-std::optional<std::uint32_t> ScreenTiming::bank(Time now) {
+std::optional<std::uint32_t> ScreenTiming::occupied_bank(Time now) {
   if (turns_per_second_ == 0) return std::nullopt;
-  if (now >= next_) go_to(turns_until(now));
+  if (now >= next_) advance_to_turn(turns_until(now));
   return now < end_ ? std::optional(bank_) : std::nullopt;
 }
 

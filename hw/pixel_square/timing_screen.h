@@ -17,7 +17,7 @@ class ScreenTiming {
 
   /// The bank that a turn occupies in the clock that begins with edge `now`; empty if no turn does. `now` must not
   /// decrease from call to call.
-  [[nodiscard]] std::optional<std::uint32_t> bank(Time now);
+  [[nodiscard]] std::optional<std::uint32_t> occupied_bank(Time now);
 
   /// Number of clocks occupied by turns, up to and including the clock that begins with edge `last_edge`.
   [[nodiscard]] std::uint64_t clocks_until(Time last_edge) const;
@@ -25,7 +25,7 @@ class ScreenTiming {
  private:
   [[nodiscard]] std::uint64_t turns_until(Time now) const;
   [[nodiscard]] Time turn_start(std::uint64_t turn) const;
-  void go_to(std::uint64_t turn);
+  void advance_to_turn(std::uint64_t turn);
 
   std::uint64_t turns_per_picture_;
   std::uint64_t turns_per_second_;

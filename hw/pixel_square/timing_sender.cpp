@@ -16,7 +16,7 @@ SenderTiming::SenderTiming(const isa::Program& program, const machines::Machine&
       machine_(machine),
       part_(PartNumbers{renderers.size()}.sender()),
       dividers_(dividers),
-      sources_(dividers.empty() ? std::vector<std::size_t>{} : dividers_of(program, machine)),
+      sources_(dividers.empty() ? std::vector<std::size_t>{} : divider_of_each_square(program, machine)),
       renderers_(renderers),
       clears_(clears),
       agenda_(agenda),
@@ -26,8 +26,8 @@ SenderTiming::SenderTiming(const isa::Program& program, const machines::Machine&
 
 /// Schedules the host's first word. With dividers, the sender acts at edge 1 and is then woken by their stores.
 void SenderTiming::begin() {
-  if (!is_host()) return agenda_.put(part_, 1);
-  clocks_.wait(SquareActivity::waiting_for_host, 1 + machine_.link.latency);
+  if (!is_host()) return agenda_.schedule(part_, 1);
+  clocks_.count_waiting(SquareActivity::waiting_for_host, 1 + machine_.link.latency);
   begin_host_square();
   schedule_next(machine_.link.latency);
 }
@@ -40,7 +40,7 @@ void SenderTiming::begin_host_square() {
 }
 
 /// Returns false if the sender has to wait.
-bool SenderTiming::begin_square(Time now) {
+bool SenderTiming::try_begin_square(Time now) {
   if (!store().may_begin(now)) {
     sleep(SquareActivity::waiting_for_divider, store().has_word_next(), now);
     return false;
@@ -53,21 +53,21 @@ bool SenderTiming::begin_square(Time now) {
 
 void SenderTiming::sleep(SquareActivity activity, bool retry_next_edge, Time now) {
   activity_ = activity;
-  if (retry_next_edge) agenda_.put(part_, now + 1);
+  if (retry_next_edge) agenda_.schedule(part_, now + 1);
 }
 
 void SenderTiming::send(Time now) {
   if (square_ == program_.segments.size()) return;
-  clocks_.wait(activity_, now);
-  if (!begun_ && !begin_square(now)) return;
+  clocks_.count_waiting(activity_, now);
+  if (!begun_ && !try_begin_square(now)) return;
   is_clear_ ? send_header(now) : send_word(now);
 }
 
 void SenderTiming::send_header(Time now) {
   if (!clears_.has_room(now)) return sleep(SquareActivity::waiting_for_frame_buffer, clears_.has_room_next(), now);
-  const bool last = sent_ + 1 == header_words(machines::own<Figures>(machine_).port_bits);
+  const bool last = sent_ + 1 == header_words(machines::kind_figures<Figures>(machine_).port_bits);
   clears_.write(now, {.last = last, .row = std::nullopt, .cleared = square_});
-  clocks_.work(1);
+  clocks_.count_working(1);
   ++sent_;
   if (!last) return schedule_next(now);
   ++skipped_;
@@ -85,7 +85,7 @@ void SenderTiming::send_word(Time now) {
   if (!link.has_room(now)) return sleep(SquareActivity::waiting_for_renderer, link.has_room_next(), now);
   const TimedStored word = take_word(now);
   link.write(now, {word.whole});
-  clocks_.work(1);
+  clocks_.count_working(1);
   word.is_last ? end_square(now) : schedule_next(now);
 }
 
@@ -100,8 +100,8 @@ TimedStored SenderTiming::take_word(Time now) {
 /// Schedules the next word for the end of the word clocks that follow this edge.
 void SenderTiming::schedule_next(Time now) {
   const Time word_clocks = is_host() ? machine_.link.word_clocks : 1;
-  clocks_.work(word_clocks - 1);
-  agenda_.put(part_, now + word_clocks);
+  clocks_.count_working(word_clocks - 1);
+  agenda_.schedule(part_, now + word_clocks);
 }
 
 void SenderTiming::end_square(Time now) {
@@ -115,9 +115,10 @@ void SenderTiming::end_square(Time now) {
 }
 
 std::size_t SenderTiming::least_busy(Time now) const {
-  const auto best = std::min_element(
-      renderers_.begin(), renderers_.end(),
-      [now](const RendererTiming& a, const RendererTiming& b) { return a.unfinished(now) < b.unfinished(now); });
+  const auto best =
+      std::min_element(renderers_.begin(), renderers_.end(), [now](const RendererTiming& a, const RendererTiming& b) {
+        return a.unfinished_squares(now) < b.unfinished_squares(now);
+      });
   return static_cast<std::size_t>(best - renderers_.begin());
 }
 

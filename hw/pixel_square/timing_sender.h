@@ -37,7 +37,7 @@ class SenderTiming {
   [[nodiscard]] bool is_host() const { return dividers_.empty(); }
   [[nodiscard]] StoreTiming& store() { return dividers_[sources_[square_]].store(); }
   void begin_host_square();
-  bool begin_square(Time now);
+  bool try_begin_square(Time now);
   void sleep(SquareActivity activity, bool retry_next_edge, Time now);
   void send_header(Time now);
   void send_word(Time now);

@@ -87,7 +87,8 @@ double register_bits(const Machine& machine) {
   const double operand_latch = machine.memory_reads == 1 ? machine.alu_bits : 0;
   const double carries = machine.evaluator_degree == 1 ? 1 : 3;
   const double flag_and_delay = machine.evaluator_degree == 1 ? 0 : machine.evaluator_bits == 1 ? 2 : 1;
-  return 3 + operand_latch + stream_bits(machine) * machines::registered_nodes(machine) + carries + flag_and_delay;
+  return 3 + operand_latch + stream_bits(machine) * machines::registered_node_fraction(machine) + carries +
+         flag_and_delay;
 }
 
 /// Number of adders chained between two registers of a tree.

@@ -9,9 +9,9 @@ namespace csgsim::scan_line {
 machines::Account account(const LineAccount& counts, const machines::Machine& machine, std::uint64_t frame_clocks) {
   using enum LineActivity;
   const auto part = [](const char* name, const LineClocks& tally, std::initializer_list<LineActivity> shown) {
-    return machines::part_of(name, tally, line_activity_names, shown);
+    return machines::part_account(name, tally, line_activity_names, shown);
   };
-  const std::uint64_t cells = std::uint64_t{machine.array.width} * machines::own<Figures>(machine).chains;
+  const std::uint64_t cells = std::uint64_t{machine.array.width} * machines::kind_figures<Figures>(machine).chains;
   return {.counts = {{"lines", counts.lines},
                      {"packets", counts.packets},
                      {"most_packets", counts.max_packets},

@@ -16,7 +16,7 @@ using kernels::CellRange;
 /// The cells of a chain or of a tree. Each has a memory of words with `ports` ports, an enable bit, a shifter, an ALU,
 /// and registers: two fields that were read, the ALU's result, a field to write, and the value held for the refresh.
 /// The memory can write single bits of a word. A root is computed by the ALU in the register of the first field. F
-/// comes from the adders before the cell (words_in); their sums are computed from the coefficients.
+/// comes from the adders before the cell (arriving_words); their sums are computed from the coefficients.
 ///
 /// Cells are independent of each other, so some may be simulated ahead of others. Each cell must execute all steps in
 /// order.
@@ -36,7 +36,7 @@ class Cells {
   [[nodiscard]] bool enabled(std::uint32_t cell) const { return enable_[cell] != 0; }
   [[nodiscard]] std::uint64_t read(std::uint32_t cell, isa::Field field) const;
   /// Value that the cell holds for the refresh.
-  [[nodiscard]] std::uint32_t held(std::uint32_t cell) const { return hold_[cell]; }
+  [[nodiscard]] std::uint32_t held_value(std::uint32_t cell) const { return hold_[cell]; }
 
   /// For each enabled cell i of the range, sets bit i % 64 of words[i / 64].
   void add_enabled(CellRange range, std::span<std::uint64_t> words) const {

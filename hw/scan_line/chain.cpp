@@ -47,7 +47,7 @@ void Chain::begin(std::uint32_t line_pixels) {
 void Chain::step(const Beat& entering) {
   shift();
   transfer();
-  enter(entering);
+  accept_beat(entering);
   ++clock_;
   depart();
 }
@@ -79,9 +79,9 @@ std::uint64_t Chain::sum(std::uint32_t cell) const {
   for (std::size_t i = count_; i > 0; --i) {
     const Flight& one = flight(i - 1);
     const std::uint32_t beats = beats_executed(one, cell);
-    if (one.packet.brings_f() && beats > 0) return sum_in(one.packet, beats, cell, shape_);
+    if (one.packet.brings_f() && beats > 0) return received_sum(one.packet, beats, cell, shape_);
   }
-  return last_f_packet_ ? sum_in(*last_f_packet_, last_f_packet_->words, cell, shape_) : sums_before_[cell];
+  return last_f_packet_ ? received_sum(*last_f_packet_, last_f_packet_->words, cell, shape_) : sums_before_[cell];
 }
 
 bool Chain::enabled(std::uint32_t cell) const {
@@ -89,9 +89,9 @@ bool Chain::enabled(std::uint32_t cell) const {
   return cells_.enabled(cell);
 }
 
-std::uint32_t Chain::held(std::uint32_t cell) const {
+std::uint32_t Chain::held_value(std::uint32_t cell) const {
   catch_up(cell);
-  return cells_.held(cell);
+  return cells_.held_value(cell);
 }
 
 std::uint64_t Chain::read(std::uint32_t cell, isa::Field field) const {
@@ -106,14 +106,14 @@ void Chain::shift() {
 void Chain::transfer() {
   if (!transfers_) return;
   if (shifting_) throw std::logic_error("a line reached the refresh path before the previous line had left it");
-  for (std::uint32_t cell = 0; cell < pixels_; ++cell) shift_[cell] = cells_.held(cell);
+  for (std::uint32_t cell = 0; cell < pixels_; ++cell) shift_[cell] = cells_.held_value(cell);
   shifted_ = 0;
   shifting_ = true;
   transfers_ = false;
   held_ = false;
 }
 
-void Chain::enter(const Beat& beat) {
+void Chain::accept_beat(const Beat& beat) {
   if (beat.number != next_beat_) throw std::logic_error("a packet does not enter beat by beat");
   if (beat.packet == nullptr) return;
   if (beat.number == 0) take(*beat.packet);

@@ -24,8 +24,8 @@ class Kind final : public machines::KindOf<Figures> {
   /// preceding cell.
   std::optional<Timeline> timeline(const Program& program, const Machine& machine,
                                    const RunOutcome& outcomes) const override;
-  Spans at_pixel(const Timeline& timeline, const Program& program, const Machine& machine, std::uint32_t segment,
-                 std::uint32_t x, std::uint32_t y) const override;
+  Spans spans_at_pixel(const Timeline& timeline, const Program& program, const Machine& machine, std::uint32_t segment,
+                       std::uint32_t x, std::uint32_t y) const override;
   machines::Resources resources(const Machine& machine, const isa::FrameHeader& header) const override;
   std::vector<machines::Load> loads(const machines::FrameTiming& timing) const override;
 };

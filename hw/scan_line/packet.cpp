@@ -222,7 +222,7 @@ Packet background_packet(isa::Field colour, std::uint32_t background, const Cell
   return packet;
 }
 
-BeatWords words_in(const Beat& beat, std::uint32_t cell_index, const CellShape& cell) {
+BeatWords arriving_words(const Beat& beat, std::uint32_t cell_index, const CellShape& cell) {
   if (beat.number >= beat.packet->words) return {};
   const isa::Linear& linear = beat.packet->instruction.linear;
   const auto word = [&](Wide number) { return word_of(number, beat.number, f_bits(cell)); };
@@ -232,7 +232,8 @@ BeatWords words_in(const Beat& beat, std::uint32_t cell_index, const CellShape& 
           .aa = word(2 * square)};
 }
 
-std::uint64_t sum_in(const Packet& packet, std::uint32_t beat_count, std::uint32_t cell_index, const CellShape& cell) {
+std::uint64_t received_sum(const Packet& packet, std::uint32_t beat_count, std::uint32_t cell_index,
+                           const CellShape& cell) {
   const isa::Linear& linear = packet.instruction.linear;
   const auto sum = static_cast<std::uint64_t>((packet.square * Wide{cell_index} + linear.a) * cell_index + linear.c);
   const std::uint64_t bits = std::uint64_t{std::min(beat_count, packet.words)} * f_bits(cell);

@@ -173,11 +173,12 @@ Packet background_packet(isa::Field colour, std::uint32_t background, const Cell
 
 /// Words that arrive at cell `cell_index` with the beat, after the adders of the preceding cells have processed C, A
 /// and the second difference.
-BeatWords words_in(const Beat& beat, std::uint32_t cell_index, const CellShape& cell);
+BeatWords arriving_words(const Beat& beat, std::uint32_t cell_index, const CellShape& cell);
 
 /// The low 64 bits of C + A*x + S*x*x, S being the factor of x*x, that have arrived at cell `cell_index` with the first
 /// `beat_count` beats of a packet with F.
-std::uint64_t sum_in(const Packet& packet, std::uint32_t beat_count, std::uint32_t cell_index, const CellShape& cell);
+std::uint64_t received_sum(const Packet& packet, std::uint32_t beat_count, std::uint32_t cell_index,
+                           const CellShape& cell);
 
 /// Bits that the ALU processes per clock; `bits` if the ALU has no limit.
 constexpr std::uint32_t alu_width(const CellShape& cell, std::uint32_t bits) {

@@ -11,7 +11,7 @@ namespace csgsim::scan_line {
 PacketQueue::PacketQueue(sc_core::sc_module_name name, const machines::Machine& machine, std::uint32_t chain)
     : systemc::ClockedModule(name),
       machine_(machine),
-      figures_(machines::own<Figures>(machine)),
+      figures_(machines::kind_figures<Figures>(machine)),
       cell_(cell_shape(figures_)),
       chain_(chain),
       receiver_(machine.link.width) {}

@@ -31,7 +31,7 @@ std::size_t RefreshCollector::line_of(std::size_t chain) const {
 }
 
 void RefreshCollector::on_clock() {
-  for (PendingFrame& frame : pending_) count(frame, &frame == &pending_.back());
+  for (PendingFrame& frame : pending_) count_clock(frame, &frame == &pending_.back());
   for (std::size_t chain = 0; chain < refresh.size(); ++chain) poll(chain);
   while (!pending_.empty() && pending_.front().missing_lines == 0) {
     pending_.front().shown.clocks = pending_.front().periods.count();
@@ -42,7 +42,7 @@ void RefreshCollector::on_clock() {
 }
 
 /// The signal `entering` refers only to the newest frame.
-void RefreshCollector::count(PendingFrame& frame, bool is_last) {
+void RefreshCollector::count_clock(PendingFrame& frame, bool is_last) {
   frame.periods.edge();
   if (is_last) {
     frame.entering_marks = any_entering();

@@ -59,7 +59,7 @@ class RefreshCollector final : public systemc::ClockedModule {
   };
 
   void on_clock() override;
-  void count(PendingFrame& frame, bool is_last);
+  void count_clock(PendingFrame& frame, bool is_last);
   void poll(std::size_t chain);
   void collect(PendingFrame& frame, std::size_t chain, std::uint32_t colour);
   [[nodiscard]] bool any_entering() const;

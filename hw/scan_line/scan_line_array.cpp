@@ -17,7 +17,7 @@ namespace csgsim::scan_line {
 
 namespace {
 
-const Figures& figures_of(const machines::Machine& machine) { return machines::own<Figures>(machine); }
+const Figures& figures_of(const machines::Machine& machine) { return machines::kind_figures<Figures>(machine); }
 
 /// A packet is accounted for when its last beat enters; the account is read when that beat has left the last cell.
 int max_accounts(const machines::Machine& machine) { return static_cast<int>(machine.array.width) + 2; }
@@ -249,7 +249,7 @@ LineAccount ScanLineArray::make_account(const Entered& entered, const ShownFrame
 }
 
 std::vector<wave::Tap> ScanLineArray::taps(const isa::Program& program, const wave::Request& request) const {
-  wave::check_no_trees(request);
+  wave::check_no_tree_levels(request);
   std::vector<wave::Tap> taps = host_taps(host_, program);
   const auto add = [&](std::vector<wave::Tap> more) { wave::add(std::move(more), taps); };
   const WordShape shape{cell_shape(figures_of(machine_)), machine_.evaluator_degree,

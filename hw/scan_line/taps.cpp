@@ -46,7 +46,7 @@ bool brings_words(const Beat& beat) {
 std::vector<Tap> packet_taps(const std::string& part, const ReadBeat& beat, std::uint32_t cell,
                              const isa::Program& program, std::optional<WordShape> shape) {
   std::vector<Tap> taps =
-      wave::instruction_taps(part, program, [beat, firsts = isa::first_numbers(program)]() -> Number {
+      wave::instruction_taps(part, program, [beat, firsts = isa::first_instruction_numbers(program)]() -> Number {
         const Packet* const at = beat().packet;
         if (at == nullptr || at->kind != PacketKind::instruction) return std::nullopt;
         return firsts[at->segment] + at->index;
@@ -60,7 +60,7 @@ std::vector<Tap> packet_taps(const std::string& part, const ReadBeat& beat, std:
   const auto word = [&](const char* name, std::uint64_t BeatWords::*which) {
     taps.push_back(wave::hexadecimal(part + name, f_bits(shape->cell), [beat, cell, which, form = shape->cell] {
       const Beat at = beat();
-      return brings_words(at) ? Number(words_in(at, cell, form).*which) : std::nullopt;
+      return brings_words(at) ? Number(arriving_words(at, cell, form).*which) : std::nullopt;
     }));
   };
   word(".a", &BeatWords::a);
@@ -113,7 +113,7 @@ std::vector<Tap> chain_taps(const std::string& suffix, const ChainParts& parts, 
 
 std::vector<Tap> cell_taps(wave::Pixel pixel, std::span<const ChainParts> chains, const isa::Program& program,
                            WordShape shape) {
-  const std::string part = wave::part_of(pixel);
+  const std::string part = wave::pixel_part_name(pixel);
   const std::uint32_t line = wave::segment_of(pixel, program);
   const ChainParts parts = chains[line % chains.size()];
   const std::uint32_t cell = pixel.x - program.segments[line].region.x;

@@ -136,7 +136,7 @@ std::vector<std::uint64_t> active_visits(const isa::Program& program) {
 /// Clocks from the entry until a beat is in the last cell of a line: one per cell of a chain, or one per level of the
 /// tree.
 std::uint64_t last_cell(const Machine& machine, std::uint32_t pixels) {
-  if (machines::own<Figures>(machine).network == Network::chain) return pixels - 1;
+  if (machines::kind_figures<Figures>(machine).network == Network::chain) return pixels - 1;
   return static_cast<std::uint64_t>(std::bit_width(machine.array.width - 1));
 }
 
@@ -161,7 +161,7 @@ class ChainTiming {
   /// `first_mark`: first edge at which a mark may enter.
   ChainTiming(const Machine& machine, isa::ArrayShape picture, isa::Field colour, Edge first_mark)
       : machine_(machine),
-        figures_(machines::own<Figures>(machine)),
+        figures_(machines::kind_figures<Figures>(machine)),
         pixels_(picture.width),
         through_cells_(last_cell(machine, picture.width) + 1ULL),
         budget_(line_budget(machine, picture.height)),
@@ -309,7 +309,7 @@ using MarkEdges = std::vector<Edge>;
 /// determines.
 LineTiming time_frame(const isa::Program& program, const Machine& machine, std::span<const Cost> costs,
                       MarkEdges& marks, machines::Timeline* timeline = nullptr) {
-  const Figures& figures = machines::own<Figures>(machine);
+  const Figures& figures = machines::kind_figures<Figures>(machine);
   const std::uint64_t pixels = program.shape.width;
   const isa::Field colour = isa::frame_header(program).colour;
   LineAccount counted{.lines = program.segments.size(), .line_budget = line_budget(machine, program.shape.height)};
@@ -366,17 +366,17 @@ LineTiming time_frame(const isa::Program& program, const Machine& machine, std::
 }  // namespace
 
 std::uint64_t packet_words(const isa::Instruction& instruction, const Machine& machine) {
-  const std::uint64_t word = std::max(machines::own<Figures>(machine).word_bits, 1U);
+  const std::uint64_t word = std::max(machines::kind_figures<Figures>(machine).word_bits, 1U);
   if (instruction.opcode == isa::Opcode::squares) return 1;
-  const Figures& figures = machines::own<Figures>(machine);
+  const Figures& figures = machines::kind_figures<Figures>(machine);
   const std::uint64_t delivered =
       figures.network == Network::trees ? std::min<std::uint64_t>(figures.tree_bits, word) : word;
-  return std::max<std::uint64_t>(
-      {quotient_up(instruction.linear.width, delivered), quotient_up(machines::field_width(instruction), word), 1});
+  return std::max<std::uint64_t>({quotient_up(instruction.linear.width, delivered),
+                                  quotient_up(machines::widest_field_bits(instruction), word), 1});
 }
 
 std::uint64_t Kind::clocks(const isa::Instruction& instruction, const Machine& machine) const {
-  const Figures& figures = machines::own<Figures>(machine);
+  const Figures& figures = machines::kind_figures<Figures>(machine);
   const isa::OpcodeInfo& row = isa::info(instruction.opcode);
   const bool changes = isa::reads_target(instruction.opcode);
   std::uint64_t read = 0;
@@ -394,13 +394,13 @@ std::uint64_t Kind::clocks(const isa::Instruction& instruction, const Machine& m
 }
 
 std::uint64_t line_budget(const Machine& machine, std::uint32_t picture_height) {
-  const Figures& figures = machines::own<Figures>(machine);
+  const Figures& figures = machines::kind_figures<Figures>(machine);
   const std::uint64_t field_lines = figures.interlaced ? (picture_height + 1ULL) / 2 : picture_height;
   return figures.chains * (machine.clock_hz / (figures.refresh_hz * field_lines));
 }
 
 LineTiming time_lines(const isa::Program& program, const Machine& machine, machines::Timeline* timeline) {
-  MarkEdges marks(machines::own<Figures>(machine).chains);
+  MarkEdges marks(machines::kind_figures<Figures>(machine).chains);
   const std::vector<Cost> costs = costs_of(program, machine);
   LineTiming alone = time_frame(program, machine, costs, marks, timeline);
   for (unsigned frame = 0; frame < frames_to_settle; ++frame) {
@@ -412,7 +412,7 @@ LineTiming time_lines(const isa::Program& program, const Machine& machine, machi
 }
 
 std::vector<LineTiming> time_line_sequence(std::span<const isa::Program> frames, const Machine& machine) {
-  MarkEdges marks(machines::own<Figures>(machine).chains);
+  MarkEdges marks(machines::kind_figures<Figures>(machine).chains);
   std::vector<LineTiming> timings;
   for (const isa::Program& frame : frames)
     timings.push_back(time_frame(frame, machine, costs_of(frame, machine), marks));
@@ -435,9 +435,9 @@ std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, co
   return result;
 }
 
-std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeline, const isa::Program& program,
-                                                const Machine& machine, std::uint32_t segment, std::uint32_t x,
-                                                std::uint32_t /*y*/) const {
+std::vector<machines::ClockSpan> Kind::spans_at_pixel(const machines::Timeline& timeline, const isa::Program& program,
+                                                      const Machine& machine, std::uint32_t segment, std::uint32_t x,
+                                                      std::uint32_t /*y*/) const {
   const std::uint32_t cell = x - program.segments[segment].region.x;
   return machines::shifted(timeline.issued[segment],
                            clocks_to_cell(figures_of(machine).network, machine.array.width, cell));

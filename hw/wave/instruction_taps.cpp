@@ -20,7 +20,7 @@ namespace {
 class Words {
  public:
   Words(const isa::Program& program, std::function<Number()> at)
-      : program_(program), at_(std::move(at)), begins_(isa::first_numbers(program)) {}
+      : program_(program), at_(std::move(at)), begins_(isa::first_instruction_numbers(program)) {}
 
   [[nodiscard]] Number number() const { return at_(); }
 

@@ -18,7 +18,7 @@ Show display_form(const isa::NamedField& named) {
 
 }  // namespace
 
-std::string part_of(Pixel pixel) { return fmt::format("pixel_{}_{}", pixel.x, pixel.y); }
+std::string pixel_part_name(Pixel pixel) { return fmt::format("pixel_{}_{}", pixel.x, pixel.y); }
 
 std::vector<Tap> field_taps(const std::string& part, const isa::Program& program,
                             const std::function<Number(isa::Field)>& read) {

@@ -13,7 +13,7 @@
 namespace csgsim::wave {
 
 /// Part name `pixel_X_Y` under which the taps of a probed pixel are listed.
-std::string part_of(Pixel pixel);
+std::string pixel_part_name(Pixel pixel);
 
 /// One tap `PART.FIELD` per named field of a pixel's memory: fields of one bit as bits, depths as numbers, others in
 /// hexadecimal. `read` returns the value of a field; empty if it is not available.

@@ -17,9 +17,11 @@ std::uint32_t segment_of(Pixel pixel, const isa::Program& program) {
   return static_cast<std::uint32_t>(found - program.segments.begin());
 }
 
-std::string place_of(const isa::Segment& segment) { return fmt::format("{},{}", segment.region.x, segment.region.y); }
+std::string corner_text(const isa::Segment& segment) {
+  return fmt::format("{},{}", segment.region.x, segment.region.y);
+}
 
-void check_no_trees(const Request& request) {
+void check_no_tree_levels(const Request& request) {
   if (request.tree_levels.empty()) return;
   throw InputError("this machine has no multiplier trees; remove the tree levels, or use another --machine");
 }

@@ -16,9 +16,9 @@ namespace csgsim::wave {
 std::uint32_t segment_of(Pixel pixel, const isa::Program& program);
 
 /// Top left corner of a segment's region, as `x,y`.
-std::string place_of(const isa::Segment& segment);
+std::string corner_text(const isa::Segment& segment);
 
 /// For machines without multiplier trees: throws InputError if tree levels are requested.
-void check_no_trees(const Request& request);
+void check_no_tree_levels(const Request& request);
 
 }  // namespace csgsim::wave

@@ -91,7 +91,7 @@ void VcdWriter::write_header(std::string_view top) {
   out_.text += "$enddefinitions $end\n";
 }
 
-void VcdWriter::put_time(std::uint64_t time) {
+void VcdWriter::write_time(std::uint64_t time) {
   out_.text += '#';
   out_.text += fmt::format_int(time).c_str();
   out_.text += '\n';
@@ -100,24 +100,24 @@ void VcdWriter::put_time(std::uint64_t time) {
 void VcdWriter::sample(std::uint64_t clock) {
   const bool follows = begun_ && clock == next_;
   if (begun_ && !follows) {
-    put_time((next_ + 1) * period_);
+    write_time((next_ + 1) * period_);
     fmt::format_to(std::back_inserter(out_.text), "$dumpoff\nx{}\nbx {}\n", clock_code, number_code);
-    for (std::size_t i = 0; i < taps_.size(); ++i) show_unknown(i);
+    for (std::size_t i = 0; i < taps_.size(); ++i) write_unknown(i);
     out_.text += "$end\n";
   }
-  put_time((clock + 1) * period_);
+  write_time((clock + 1) * period_);
   if (!follows) out_.text += begun_ ? "$dumpon\n" : "$dumpvars\n";
   fmt::format_to(std::back_inserter(out_.text), "1{}\nb{:b} {}\n", clock_code, clock, number_code);
-  for (std::size_t i = 0; i < taps_.size(); ++i) show(i);
+  for (std::size_t i = 0; i < taps_.size(); ++i) write_value(i);
   if (!follows) out_.text += "$end\n";
-  put_time((clock + 1) * period_ + period_ / 2);
+  write_time((clock + 1) * period_ + period_ / 2);
   fmt::format_to(std::back_inserter(out_.text), "0{}\n", clock_code);
   begun_ = true;
   next_ = clock + 1;
   out_.write_if_long();
 }
 
-void VcdWriter::show(std::size_t tap) {
+void VcdWriter::write_value(std::size_t tap) {
   const Tap& from = taps_[tap];
   Shown& shown = shown_[tap];
   const bool has_value = std::exchange(shown.state, Shown::State::value) == Shown::State::value;
@@ -135,7 +135,7 @@ void VcdWriter::show(std::size_t tap) {
   out_.text += codes_[tap];
 }
 
-void VcdWriter::show_unknown(std::size_t tap) {
+void VcdWriter::write_unknown(std::size_t tap) {
   shown_[tap].state = Shown::State::unknown;
   out_.text += taps_[tap].show == Show::text ? "s- " : taps_[tap].width == 1 ? "x" : "bx ";
   out_.text += codes_[tap];

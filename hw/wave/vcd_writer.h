@@ -30,9 +30,9 @@ class VcdWriter final : public Writer {
 
  private:
   void write_header(std::string_view top);
-  void show(std::size_t tap);
-  void show_unknown(std::size_t tap);
-  void put_time(std::uint64_t time);
+  void write_value(std::size_t tap);
+  void write_unknown(std::size_t tap);
+  void write_time(std::uint64_t time);
 
   /// The last value of a tap written to the file.
   struct Shown {

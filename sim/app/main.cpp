@@ -84,21 +84,21 @@ bool add_command(csgsim::shell::CommandLine& line, std::string_view name) {
   const auto studies = csgsim::studies::all();
   const auto found = std::ranges::find_if(studies, [&](const auto* row) { return row->name == name; });
   if (found == studies.end()) return false;
-  csgsim::app::add_study(line, **found);
+  csgsim::app::add_study_command(line, **found);
   return true;
 }
 
 void add_commands(csgsim::shell::CommandLine& line, std::span<char* const> arguments) {
   if (arguments.size() > 1 && is_single_command(arguments) && add_command(line, arguments[1])) return;
   for (const csgsim::app::CommandRow* const row : csgsim::app::commands()) row->add(line);
-  for (const csgsim::studies::StudyRow* const row : csgsim::studies::all()) csgsim::app::add_study(line, *row);
-  csgsim::app::add_gather(line, csgsim::studies::all());
+  for (const csgsim::studies::StudyRow* const row : csgsim::studies::all()) csgsim::app::add_study_command(line, *row);
+  csgsim::app::add_gather_command(line, csgsim::studies::all());
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  csgsim::keep_standard_numbers();
+  csgsim::open_closed_standard_streams();
   csgsim::delete_partial_files_on_signals();
   csgsim::protect_inputs();
   csgsim::shell::CommandLine line(

@@ -9,14 +9,14 @@
 
 namespace csgsim::app {
 
-void add_study(shell::CommandLine& line, const studies::StudyRow& row) {
+void add_study_command(shell::CommandLine& line, const studies::StudyRow& row) {
   shell::Command& command = line.add(row.name, row.group, row.does, std::string("Example:\n") + row.example);
-  const std::shared_ptr<studies::StudyCommand> study = studies::describe(command, row);
+  const std::shared_ptr<studies::StudyCommand> study = studies::add_study_options(command, row);
   command.add_quiet_option();
   command.set_action([study] { run_study(*study); });
 }
 
-void add_gather(shell::CommandLine& line, std::span<const studies::StudyRow* const> studies) {
+void add_gather_command(shell::CommandLine& line, std::span<const studies::StudyRow* const> studies) {
   const auto request = std::make_shared<studies::GatherRequest>();
   shell::Command& command = line.add(
       "gather", study_group, "Join the shards of a study into the table, JSON and plots of an unsharded run",

@@ -10,9 +10,9 @@
 namespace csgsim::app {
 
 /// Adds the study's command, which measures the points missing from its table and prints the results.
-void add_study(shell::CommandLine& line, const studies::StudyRow& row);
+void add_study_command(shell::CommandLine& line, const studies::StudyRow& row);
 
 /// Adds the command that joins the shards of these studies. The rows must outlive the line.
-void add_gather(shell::CommandLine& line, std::span<const studies::StudyRow* const> studies);
+void add_gather_command(shell::CommandLine& line, std::span<const studies::StudyRow* const> studies);
 
 }  // namespace csgsim::app

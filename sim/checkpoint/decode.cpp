@@ -77,7 +77,7 @@ std::uint64_t executed_instructions(const engine::RunState& run, const isa::Prog
     for (; index < end; ++index, ++count) {
       if (all[index].opcode == isa::Opcode::global_or) ++answers;
       if (skip == run.skips.end() || skip->segment != segment || skip->index != index) continue;
-      const std::uint64_t left_out = isa::skipped_after(all[index], 0);
+      const std::uint64_t left_out = isa::skipped_instruction_count(all[index], 0);
       require(left_out > 0, "has a skip at an instruction that cannot skip");
       skipped += left_out;
       index += static_cast<std::size_t>(left_out);
@@ -93,20 +93,20 @@ std::uint64_t executed_instructions(const engine::RunState& run, const isa::Prog
 engine::RunState read_run(isa::ByteReader& in, const isa::Program& program) {
   engine::RunState run;
   const std::size_t segments = program.segments.size();
-  run.place.segment = in.varint_to<std::uint32_t>(segments == 0 ? 0 : segments - 1);
+  run.place.segment = in.varint_at_most<std::uint32_t>(segments == 0 ? 0 : segments - 1);
   const std::size_t instructions = segments == 0 ? 0 : program.segments[run.place.segment].instructions.size();
-  run.place.index = in.varint_to<std::uint32_t>(instructions);
-  run.is_end_reported = in.varint_to<std::uint8_t>(1) != 0;
+  run.place.index = in.varint_at_most<std::uint32_t>(instructions);
+  run.is_end_reported = in.varint_at_most<std::uint8_t>(1) != 0;
   require(!run.is_end_reported || run.place.index == instructions,
           "reports the end of a segment before its last instruction");
-  run.overflows = in.varint_to<std::uint64_t>(any_number);
-  run.skipped = in.varint_to<std::uint64_t>(any_number);
+  run.overflows = in.varint_at_most<std::uint64_t>(any_number);
+  run.skipped = in.varint_at_most<std::uint64_t>(any_number);
   run.answers = read_bits(in, engine::Numbers(program).count());
   const std::uint64_t skips = in.varint();
   require(skips <= in.left(), "ends too soon");
   for (std::uint64_t i = 0; i < skips; ++i) {
-    const auto segment = in.varint_to<std::uint32_t>(~std::uint32_t{0});
-    run.skips.push_back({segment, in.varint_to<std::uint32_t>(~std::uint32_t{0})});
+    const auto segment = in.varint_at_most<std::uint32_t>(~std::uint32_t{0});
+    run.skips.push_back({segment, in.varint_at_most<std::uint32_t>(~std::uint32_t{0})});
   }
   read_planes(in, program, run);
   return run;
@@ -127,7 +127,7 @@ observe::FrameObserver::Gathered read_picture(isa::ByteReader& in, const isa::Pr
   picture.frame.colour = read_pixels(in, count);
   picture.frame.depth = read_pixels(in, count);
   picture.frame.owner = read_pixels(in, count);
-  if (isa::field_of(program, isa::FieldRole::candidate_colour).width > 0)
+  if (isa::find_field(program, isa::FieldRole::candidate_colour).width > 0)
     picture.candidate_owner = read_pixels(in, count);
   if (!observe::FrameObserver(program).gathered().panes.owner.empty()) {
     for (std::vector<std::uint32_t>* const one :
@@ -135,7 +135,7 @@ observe::FrameObserver::Gathered read_picture(isa::ByteReader& in, const isa::Pr
       *one = read_pixels(in, count);
   }
   const unsigned colour = program.colour.width;
-  const unsigned depth = isa::field_of(program, isa::FieldRole::depth).width;
+  const unsigned depth = isa::find_field(program, isa::FieldRole::depth).width;
   check_below(picture.frame.colour, std::uint64_t{1} << colour, program.background, "holds a colour out of range");
   for (const std::vector<std::uint32_t>* one : {&picture.frame.depth, &picture.frame.opaque_depth})
     check_below(*one, std::uint64_t{1} << depth, 0, "holds a depth out of range");

@@ -83,7 +83,7 @@ std::vector<std::uint32_t> read_pixels(isa::ByteReader& in, std::size_t count) {
   std::vector<std::uint32_t> pixels;
   while (pixels.size() < count) {
     const std::size_t length = run_length(in.varint(), count - pixels.size());
-    pixels.resize(pixels.size() + length, in.varint_to<std::uint32_t>(~std::uint32_t{0}));
+    pixels.resize(pixels.size() + length, in.varint_at_most<std::uint32_t>(~std::uint32_t{0}));
   }
   return pixels;
 }
@@ -98,7 +98,7 @@ void put_bits(isa::ByteWriter& out, const std::vector<bool>& bits) {
 }
 
 std::vector<bool> read_bits(isa::ByteReader& in, std::uint64_t max_count) {
-  const auto count = in.varint_to<std::size_t>(max_count);
+  const auto count = in.varint_at_most<std::size_t>(max_count);
   std::vector<bool> bits;
   for (std::size_t begin = 0; begin < count; begin += 8) {
     const unsigned byte = in.byte();

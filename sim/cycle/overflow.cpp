@@ -124,7 +124,7 @@ std::optional<Expression> find_expression(const isa::Segment& segment, std::size
   if (index >= segment.instructions.size()) return std::nullopt;
   const isa::Instruction& instruction = segment.instructions[index];
   const bool has_sum = isa::has_operand(isa::operands_of(instruction.opcode), isa::OperandKind::linear);
-  if (!has_sum || isa::cuts_sum(instruction.opcode)) return std::nullopt;
+  if (!has_sum || isa::may_exceed_width(instruction.opcode)) return std::nullopt;
   const isa::Instruction* const squares = isa::pending_squares(segment, index);
   return Expression{instruction.linear, squares == nullptr ? isa::Linear{} : squares->linear};
 }

@@ -32,7 +32,7 @@ class Relay final : public systemc::RunListener {
   void count_overflows_of_next(const systemc::Retired& retired, const systemc::PixelView& pixels);
 
   const isa::Program& program_;
-  InOrder in_order_;
+  ProgramOrderBuffer in_order_;
   std::vector<std::uint64_t> enable_;
   std::uint64_t overflows_ = 0;
   std::vector<machines::Skip> skips_;  ///< in the order in which the machine reaches them

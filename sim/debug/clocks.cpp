@@ -12,7 +12,7 @@ const machines::Timeline& Clocks::timeline() {
 
 machines::ClockSpan Clocks::issue_span(engine::Place place) { return timeline().issued[place.segment][place.index]; }
 
-std::uint64_t Clocks::first_after(std::uint64_t clock, std::uint64_t first_number) {
+std::uint64_t Clocks::first_not_issued(std::uint64_t clock, std::uint64_t first_number) {
   const engine::Numbers numbers(program_);
   for (; first_number < numbers.count(); ++first_number)
     if (issue_span(numbers.place(first_number)).end > clock) break;

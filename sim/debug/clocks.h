@@ -23,7 +23,7 @@ class Clocks {
 
   /// Number of the first instruction, from `first_number` on, that is not completely issued when the clock begins.
   /// Throws InputError as issue_span() does.
-  [[nodiscard]] std::uint64_t first_after(std::uint64_t clock, std::uint64_t first_number);
+  [[nodiscard]] std::uint64_t first_not_issued(std::uint64_t clock, std::uint64_t first_number);
 
  private:
   const machines::Timeline& timeline();

@@ -14,19 +14,19 @@
 namespace csgsim::debug {
 
 /// A field of one pixel of the picture, or its enable bit.
-struct Watched {
+struct WatchedField {
   isa::Field field;  ///< width 0 stands for E
   std::uint32_t x = 0;
   std::uint32_t y = 0;
 
-  bool operator==(const Watched&) const = default;
+  bool operator==(const WatchedField&) const = default;
 };
 
 enum class Relation : std::uint8_t { less, not_greater, equal, not_equal, not_less, greater, changes };
 
 /// Condition on a watched field.
 struct Condition {
-  Watched watched;
+  WatchedField watched;
   Relation relation{};
   std::uint32_t value = 0;  ///< value to compare with; unused for `changes`
 
@@ -73,7 +73,7 @@ struct DeleteBreak {
 };
 struct ListBreaks {};
 struct PrintValue {
-  Watched watched;
+  WatchedField watched;
 };
 struct PrintPixel {
   std::uint32_t x = 0;

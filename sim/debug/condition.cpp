@@ -36,7 +36,7 @@ bool can_change(const isa::Instruction& instruction, isa::Field watched) {
   return watched.width == 0 ? changes_enable(instruction.opcode) : isa::may_write(instruction, watched);
 }
 
-std::uint32_t read_value(const Watched& watched, const engine::Run& run) {
+std::uint32_t read_value(const WatchedField& watched, const engine::Run& run) {
   const isa::Region region = run.region();
   const std::uint32_t x = watched.x - region.x;
   const std::uint32_t y = watched.y - region.y;
@@ -64,7 +64,7 @@ std::string to_text(isa::Field field, const isa::Program& program) {
   return isa::text_of(field);
 }
 
-std::string to_text(const Watched& watched, const isa::Program& program) {
+std::string to_text(const WatchedField& watched, const isa::Program& program) {
   return fmt::format("{}[{},{}]", to_text(watched.field, program), watched.x, watched.y);
 }
 

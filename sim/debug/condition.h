@@ -17,14 +17,14 @@ bool changes_enable(isa::Opcode opcode);
 bool can_change(const isa::Instruction& instruction, isa::Field watched);
 
 /// Value of the watched field at a pixel of the run's segment.
-std::uint32_t read_value(const Watched& watched, const engine::Run& run);
+std::uint32_t read_value(const WatchedField& watched, const engine::Run& run);
 
 /// Whether a value satisfies the condition; `previous_value` is the one at the previous boundary.
 bool holds(const Condition& condition, std::uint32_t value, std::uint32_t previous_value);
 
 /// Text of a command's operand: the field's name or its place; E for a field of width 0.
 std::string to_text(isa::Field field, const isa::Program& program);
-std::string to_text(const Watched& watched, const isa::Program& program);
+std::string to_text(const WatchedField& watched, const isa::Program& program);
 std::string to_text(const Target& target, const isa::Program& program);
 
 }  // namespace csgsim::debug

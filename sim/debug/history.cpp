@@ -24,12 +24,12 @@ std::uint64_t bytes_of(const checkpoint::Snapshot& snapshot) {
 
 }  // namespace
 
-bool History::is_kept(std::uint64_t number) const {
+bool History::has_recent_save(std::uint64_t number) const {
   const auto after = kept_.upper_bound(number);
   return after != kept_.begin() && number - std::prev(after)->first < stride_;
 }
 
-void History::keep(std::uint64_t number, checkpoint::Snapshot snapshot) {
+void History::save_state(std::uint64_t number, checkpoint::Snapshot snapshot) {
   const std::uint64_t fit = max_bytes / std::max<std::uint64_t>(bytes_of(snapshot), 1);
   kept_.insert_or_assign(number, std::move(snapshot));
   while (kept_.size() > std::clamp<std::uint64_t>(fit, 2, max_kept)) {
@@ -44,7 +44,7 @@ void History::keep(std::uint64_t number, checkpoint::Snapshot snapshot) {
   }
 }
 
-const checkpoint::Snapshot& History::before(std::uint64_t number) const {
+const checkpoint::Snapshot& History::latest_at(std::uint64_t number) const {
   return std::prev(kept_.upper_bound(number))->second;
 }
 

@@ -35,7 +35,7 @@ struct Reading {
   const isa::Program& program;
   Command command;
   Target target;
-  Watched watched;
+  WatchedField watched;
   std::string text;  ///< a quoted name or a file name
   Relation relation{};
   std::uint64_t number = 1;

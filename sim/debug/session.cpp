@@ -29,7 +29,7 @@ Session::Session(const isa::Program& program, const machines::Machine& machine, 
       frame_(program),
       stats_(program),
       clocks_(program, machine) {
-  keep();
+  save_state();
 }
 
 std::string Session::execute(const Command& command) {
@@ -52,8 +52,8 @@ checkpoint::Snapshot Session::snapshot() const { return checkpoint::take_snapsho
 
 void Session::restore(const checkpoint::Snapshot& snapshot) { checkpoint::resume(snapshot, *run_, frame_, stats_); }
 
-void Session::keep() {
-  if (!history_.is_kept(number())) history_.keep(number(), snapshot());
+void Session::save_state() {
+  if (!history_.has_recent_save(number())) history_.save_state(number(), snapshot());
 }
 
 void Session::advance(std::uint64_t number) {
@@ -61,8 +61,8 @@ void Session::advance(std::uint64_t number) {
   while (!run_->is_finished()) {
     const std::uint64_t here = numbers_.of(run_->place());
     if (here >= number) return;
-    run_->advance(std::min(number, history_.due(here)), observers);
-    keep();
+    run_->advance(std::min(number, history_.next_save_number(here)), observers);
+    save_state();
   }
 }
 
@@ -70,7 +70,7 @@ void Session::finish_trailing_segments() {
   if (number() == numbers_.count()) advance(engine::Run::end);
 }
 
-std::string Session::go(std::optional<Stop> until, const Target* target) {
+std::string Session::run_to_stop(std::optional<Stop> until, const Target* target) {
   std::vector<Stop> stops;
   stops.reserve(breakpoints_.size());
   for (const Breakpoint& one : breakpoints_) stops.emplace_back(one.target, program_, numbers_, *run_, clocks_);
@@ -93,7 +93,7 @@ std::string Session::go(std::optional<Stop> until, const Target* target) {
 
 std::string Session::perform(const Nothing& /*command*/) { return ""; }
 
-std::string Session::perform(const RunOn& /*command*/) { return go({}, nullptr); }
+std::string Session::perform(const RunOn& /*command*/) { return run_to_stop({}, nullptr); }
 
 std::string Session::perform(const StepOn& command) {
   for (std::uint64_t i = 0; i < command.count && !run_->is_finished(); ++i) {
@@ -108,7 +108,7 @@ std::string Session::perform(const Until& command) {
   const std::string target = to_text(command.target, program_);
   if (stop.holds_already()) return fmt::format("{} already holds\n{}", target, place());
   if (stop.is_behind()) throw InputError(fmt::format("{} is not ahead; step back first with back N", target));
-  return go(stop, &command.target);
+  return run_to_stop(stop, &command.target);
 }
 
 std::vector<std::uint64_t> Session::executed() const {
@@ -131,7 +131,7 @@ std::string Session::perform(const Back& command) {
   const std::uint64_t target =
       command.count < done.size() ? done[done.size() - static_cast<std::size_t>(command.count)] : 0;
   if (command.count == 0) return place();
-  restore(history_.before(target));
+  restore(history_.latest_at(target));
   if (number() < target) advance(target);
   return place();
 }
@@ -219,7 +219,7 @@ std::string Session::perform(const WriteCheckpoint& command) {
 
 std::string Session::perform(const ReadCheckpoint& command) {
   restore(checkpoint::load_snapshot(command.file, program_, machine_));
-  keep();
+  save_state();
   return place();
 }
 

@@ -64,12 +64,12 @@ class Session {
 
   /// Runs until `until`, a breakpoint or the end is reached, and returns the reason and the place as text. `target` is
   /// the target of `until`.
-  std::string go(std::optional<Stop> until, const Target* target);
+  std::string run_to_stop(std::optional<Stop> until, const Target* target);
   /// Runs to that instruction, saving states for stepping back.
   void advance(std::uint64_t number);
   /// Skips trailing segments without instructions after the last instruction has been executed.
   void finish_trailing_segments();
-  void keep();
+  void save_state();
   [[nodiscard]] checkpoint::Snapshot snapshot() const;
   void restore(const checkpoint::Snapshot& snapshot);
   /// Numbers of the executed instructions, in order.

@@ -18,7 +18,7 @@ Stop::Stop(const Target& target, const isa::Program& program, const engine::Numb
           fmt::format("there is no instruction i{}: the Program has {}, counted from i0", at->number, numbers.count()));
     number_ = at->number;
   }
-  if (const auto* at = std::get_if<AtClock>(&target)) number_ = clocks.first_after(at->clock, begin_);
+  if (const auto* at = std::get_if<AtClock>(&target)) number_ = clocks.first_not_issued(at->clock, begin_);
   const auto* condition = std::get_if<Condition>(&target);
   if (condition == nullptr || program.segments.empty()) return;
   if (!run.region().holds(condition->watched.x, condition->watched.y)) return;
@@ -32,7 +32,7 @@ bool Stop::is_behind() const {
   return is_place && number_ <= begin_;
 }
 
-bool Stop::begins(std::uint32_t primitive, std::uint64_t number) const {
+bool Stop::is_first_of_primitive(std::uint32_t primitive, std::uint64_t number) const {
   const auto serves = [&](std::uint64_t one) {
     const auto [segment, index] = numbers_.place(one);
     const std::uint32_t piece = program_.segments[segment].instructions[index].origin.primitive;
@@ -41,13 +41,13 @@ bool Stop::begins(std::uint32_t primitive, std::uint64_t number) const {
   return number < numbers_.count() && serves(number) && (number == 0 || !serves(number - 1));
 }
 
-std::uint64_t Stop::look_at_primitive(std::uint32_t primitive, std::uint64_t first_number) const {
+std::uint64_t Stop::next_check_of_primitive(std::uint32_t primitive, std::uint64_t first_number) const {
   for (std::uint64_t number = first_number + 1; number < numbers_.count(); ++number)
-    if (begins(primitive, number)) return number;
+    if (is_first_of_primitive(primitive, number)) return number;
   return engine::Run::end;
 }
 
-std::uint64_t Stop::look_at_condition(const Condition& condition, std::uint64_t first_number) const {
+std::uint64_t Stop::next_check_of_condition(const Condition& condition, std::uint64_t first_number) const {
   for (std::uint64_t number = first_number; number < numbers_.count();) {
     const auto [segment, index] = numbers_.place(number);
     const isa::Segment& part = program_.segments[segment];
@@ -65,9 +65,9 @@ std::uint64_t Stop::next_check() {
   const std::uint64_t from = numbers_.of(run_.place());
   if (next_check_ > from) return next_check_;
   if (const auto* condition = std::get_if<Condition>(&target_)) {
-    next_check_ = look_at_condition(*condition, from);
+    next_check_ = next_check_of_condition(*condition, from);
   } else if (const auto* at = std::get_if<AtPrimitive>(&target_)) {
-    next_check_ = look_at_primitive(at->primitive, from);
+    next_check_ = next_check_of_primitive(at->primitive, from);
   } else {
     next_check_ = number_ > from ? number_ : engine::Run::end;
   }
@@ -93,7 +93,7 @@ bool Stop::is_reached() {
   const std::uint64_t here = numbers_.of(run_.place());
   if (here < next_check_ || here == begin_) return false;
   if (const auto* condition = std::get_if<Condition>(&target_)) return is_met(*condition);
-  if (const auto* at = std::get_if<AtPrimitive>(&target_)) return begins(at->primitive, here);
+  if (const auto* at = std::get_if<AtPrimitive>(&target_)) return is_first_of_primitive(at->primitive, here);
   return begin_ < number_ && here >= number_;
 }
 

@@ -32,9 +32,9 @@ class Stop {
   [[nodiscard]] bool is_reached();
 
  private:
-  [[nodiscard]] std::uint64_t look_at_condition(const Condition& condition, std::uint64_t first_number) const;
-  [[nodiscard]] std::uint64_t look_at_primitive(std::uint32_t primitive, std::uint64_t first_number) const;
-  [[nodiscard]] bool begins(std::uint32_t primitive, std::uint64_t number) const;
+  [[nodiscard]] std::uint64_t next_check_of_condition(const Condition& condition, std::uint64_t first_number) const;
+  [[nodiscard]] std::uint64_t next_check_of_primitive(std::uint32_t primitive, std::uint64_t first_number) const;
+  [[nodiscard]] bool is_first_of_primitive(std::uint32_t primitive, std::uint64_t number) const;
   [[nodiscard]] bool is_met(const Condition& condition);
 
   Target target_;

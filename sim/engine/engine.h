@@ -74,13 +74,14 @@ struct RunResult {
   std::uint64_t interval_clocks = 0;    ///< see machines::FrameTiming
   std::uint64_t host_clocks = 0;        ///< see machines::FrameTiming
   std::uint64_t host_model_clocks = 0;  ///< see machines::FrameTiming
-  /// Enabled pixels at which A*x + B*y + C exceeded the width although it must fit (isa::cuts_sum); 0 if not checked.
+  /// Enabled pixels at which A*x + B*y + C exceeded the width although it must fit (isa::may_exceed_width); 0 if not
+  /// checked.
   std::uint64_t overflows = 0;
   std::uint64_t skipped = 0;            ///< instructions skipped by skip_if_none
   std::vector<machines::Skip> skips{};  ///< the skip_if_none instructions that skipped, in program order
   /// Pixels at which instructions took effect, per segment, for kinds that need it; empty at the cycle level, whose
   /// clocks are counted.
-  std::vector<machines::PixelActivity> met{};
+  std::vector<machines::PixelActivity> pixel_activity{};
   std::vector<bool> answers;  ///< results of the global_or instructions, in program order
   /// Colour of every pixel of the picture, in row order, from the machine's scan-out; empty if the engine does not
   /// simulate it.
@@ -90,7 +91,7 @@ struct RunResult {
 };
 
 /// Run-time outcomes that exact timing needs. They refer to the result, which must outlive them.
-inline machines::RunOutcome run_outcome(const RunResult& result) { return {result.skips, result.met}; }
+inline machines::RunOutcome run_outcome(const RunResult& result) { return {result.skips, result.pixel_activity}; }
 
 /// Stores the timing of a frame in the result of its run.
 inline void put(machines::FrameTiming timing, RunResult& result) {

@@ -22,7 +22,7 @@ struct Place {
 /// Instruction numbers of a whole Program (hw/isa/instruction_numbers.h), and their places.
 class Numbers {
  public:
-  explicit Numbers(const isa::Program& program) : firsts_(isa::first_numbers(program)) {}
+  explicit Numbers(const isa::Program& program) : firsts_(isa::first_instruction_numbers(program)) {}
 
   /// Number of instructions of the Program.
   [[nodiscard]] std::uint64_t count() const { return firsts_.back(); }

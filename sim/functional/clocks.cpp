@@ -25,7 +25,7 @@ bool needs_run(const isa::Program& program, const machines::Machine& machine) {
 machines::RunRecord make_run_record(const isa::Program& program, const machines::Machine& machine) {
   if (!needs_run(program, machine)) return {};
   engine::RunResult result = engine::make_functional_engine(machine)->run(program, {});
-  return {std::move(result.skips), std::move(result.met)};
+  return {std::move(result.skips), std::move(result.pixel_activity)};
 }
 
 machines::FrameTiming measure_timing(const isa::Program& program, const machines::Machine& machine) {

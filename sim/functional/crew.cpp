@@ -51,14 +51,14 @@ void Crew::run(std::size_t job_count, const Work& work) {
 void Crew::take_jobs(unsigned thread) {
   const auto shares = static_cast<unsigned>(shares_.size());
   for (unsigned i = 0; i < shares; ++i) {
-    const std::size_t done = take_from((thread + i) % shares, thread);
+    const std::size_t done = run_jobs_of_share((thread + i) % shares, thread);
     if (done == 0) continue;
     done_.fetch_add(done, std::memory_order_acq_rel);
     done_.notify_one();
   }
 }
 
-std::size_t Crew::take_from(unsigned share, unsigned thread) {
+std::size_t Crew::run_jobs_of_share(unsigned share, unsigned thread) {
   std::atomic<std::size_t>& jobs = shares_[share].open;
   std::size_t done = 0;
   for (std::size_t open = jobs.load(std::memory_order_acquire); open > 0; open = jobs.load(std::memory_order_acquire)) {

@@ -40,7 +40,7 @@ class Crew {
   struct alignas(64) Share {
     std::atomic<std::size_t> open{0};
   };
-  std::size_t take_from(unsigned share, unsigned thread);
+  std::size_t run_jobs_of_share(unsigned share, unsigned thread);
 
   // A thread that decrements the count of a share sees `work_` as it was set before the count was raised.
   const Work* work_ = nullptr;

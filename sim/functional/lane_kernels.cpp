@@ -19,13 +19,13 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-void count_work(const Enabled& pixels, std::uint64_t blocks) {
+void count_work(const EnabledPixels& pixels, std::uint64_t blocks) {
   const auto number = static_cast<std::uint64_t>(std::popcount(blocks));
   pixels.work.words += number;
   pixels.work.lanes += number * block_pixels;
 }
 
-void set_block(const Enabled& pixels, Lanes& lanes, unsigned block, std::uint32_t value) {
+void set_block(const EnabledPixels& pixels, Lanes& lanes, unsigned block, std::uint32_t value) {
   if (lanes.is_constant(block)) {
     if (lanes.least[block] == value) return;
     fill(lanes, block);
@@ -35,13 +35,13 @@ void set_block(const Enabled& pixels, Lanes& lanes, unsigned block, std::uint32_
   widen(lanes, block, value, value);
 }
 
-void set_all(const Enabled& pixels, Lanes& lanes, std::uint32_t value) {
+void set_all(const EnabledPixels& pixels, Lanes& lanes, std::uint32_t value) {
   each_bit(pixels.enable.full(), [&](unsigned block) { lanes.set_constant(block, value); });
   count_work(pixels, pixels.enable.mixed());
   each_bit(pixels.enable.mixed(), [&](unsigned block) { set_block(pixels, lanes, block, value); });
 }
 
-void copy_block(const Enabled& pixels, Lanes& target, const Lanes& source, unsigned block) {
+void copy_block(const EnabledPixels& pixels, Lanes& target, const Lanes& source, unsigned block) {
   if (source.is_constant(block)) return set_block(pixels, target, block, source.least[block]);
   if (target.is_constant(block)) fill(target, block);
   const std::uint32_t* const from_block = source.block(block);
@@ -50,7 +50,7 @@ void copy_block(const Enabled& pixels, Lanes& target, const Lanes& source, unsig
   widen(target, block, source.least[block], source.greatest[block]);
 }
 
-void copy_all(const Enabled& pixels, Lanes& target, const Lanes& source) {
+void copy_all(const EnabledPixels& pixels, Lanes& target, const Lanes& source) {
   std::uint64_t moved = pixels.enable.mixed();
   each_bit(pixels.enable.full(), [&](unsigned block) {
     target.least[block] = source.least[block];
@@ -63,7 +63,7 @@ void copy_all(const Enabled& pixels, Lanes& target, const Lanes& source) {
   each_bit(pixels.enable.mixed(), [&](unsigned block) { copy_block(pixels, target, source, block); });
 }
 
-void add_all(const Enabled& pixels, Lanes& target, const Lanes& source, std::uint32_t low_bits) {
+void add_all(const EnabledPixels& pixels, Lanes& target, const Lanes& source, std::uint32_t low_bits) {
   count_work(pixels, pixels.enable.any());
   each_bit(pixels.enable.any(), [&](unsigned block) {
     if (target.is_constant(block)) fill(target, block);
@@ -105,7 +105,7 @@ Decided decided(Comparison comparison, const Lanes& left, const Lanes& right) {
 }
 
 template <class Holds>
-void test_blocks(const Enabled& pixels, std::uint64_t blocks, const Lanes& left, const Lanes& right,
+void test_blocks(const EnabledPixels& pixels, std::uint64_t blocks, const Lanes& left, const Lanes& right,
                  const Holds& holds) {
   each_bit(blocks, [&](unsigned block) {
     const BlockNumbers l(left, block);
@@ -115,7 +115,7 @@ void test_blocks(const Enabled& pixels, std::uint64_t blocks, const Lanes& left,
   });
 }
 
-void compare_blocks(const Enabled& pixels, Comparison comparison, const Lanes& left, const Lanes& right) {
+void compare_blocks(const EnabledPixels& pixels, Comparison comparison, const Lanes& left, const Lanes& right) {
   const Decided by_bounds = pixels.decide == Decide::by_block ? decided(comparison, left, right) : Decided{};
   pixels.enable.clear_blocks(by_bounds.none);
   const std::uint64_t open = pixels.enable.any() & ~by_bounds.all;
@@ -130,7 +130,7 @@ void compare_blocks(const Enabled& pixels, Comparison comparison, const Lanes& l
   }
 }
 
-std::uint32_t compare_all(const Enabled& pixels, Comparison comparison, const Lanes& left, const Lanes& right) {
+std::uint32_t compare_all(const EnabledPixels& pixels, Comparison comparison, const Lanes& left, const Lanes& right) {
   compare_blocks(pixels, comparison, left, right);
   return count(pixels.enable, pixels.shape);
 }
@@ -261,19 +261,19 @@ std::uint32_t count_ones(const TileBits& bits, const TileShape& shape) {
   return HWY_DYNAMIC_DISPATCH(count_all)(bits, shape);
 }
 
-void set_lanes(const Enabled& pixels, Lanes& lanes, std::uint32_t value) {
+void set_lanes(const EnabledPixels& pixels, Lanes& lanes, std::uint32_t value) {
   HWY_DYNAMIC_DISPATCH(set_all)(pixels, lanes, value);
 }
 
-void copy_lanes(const Enabled& pixels, Lanes& target, const Lanes& source) {
+void copy_lanes(const EnabledPixels& pixels, Lanes& target, const Lanes& source) {
   HWY_DYNAMIC_DISPATCH(copy_all)(pixels, target, source);
 }
 
-void add_lanes(const Enabled& pixels, Lanes& target, const Lanes& source, std::uint32_t low_bits) {
+void add_lanes(const EnabledPixels& pixels, Lanes& target, const Lanes& source, std::uint32_t low_bits) {
   HWY_DYNAMIC_DISPATCH(add_all)(pixels, target, source, low_bits);
 }
 
-std::uint32_t compare_lanes(const Enabled& pixels, Comparison comparison, const Lanes& left, const Lanes& right) {
+std::uint32_t compare_lanes(const EnabledPixels& pixels, Comparison comparison, const Lanes& left, const Lanes& right) {
   return HWY_DYNAMIC_DISPATCH(compare_all)(pixels, comparison, left, right);
 }
 

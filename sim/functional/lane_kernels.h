@@ -18,7 +18,7 @@ namespace csgsim::functional {
 enum class Decide : std::uint8_t { by_block, by_pixel };
 
 /// The pixels on which a kernel works: those of a tile that are enabled.
-struct Enabled {
+struct EnabledPixels {
   TileBits& enable;
   const TileShape& shape;
   Decide decide;
@@ -29,18 +29,18 @@ struct Enabled {
 std::uint32_t count_ones(const TileBits& bits, const TileShape& shape);
 
 /// lanes := value where enabled.
-void set_lanes(const Enabled& pixels, Lanes& lanes, std::uint32_t value);
+void set_lanes(const EnabledPixels& pixels, Lanes& lanes, std::uint32_t value);
 
 /// target := source where enabled.
-void copy_lanes(const Enabled& pixels, Lanes& target, const Lanes& source);
+void copy_lanes(const EnabledPixels& pixels, Lanes& target, const Lanes& source);
 
 /// target := the low bits of target + source where enabled.
-void add_lanes(const Enabled& pixels, Lanes& target, const Lanes& source, std::uint32_t low_bits);
+void add_lanes(const EnabledPixels& pixels, Lanes& target, const Lanes& source, std::uint32_t low_bits);
 
 enum class Comparison : std::uint8_t { less, less_or_equal, equal };
 
 /// enable := enable and (left OP right), where OP is the comparison. Returns the number of pixels enabled afterwards.
-std::uint32_t compare_lanes(const Enabled& pixels, Comparison comparison, const Lanes& left, const Lanes& right);
+std::uint32_t compare_lanes(const EnabledPixels& pixels, Comparison comparison, const Lanes& left, const Lanes& right);
 
 /// Sets every value of a constant block to its bound. Values of constant blocks are otherwise undefined. The block
 /// counts as constant until its bounds are changed.

@@ -179,7 +179,8 @@ Outcome wide_block(const LinearTask& task, const WideRamp& ramp, std::int64_t fi
 }
 
 template <LinearKind kind>
-std::uint64_t wide_blocks(const Enabled& pixels, const LinearTask& task, const PlaneSum& sum, std::uint64_t blocks) {
+std::uint64_t wide_blocks(const EnabledPixels& pixels, const LinearTask& task, const PlaneSum& sum,
+                          std::uint64_t blocks) {
   if (blocks == 0) return 0;
   const WideRamp ramp(task.linear);
   std::uint64_t overflows = 0;
@@ -193,7 +194,7 @@ std::uint64_t wide_blocks(const Enabled& pixels, const LinearTask& task, const P
 }
 
 template <LinearKind kind>
-void narrow_blocks(const Enabled& pixels, const LinearTask& task, const PlaneSum& sum, std::uint64_t blocks,
+void narrow_blocks(const EnabledPixels& pixels, const LinearTask& task, const PlaneSum& sum, std::uint64_t blocks,
                    std::uint64_t all) {
   if (blocks == 0) return;
   NarrowF f(task.linear);
@@ -215,7 +216,7 @@ void narrow_blocks(const Enabled& pixels, const LinearTask& task, const PlaneSum
 }
 
 template <LinearKind kind>
-LinearResult run(const Enabled& pixels, const LinearTask& task, std::uint32_t enabled) {
+LinearResult run(const EnabledPixels& pixels, const LinearTask& task, std::uint32_t enabled) {
   const PlaneSum sum(task.linear, pixels.shape);
   const bool may_decide = pixels.decide == Decide::by_block && !sum.is_huge();
   const Decided decided = may_decide ? decide<kind>(pixels.enable.any(), sum, task) : Decided{};
@@ -241,7 +242,7 @@ LinearResult run(const Enabled& pixels, const LinearTask& task, std::uint32_t en
   return result;
 }
 
-LinearResult run_any(const Enabled& pixels, const LinearTask& task, std::uint32_t enabled) {
+LinearResult run_any(const EnabledPixels& pixels, const LinearTask& task, std::uint32_t enabled) {
   using enum LinearKind;
   switch (task.kind) {
     case not_negative: return run<not_negative>(pixels, task, enabled);
@@ -270,7 +271,7 @@ namespace csgsim::functional {
 
 HWY_EXPORT(run_any);
 
-LinearResult run_linear(const Enabled& pixels, const LinearTask& task, std::uint32_t enabled_count) {
+LinearResult run_linear(const EnabledPixels& pixels, const LinearTask& task, std::uint32_t enabled_count) {
   return HWY_DYNAMIC_DISPATCH(run_any)(pixels, task, enabled_count);
 }
 

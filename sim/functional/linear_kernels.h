@@ -38,6 +38,6 @@ struct LinearResult {
 
 /// Executes the task at every enabled pixel of a tile; `enabled_count` is their number. If z is written and F does not
 /// fit it, E := 0.
-LinearResult run_linear(const Enabled& pixels, const LinearTask& task, std::uint32_t enabled_count);
+LinearResult run_linear(const EnabledPixels& pixels, const LinearTask& task, std::uint32_t enabled_count);
 
 }  // namespace csgsim::functional

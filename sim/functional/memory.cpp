@@ -94,7 +94,7 @@ const TileBits& Memory::read(unsigned bit, std::uint64_t blocks, TileBits& copy)
   return copy;
 }
 
-void Memory::planes(Field field, const Worked& target, std::span<TileBits*> planes) {
+void Memory::planes(Field field, const TargetBlocks& target, std::span<TileBits*> planes) {
   for (Holder& holder : holders_) {
     if (!holder.field.overlaps(field)) continue;
     if (is_within(holder.field, field)) holder.blocks &= ~target.overwritten;
@@ -163,7 +163,7 @@ void Memory::move(Holder& from, Holder& to, std::uint64_t blocks, std::uint64_t 
   from.blocks &= ~blocks;
 }
 
-void Memory::take(Holder& holder, const Worked& target) {
+void Memory::convert_to_lanes(Holder& holder, const TargetBlocks& target) {
   const Field field = holder.field;
   const std::uint64_t taken = (target.blocks & ~holder.blocks) | uniform_blocks(field);
   const std::uint64_t kept = taken & ~target.overwritten;
@@ -180,9 +180,9 @@ void Memory::take(Holder& holder, const Worked& target) {
     if (planes_[bit]) planes_[bit]->clear_blocks(taken);
 }
 
-Lanes& Memory::lanes(Field field, const Worked& target) {
+Lanes& Memory::lanes(Field field, const TargetBlocks& target) {
   Holder& holder = holder_for(field);
-  if ((target.blocks & ~holder.blocks) != 0) take(holder, target);
+  if ((target.blocks & ~holder.blocks) != 0) convert_to_lanes(holder, target);
   last_ = holder.lanes.get();
   return *last_;
 }

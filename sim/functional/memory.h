@@ -16,7 +16,7 @@ namespace csgsim::functional {
 
 /// The blocks of a tile on which an instruction works, and those among them in which it overwrites the field at all
 /// pixels.
-struct Worked {
+struct TargetBlocks {
   std::uint64_t blocks = ~std::uint64_t{0};
   std::uint64_t overwritten = 0;
 };
@@ -38,7 +38,7 @@ class Memory {
   TileBits& plane(unsigned bit, std::uint64_t blocks = all_blocks);
 
   /// The planes that store a field in the target blocks, lowest bit first. `planes` must have room for them.
-  void planes(isa::Field field, const Worked& target, std::span<TileBits*> planes);
+  void planes(isa::Field field, const TargetBlocks& target, std::span<TileBits*> planes);
 
   /// Reads the bit in those blocks without changing its form: returns the plane that stores it or, if lanes store it,
   /// `copy`, filled from them.
@@ -51,7 +51,7 @@ class Memory {
 
   /// The lanes that store exactly this field in those blocks, for reading and writing there. The lanes returned by the
   /// previous call stay valid if its field is disjoint.
-  Lanes& lanes(isa::Field field, const Worked& target = {});
+  Lanes& lanes(isa::Field field, const TargetBlocks& target = {});
 
   /// The fields within the given one, lowest first, whose lanes store all of it in those blocks; empty unless there are
   /// several.
@@ -84,7 +84,7 @@ class Memory {
   /// A holder in use that can be replaced, other than the last one requested.
   Holder& reused_holder();
   /// Converts the field to lanes, at least in the target blocks.
-  void take(Holder& holder, const Worked& target);
+  void convert_to_lanes(Holder& holder, const TargetBlocks& target);
   /// Moves the bits of `to`'s field from the lanes of `from` in those blocks; in `kept` the values are preserved.
   void move(Holder& from, Holder& to, std::uint64_t blocks, std::uint64_t kept);
   /// Blocks in which the field is the same at all pixels, so that conversion to lanes is free.

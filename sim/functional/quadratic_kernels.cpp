@@ -204,7 +204,7 @@ std::uint64_t execute_on_block(const BlockF& f, const QuadraticTask& task, const
 
 /// The blocks that remain undecided after tests for the whole tile and for each block.
 template <LinearKind kind>
-std::uint64_t decide_blocks(const Enabled& pixels, const QuadraticTask& task) {
+std::uint64_t decide_blocks(const EnabledPixels& pixels, const QuadraticTask& task) {
   TileBits& enable = pixels.enable;
   if constexpr (!tests(kind)) {
     return enable.any();
@@ -230,7 +230,7 @@ std::uint64_t decide_blocks(const Enabled& pixels, const QuadraticTask& task) {
 }
 
 template <LinearKind kind>
-LinearResult run(const Enabled& pixels, const QuadraticTask& task) {
+LinearResult run(const EnabledPixels& pixels, const QuadraticTask& task) {
   const std::uint64_t open =
       pixels.decide == Decide::by_block ? decide_blocks<kind>(pixels, task) : pixels.enable.any();
   const auto examined = static_cast<std::uint64_t>(std::popcount(open));
@@ -250,7 +250,7 @@ LinearResult run(const Enabled& pixels, const QuadraticTask& task) {
   return result;
 }
 
-LinearResult run_any(const Enabled& pixels, const QuadraticTask& task) {
+LinearResult run_any(const EnabledPixels& pixels, const QuadraticTask& task) {
   using enum LinearKind;
   switch (task.kind) {
     case not_negative: return run<not_negative>(pixels, task);
@@ -279,7 +279,7 @@ namespace csgsim::functional {
 
 HWY_EXPORT(run_any);
 
-LinearResult run_quadratic(const Enabled& pixels, const QuadraticTask& task) {
+LinearResult run_quadratic(const EnabledPixels& pixels, const QuadraticTask& task) {
   return HWY_DYNAMIC_DISPATCH(run_any)(pixels, task);
 }
 

@@ -21,6 +21,6 @@ struct QuadraticTask {
 };
 
 /// Executes the task at every enabled pixel of a tile. If z is loaded or kept and F does not fit it, E := 0.
-LinearResult run_quadratic(const Enabled& pixels, const QuadraticTask& task);
+LinearResult run_quadratic(const EnabledPixels& pixels, const QuadraticTask& task);
 
 }  // namespace csgsim::functional

@@ -62,7 +62,7 @@ void root(Group& field, std::size_t w) {
   }
 }
 
-void root_of_planes(const Enabled& pixels, std::span<TileBits* const> planes) {
+void root_of_planes(const EnabledPixels& pixels, std::span<TileBits* const> planes) {
   std::uint64_t left = pixels.enable.any();
   pixels.work.words += static_cast<std::uint64_t>(std::popcount(left)) * planes.size();
   Group field;
@@ -95,7 +95,7 @@ namespace csgsim::functional {
 
 HWY_EXPORT(root_of_planes);
 
-void execute_root(const Enabled& pixels, std::span<TileBits* const> planes) {
+void execute_root(const EnabledPixels& pixels, std::span<TileBits* const> planes) {
   HWY_DYNAMIC_DISPATCH(root_of_planes)(pixels, planes);
 }
 

@@ -11,6 +11,6 @@ namespace csgsim::functional {
 
 /// Executes `root` (hw/isa/opcodes.h) where enabled, on the field stored in the planes, lowest bit first. The number of
 /// planes must be odd, from 3 to 61.
-void execute_root(const Enabled& pixels, std::span<TileBits* const> planes);
+void execute_root(const EnabledPixels& pixels, std::span<TileBits* const> planes);
 
 }  // namespace csgsim::functional

@@ -31,7 +31,7 @@ bool FunctionalRun::is_finished() const {
   return program_.segments.empty() || (is_end_notified_ && place_.segment + 1 == program_.segments.size());
 }
 
-void FunctionalRun::notify_end(Observers observers) {
+void FunctionalRun::notify_segment_end(Observers observers) {
   if (is_end_notified_) return;
   for (engine::Observer* const observer : observers) observer->after_segment(place_.segment, tiles_);
   is_end_notified_ = true;
@@ -45,7 +45,7 @@ void FunctionalRun::advance(std::uint64_t number, Observers observers) {
       execute_stretch(number - next, observers);
       continue;
     }
-    notify_end(observers);
+    notify_segment_end(observers);
     if (is_finished() || next >= number) return;
     place_ = {place_.segment + 1, 0};
     is_end_notified_ = false;
@@ -54,7 +54,7 @@ void FunctionalRun::advance(std::uint64_t number, Observers observers) {
 }
 
 void FunctionalRun::execute_stretch(std::uint64_t max_count, Observers observers) {
-  end_if_interrupted();
+  throw_if_interrupted();
   const Instructions left = instructions().subspan(place_.index);
   if (met_.is_needed()) max_count = 1;
   const Instructions within = left.first(static_cast<std::size_t>(std::min<std::uint64_t>(max_count, left.size())));
@@ -74,7 +74,7 @@ void FunctionalRun::execute_stretch(std::uint64_t max_count, Observers observers
         observer->after_instruction(step, tiles_);
   }
   place_.index += static_cast<std::uint32_t>(executed.size());
-  const std::uint64_t skipped = isa::skipped_after(executed.back(), tally.enabled.back());
+  const std::uint64_t skipped = isa::skipped_instruction_count(executed.back(), tally.enabled.back());
   if (skipped == 0) return;
   skips_.push_back({place_.segment, place_.index - 1});
   skipped_ += skipped;
@@ -106,15 +106,15 @@ void FunctionalRun::restore(const engine::RunState& state) {
 std::optional<machines::PixelClocks> FunctionalRun::at_pixels() const {
   if (!met_.is_needed()) return std::nullopt;
   const isa::Segment& segment = program_.segments[place_.segment];
-  return machine_.kind->clocks_at_pixels(segment, place_.index, machine_, &met_.met(place_.segment));
+  return machine_.kind->clocks_at_pixels(segment, place_.index, machine_, &met_.pixel_activity(place_.segment));
 }
 
 /// A run resumed from a saved state lacks the earlier part, so the whole Program is run again.
-std::vector<machines::PixelActivity> FunctionalRun::met_pixels() const {
-  if (const std::vector<machines::PixelActivity>* const met = met_.met()) return *met;
+std::vector<machines::PixelActivity> FunctionalRun::pixel_activity() const {
+  if (const std::vector<machines::PixelActivity>* const pixel_activity = met_.pixel_activity()) return *pixel_activity;
   FunctionalRun whole(program_, machine_, 1);
   whole.advance(end, {});
-  return whole.met_pixels();
+  return whole.pixel_activity();
 }
 
 engine::RunResult FunctionalRun::result() const {
@@ -124,7 +124,7 @@ engine::RunResult FunctionalRun::result() const {
   result.skips = skips_;
   result.answers = answers_;
   result.work = tiles_.work();
-  result.met = met_pixels();
+  result.pixel_activity = pixel_activity();
   put(host::time_frame(program_, machine_, engine::run_outcome(result)), result);
   return result;
 }

@@ -38,9 +38,9 @@ class FunctionalRun final : public engine::Run {
   [[nodiscard]] std::span<const isa::Instruction> instructions() const;
   /// Executes instructions, at most `max_count`, until one after which an observer reads the pixels.
   void execute_stretch(std::uint64_t max_count, std::span<engine::Observer* const> observers);
-  void notify_end(std::span<engine::Observer* const> observers);
+  void notify_segment_end(std::span<engine::Observer* const> observers);
   [[nodiscard]] std::optional<machines::PixelClocks> at_pixels() const;
-  [[nodiscard]] std::vector<machines::PixelActivity> met_pixels() const;
+  [[nodiscard]] std::vector<machines::PixelActivity> pixel_activity() const;
 
   const isa::Program& program_;
   machines::Machine machine_;
@@ -52,7 +52,7 @@ class FunctionalRun final : public engine::Run {
   std::uint64_t skipped_ = 0;
   std::vector<bool> answers_;
   std::vector<machines::Skip> skips_;
-  engine::MetRecorder met_;
+  engine::PixelActivityRecorder met_;
 };
 
 }  // namespace csgsim::functional

@@ -44,8 +44,8 @@ void Stretch::find_first_acting() {
   }
 }
 
-void Stretch::show(std::size_t instruction_index, const isa::Region& part,
-                   std::span<const std::uint64_t> enable_words) const {
+void Stretch::notify_observers(std::size_t instruction_index, const isa::Region& part,
+                               std::span<const std::uint64_t> enable_words) const {
   for (engine::Observer* const one : observers_)
     if (one->reads_enable_alone(instructions_[instruction_index]))
       one->enabled_after(instructions_[instruction_index], part, enable_words);

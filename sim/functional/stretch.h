@@ -28,7 +28,8 @@ class Stretch {
   /// Whether an observer reads the enable bits, and nothing else, after that instruction.
   [[nodiscard]] bool is_observed(std::size_t index) const { return observed_[index] != 0; }
   /// Passes the enable bits of a part of the picture after that instruction to those observers.
-  void show(std::size_t instruction_index, const isa::Region& part, std::span<const std::uint64_t> enable_words) const;
+  void notify_observers(std::size_t instruction_index, const isa::Region& part,
+                        std::span<const std::uint64_t> enable_words) const;
 
  private:
   void find_end(std::span<const isa::Instruction> instructions);

@@ -155,14 +155,14 @@ std::uint64_t Tile::execute_linear(const Instruction& instruction, LinearKind ki
     result = execute_quadratic(instruction, squares, kind);
   }
   enabled_ = result.enabled;
-  return isa::cuts_sum(instruction.opcode) ? 0 : result.overflows;
+  return isa::may_exceed_width(instruction.opcode) ? 0 : result.overflows;
 }
 
 LinearResult Tile::execute_quadratic(const Instruction& instruction, const isa::Linear& squares, LinearKind kind) {
   const isa::Linear& linear = instruction.linear;
   QuadraticTask task{kind, QuadraticSum(squares, linear).from(x_, y_), linear.width, linear.shift, nullptr, {}};
   const Field field = instruction.fields[0];
-  const Worked worked = kind == LinearKind::load ? blocks_to_overwrite() : blocks_to_update();
+  const TargetBlocks worked = kind == LinearKind::load ? blocks_to_overwrite() : blocks_to_update();
   WidePlanes planes{};
   if (field.width > isa::max_field_width) {
     memory_.planes(field, worked, planes);
@@ -180,7 +180,7 @@ void Tile::root(Field target) {
   execute_root(pixels(), std::span(planes).first(target.width));
 }
 
-bool Tile::uses_bits(Field target, Field source) const {
+bool Tile::is_faster_by_bits(Field target, Field source) const {
   if (target.width == 1) return true;
   return target.width <= max_width_as_bits && memory_.is_in_planes(target, enable_.any()) &&
          (source.width == 0 || memory_.is_in_planes(source, enable_.any()));
@@ -188,7 +188,7 @@ bool Tile::uses_bits(Field target, Field source) const {
 
 void Tile::set_constant(Field target, std::uint64_t constant) {
   if (enabled_ == 0) return;
-  if (uses_bits(target, {})) {
+  if (is_faster_by_bits(target, {})) {
     for (unsigned bit = 0; bit < target.width; ++bit) {
       TileBits& plane = memory_.plane(target.base + bit, enable_.any());
       const std::uint64_t value = (constant >> bit & 1U) != 0 ? ~std::uint64_t{0} : 0;
@@ -228,7 +228,7 @@ bool Tile::has_same_parts(Field source, Field target, const std::vector<Field>& 
 
 void Tile::copy(Field target, Field source) {
   if (enabled_ == 0) return;
-  if (uses_bits(target, source)) {
+  if (is_faster_by_bits(target, source)) {
     for (unsigned bit = 0; bit < target.width; ++bit) {
       TileBits& to = memory_.plane(target.base + bit, enable_.any());
       const TileBits& from = memory_.read(source.base + bit, enable_.any(), first_copy_);
@@ -251,7 +251,7 @@ void Tile::copy(Field target, Field source) {
 
 void Tile::compare(Comparison comparison, Field left, Field right) {
   if (enabled_ == 0) return;
-  if (uses_bits(left, right)) return compare_bits(comparison, left, right);
+  if (is_faster_by_bits(left, right)) return compare_bits(comparison, left, right);
   Lanes& s = memory_.lanes(left, blocks_to_update());
   enabled_ = compare_lanes(pixels(), comparison, s, memory_.lanes(right, blocks_to_update()));
 }
@@ -300,7 +300,7 @@ void Tile::combine_bits(Combine combine, Field target, Field left, Field right) 
 
 void Tile::add(Field target, Field source) {
   if (enabled_ == 0) return;
-  if (uses_bits(target, source)) return add_bits(target, source);
+  if (is_faster_by_bits(target, source)) return add_bits(target, source);
   Lanes& to = memory_.lanes(target, blocks_to_update());
   const std::uint32_t low_bits = ~std::uint32_t{0} >> (isa::max_field_width - target.width);
   add_lanes(pixels(), to, memory_.lanes(source, blocks_to_update()), low_bits);

@@ -57,11 +57,11 @@ class alignas(64) Tile {
 
  private:
   /// The blocks on which an instruction works that reads the old values of its target.
-  [[nodiscard]] Worked blocks_to_update() const { return {enable_.any(), 0}; }
+  [[nodiscard]] TargetBlocks blocks_to_update() const { return {enable_.any(), 0}; }
   /// The blocks on which an instruction works that does not read the old values of its target; it overwrites all pixels
   /// of full blocks.
-  [[nodiscard]] Worked blocks_to_overwrite() const { return {enable_.any(), enable_.full()}; }
-  [[nodiscard]] Enabled pixels() { return {enable_, shape_, decide_, work_}; }
+  [[nodiscard]] TargetBlocks blocks_to_overwrite() const { return {enable_.any(), enable_.full()}; }
+  [[nodiscard]] EnabledPixels pixels() { return {enable_, shape_, decide_, work_}; }
 
   void invert_enable();
   void combine_enable(isa::Opcode opcode, unsigned bit);
@@ -80,7 +80,7 @@ class alignas(64) Tile {
   void add(isa::Field target, isa::Field source);
   void add_bits(isa::Field target, isa::Field source);
   void xor_constant(isa::Field target, std::uint64_t constant);
-  [[nodiscard]] bool uses_bits(isa::Field target, isa::Field source) const;
+  [[nodiscard]] bool is_faster_by_bits(isa::Field target, isa::Field source) const;
 
   std::uint32_t x_;
   std::uint32_t y_;

@@ -8,12 +8,12 @@ namespace csgsim::functional {
 
 namespace {
 
-void show(const Tile& tile, const isa::Region& region, const Stretch& stretch, std::size_t instruction) {
+void notify_observers(const Tile& tile, const isa::Region& region, const Stretch& stretch, std::size_t instruction) {
   const TileShape& shape = tile.shape();
   std::array<std::uint64_t, tile_side> rows;
   write_rows(tile.enable(), shape, rows.data(), 1);
-  stretch.show(instruction, {region.x + tile.x(), region.y + tile.y(), shape.width(), shape.height()},
-               std::span(rows).first(shape.height()));
+  stretch.notify_observers(instruction, {region.x + tile.x(), region.y + tile.y(), shape.width(), shape.height()},
+                           std::span(rows).first(shape.height()));
 }
 
 void run_tile(Tile& tile, const isa::Region& region, const Stretch& stretch, Tiles::Tally& tally) {
@@ -24,7 +24,7 @@ void run_tile(Tile& tile, const isa::Region& region, const Stretch& stretch, Til
     if (i == stretch.size()) break;
     enabled[i] += tile.enabled();
     overflows += tile.execute(stretch.instructions()[i]);
-    if (tile.enabled() != 0 && stretch.is_observed(i)) show(tile, region, stretch, i);
+    if (tile.enabled() != 0 && stretch.is_observed(i)) notify_observers(tile, region, stretch, i);
   }
   tally.overflows += overflows;
 }

@@ -57,7 +57,7 @@ class Painter {
     for (std::uint32_t y = tile.y0; y < tile.y1; y += half) {
       for (std::uint32_t x = tile.x0; x < tile.x1; x += half) {
         const Tile part{x, y, std::min(x + half, tile.x1), std::min(y + half, tile.y1)};
-        paint(narrow(pieces, sight_, part, truth_.width, truth_.height), part);
+        paint(prune_to_tile(pieces, sight_, part, truth_.width, truth_.height), part);
       }
     }
   }
@@ -82,7 +82,7 @@ class Painter {
 
   void add_events(const Pieces& pieces, const Piece& piece, Place place) {
     for (const facet::Halfspace& edge : pieces.of(piece.edges)) {
-      if (sight_.edge_holds(edge.plane, place) != edge.positive) return;
+      if (sight_.edge_contains_ray(edge.plane, place) != edge.positive) return;
     }
     const Part between{extreme(sight_, pieces.of(piece.fronts), place, 1),
                        extreme(sight_, pieces.of(piece.backs), place, -1)};

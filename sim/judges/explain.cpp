@@ -86,8 +86,8 @@ Steps Explainer::steps(std::uint32_t index, Place place) const {
   if (index == sight_.near_plane()) return {0, 1};
   if (index > sight_.near_plane()) {
     const Sheet sheet = sight_.quadric_sheet(index);
-    const QuadricMet met = quadrics_.met(sheet.index, place);
-    return sheet.root == Root::nearer ? met.nearer : met.farther;
+    const QuadricOutcome outcome = quadrics_.outcome(sheet.index, place);
+    return sheet.root == Root::nearer ? outcome.nearer : outcome.farther;
   }
   const SightPlane& plane = sight_.plane(index);
   return line_.steps({plane.c, plane.a, plane.b, 0, 0, 0, 0}, plane.condition, DepthLine::rounding(place), place);
@@ -116,7 +116,7 @@ Explainer::PossibleResults Explainer::possible_results(std::uint32_t index, Plac
 }
 
 /// Adds the half-space's front, back or edge at the place to the candidate. Returns false if it excludes the whole ray.
-bool Explainer::add_halfspace(Candidate& candidate, const facet::Halfspace& halfspace, Place place) const {
+bool Explainer::try_add_halfspace(Candidate& candidate, const facet::Halfspace& halfspace, Place place) const {
   const PossibleResults is = possible_results(halfspace.plane, place);
   switch (is.kind) {
     case PossibleResults::Kind::surface: {
@@ -136,32 +136,32 @@ bool Explainer::add_halfspace(Candidate& candidate, const facet::Halfspace& half
 
 /// Adds the quadric's front, back or edge at the place to the candidate. Returns false if it excludes the whole ray. If
 /// rays begin inside the quadric, it has a back only if the ray meets it at all.
-bool Explainer::add_quadric(Candidate& candidate, const facet::QuadricSide& side, Place place) const {
+bool Explainer::try_add_quadric(Candidate& candidate, const facet::QuadricSide& side, Place place) const {
   const SightQuadric& quadric = sight_.quadrics().quadric(side.quadric);
-  QuadricMet met = quadrics_.met(side.quadric, place);
+  QuadricOutcome outcome = quadrics_.outcome(side.quadric, place);
   const std::uint32_t nearer = sight_.surface({side.quadric, Root::nearer});
   const std::uint32_t farther = sight_.surface({side.quadric, Root::farther});
-  if (met.is_doubtful) {
+  if (outcome.is_doubtful) {
     candidate.is_doubtful = true;
     return true;
   }
   const bool on_far_nappe = quadric.ahead != 0 && (quadric.ahead < 0) == side.along_axis;
-  if (!met.is_edge && quadric.opening < 0 && !on_far_nappe) {
-    if (met.is_met == Maybe::unknown) met.nearer.high = std::max(met.nearer.high, line_.farthest());
-    if (met.is_met != Maybe::no) candidate.backs.push_back({nearer, met.nearer});
+  if (!outcome.is_edge && quadric.opening < 0 && !on_far_nappe) {
+    if (outcome.is_met == Maybe::unknown) outcome.nearer.high = std::max(outcome.nearer.high, line_.farthest());
+    if (outcome.is_met != Maybe::no) candidate.backs.push_back({nearer, outcome.nearer});
     return true;
   }
-  if (met.is_met == Maybe::no) return false;
-  if (met.is_met == Maybe::unknown) candidate.edges.push_back({nearer, true});
-  if (met.is_edge) return true;
+  if (outcome.is_met == Maybe::no) return false;
+  if (outcome.is_met == Maybe::unknown) candidate.edges.push_back({nearer, true});
+  if (outcome.is_edge) return true;
   const bool is_from = quadric.opening < 0;
-  candidate.fronts.push_back(is_from ? Met{farther, met.farther} : Met{nearer, met.nearer});
-  if (!is_from) candidate.backs.push_back({farther, met.farther});
+  candidate.fronts.push_back(is_from ? Intersection{farther, outcome.farther} : Intersection{nearer, outcome.nearer});
+  if (!is_from) candidate.backs.push_back({farther, outcome.farther});
   return true;
 }
 
 /// Whether the place is inside the rectangle of pixels at which the primitive is drawn.
-Maybe Explainer::in_rectangle(std::uint32_t primitive, Place place) const {
+Maybe Explainer::is_in_rectangle(std::uint32_t primitive, Place place) const {
   const PlaceRect& reach = reaches_[primitive];
   if (reach.x0 > reach.x1) return Maybe::no;
   // Places are in half pixels.
@@ -183,15 +183,15 @@ Ray Explainer::make_ray(Place place) const {
   for (std::uint32_t primitive = 0; primitive < geometry_.solids.size(); ++primitive) {
     Candidate candidate{
         primitive, {}, {{sight_.near_plane(), {0, 0}}}, {{nothing, {line_.farthest(), line_.farthest()}}}, false};
-    const Maybe in_rect = in_rectangle(primitive, place);
+    const Maybe in_rect = is_in_rectangle(primitive, place);
     if (in_rect == Maybe::no) continue;
     if (in_rect == Maybe::unknown) candidate.edges.push_back({rectangles + primitive, true});
     const facet::Convex& solid = geometry_.solids[primitive];
     const bool on_ray =
         std::all_of(solid.halfspaces.begin(), solid.halfspaces.end(),
-                    [&](const facet::Halfspace& one) { return add_halfspace(candidate, one, place); }) &&
+                    [&](const facet::Halfspace& one) { return try_add_halfspace(candidate, one, place); }) &&
         std::all_of(solid.quadrics.begin(), solid.quadrics.end(),
-                    [&](const facet::QuadricSide& one) { return add_quadric(candidate, one, place); });
+                    [&](const facet::QuadricSide& one) { return try_add_quadric(candidate, one, place); });
     if (!on_ray) continue;
     for (const EdgeUse& edge : candidate.edges) {
       if (std::find(ray.undecided_edges.begin(), ray.undecided_edges.end(), edge.plane) == ray.undecided_edges.end()) {

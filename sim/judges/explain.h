@@ -54,9 +54,9 @@ class Explainer {
 
   struct PossibleResults;
   [[nodiscard]] PossibleResults possible_results(std::uint32_t plane, Place place) const;
-  [[nodiscard]] bool add_halfspace(Candidate& candidate, const facet::Halfspace& halfspace, Place place) const;
-  [[nodiscard]] bool add_quadric(Candidate& candidate, const facet::QuadricSide& side, Place place) const;
-  [[nodiscard]] Maybe in_rectangle(std::uint32_t primitive, Place place) const;
+  [[nodiscard]] bool try_add_halfspace(Candidate& candidate, const facet::Halfspace& halfspace, Place place) const;
+  [[nodiscard]] bool try_add_quadric(Candidate& candidate, const facet::QuadricSide& side, Place place) const;
+  [[nodiscard]] Maybe is_in_rectangle(std::uint32_t primitive, Place place) const;
   [[nodiscard]] Ray make_ray(Place place) const;
 
   const model::Tree& tree_;

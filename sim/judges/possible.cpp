@@ -28,15 +28,15 @@ struct Surface {
   }
 };
 
-Surface make_surface(std::span<const Met> planes, bool greatest) {
+Surface make_surface(std::span<const Intersection> planes, bool greatest) {
   Surface surface{greatest, {}, planes.front().steps};
-  for (const Met& met : planes) {
+  for (const Intersection& met : planes) {
     surface.steps.low =
         greatest ? std::max(surface.steps.low, met.steps.low) : std::min(surface.steps.low, met.steps.low);
     surface.steps.high =
         greatest ? std::max(surface.steps.high, met.steps.high) : std::min(surface.steps.high, met.steps.high);
   }
-  for (const Met& met : planes) {
+  for (const Intersection& met : planes) {
     const bool can_be = greatest ? met.steps.high >= surface.steps.low : met.steps.low <= surface.steps.high;
     if (can_be) surface.planes.push_back(met.plane);
   }
@@ -45,7 +45,7 @@ Surface make_surface(std::span<const Met> planes, bool greatest) {
 }
 
 /// Whether the plane is at the surface's depth or nearer, as far as known.
-Maybe not_behind(const Met& met, const Surface& surface) {
+Maybe not_behind(const Intersection& met, const Surface& surface) {
   if (surface.is(met.plane) || (surface.greatest && surface.has(met.plane))) return Maybe::yes;
   if (met.steps.high <= surface.steps.low) return Maybe::yes;
   return met.steps.low > surface.steps.high ? Maybe::no : Maybe::unknown;
@@ -115,14 +115,14 @@ class Branch {
   [[nodiscard]] static Maybe not_empty(const Candidate& candidate) {
     const Surface front = make_surface(candidate.fronts, true);
     Maybe result = Maybe::yes;
-    for (const Met& back : candidate.backs) result = least(result, opposite(not_behind(back, front)));
+    for (const Intersection& back : candidate.backs) result = least(result, opposite(not_behind(back, front)));
     return result;
   }
 
   [[nodiscard]] Maybe holds(const Candidate& candidate, const Surface& surface) const {
     Maybe result = on_ray(candidate);
-    for (const Met& front : candidate.fronts) result = least(result, not_behind(front, surface));
-    for (const Met& back : candidate.backs) result = least(result, opposite(not_behind(back, surface)));
+    for (const Intersection& front : candidate.fronts) result = least(result, not_behind(front, surface));
+    for (const Intersection& back : candidate.backs) result = least(result, opposite(not_behind(back, surface)));
     return result;
   }
 

@@ -21,7 +21,7 @@ enum class Maybe : std::uint8_t { no, unknown, yes };
 constexpr Maybe opposite(Maybe value) { return static_cast<Maybe>(2 - static_cast<int>(value)); }
 
 /// The intersection of a ray with a surface, a plane or a root of a quadric. Equal indices mean equal depths.
-struct Met {
+struct Intersection {
   std::uint32_t plane = 0;
   Steps steps;
 };
@@ -36,8 +36,8 @@ struct EdgeUse {
 struct Candidate {
   std::uint32_t primitive = 0;
   std::vector<EdgeUse> edges;  ///< the undecided edges; the primitive is inside the decided ones
-  std::vector<Met> fronts;
-  std::vector<Met> backs;
+  std::vector<Intersection> fronts;
+  std::vector<Intersection> backs;
   bool is_doubtful = false;  ///< some planes may be edges or surfaces, so any result is allowed
 };
 

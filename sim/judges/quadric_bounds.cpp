@@ -122,24 +122,24 @@ QuadricBounds::Bound QuadricBounds::make_bound(std::uint32_t index, const PlaceR
   return bound;
 }
 
-QuadricMet QuadricBounds::met(std::uint32_t index, Place place) const {
+QuadricOutcome QuadricBounds::outcome(std::uint32_t index, Place place) const {
   const Bound& bound = bounds_[index];
-  QuadricMet met;
-  met.is_doubtful = bound.nature == Nature::doubtful;
-  met.is_edge = bound.nature == Nature::edge;
-  if (met.is_edge) met.is_met = edge_holds(index, place);
-  if (bound.nature != Nature::roots) return met;
-  met = met_in_units(index, place, 0);
+  QuadricOutcome outcome;
+  outcome.is_doubtful = bound.nature == Nature::doubtful;
+  outcome.is_edge = bound.nature == Nature::edge;
+  if (outcome.is_edge) outcome.is_met = edge_contains_ray(index, place);
+  if (bound.nature != Nature::roots) return outcome;
+  outcome = outcome_in_units(index, place, 0);
   for (int unit = 1; unit <= bound.max_unit; ++unit) {
-    const QuadricMet other = met_in_units(index, place, unit);
-    met.is_met = most(met.is_met, other.is_met);
-    met.nearer = hull(met.nearer, other.nearer);
-    met.farther = hull(met.farther, other.farther);
+    const QuadricOutcome other = outcome_in_units(index, place, unit);
+    outcome.is_met = most(outcome.is_met, other.is_met);
+    outcome.nearer = hull(outcome.nearer, other.nearer);
+    outcome.farther = hull(outcome.farther, other.farther);
   }
-  return met;
+  return outcome;
 }
 
-QuadricMet QuadricBounds::met_in_units(std::uint32_t index, Place place, int unit) const {
+QuadricOutcome QuadricBounds::outcome_in_units(std::uint32_t index, Place place, int unit) const {
   const SightQuadric& quadric = sight_.quadrics().quadric(index);
   const Bound& bound = bounds_[index];
   const Steps middle = line_.steps(quadric.middle, quadric.condition, 1.0 + bound.across + bound.down, place);
@@ -153,16 +153,16 @@ QuadricMet QuadricBounds::met_in_units(std::uint32_t index, Place place, int uni
   const double doubles = 2.0 * part * std::sqrt(terms * greatest) + part * part * terms + scale * quadric.square.error;
   const double low = std::floor(square - rounding - doubles);
   const double high = std::floor(square + rounding + doubles);
-  QuadricMet met;
-  if (low >= 0.0) met.is_met = Maybe::yes;
-  if (low < 0.0 && high >= 0.0) met.is_met = Maybe::unknown;
+  QuadricOutcome outcome;
+  if (low >= 0.0) outcome.is_met = Maybe::yes;
+  if (low < 0.0 && high >= 0.0) outcome.is_met = Maybe::unknown;
   constexpr double root_part = 0x1p-50;
   const std::int64_t step = std::int64_t{1} << unit;
   const std::int64_t least = floor_step(std::sqrt(std::max(0.0, low)) * (1.0 - root_part));
   const std::int64_t most = floor_step(std::sqrt(std::max(0.0, high)) * (1.0 + root_part));
-  met.nearer = {middle.low - most * step, middle.high - least * step};
-  met.farther = {middle.low + (least + 1) * step, middle.high + (most + 1) * step};
-  return met;
+  outcome.nearer = {middle.low - most * step, middle.high - least * step};
+  outcome.farther = {middle.low + (least + 1) * step, middle.high + (most + 1) * step};
+  return outcome;
 }
 
 /// The quadric's section in the middle of the depth range, as a quadratic that is negative inside.
@@ -176,7 +176,7 @@ FilterQuadratic QuadricBounds::section(std::uint32_t index) const {
       q.error + 2.0 * std::abs(depth) * l.error};
 }
 
-Maybe QuadricBounds::edge_holds(std::uint32_t index, Place place) const {
+Maybe QuadricBounds::edge_contains_ray(std::uint32_t index, Place place) const {
   const Bound& bound = bounds_[index];
   const FilterQuadratic at = section(index);
   const double value = at.at(place);

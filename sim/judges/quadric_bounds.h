@@ -40,7 +40,7 @@ struct DepthLine {
 };
 
 /// The results that a machine may compute for a quadric at a place.
-struct QuadricMet {
+struct QuadricOutcome {
   bool is_doubtful = false;  ///< any result is allowed
   bool is_edge = false;      ///< whole rays are inside or outside
   Maybe is_met = Maybe::no;  ///< whether the ray meets it; for an edge, whether the ray is inside
@@ -66,7 +66,7 @@ class QuadricBounds {
  public:
   QuadricBounds(const facet::Geometry& geometry, const Sight& sight, const DepthLine& line);
 
-  [[nodiscard]] QuadricMet met(std::uint32_t quadric, Place place) const;
+  [[nodiscard]] QuadricOutcome outcome(std::uint32_t quadric, Place place) const;
 
  private:
   enum class Nature : std::uint8_t { roots, edge, doubtful };
@@ -85,8 +85,8 @@ class QuadricBounds {
   [[nodiscard]] int max_unit(std::uint32_t quadric, double greatest_square) const;
   [[nodiscard]] FilterQuadratic section(std::uint32_t quadric) const;
   /// The results that a machine may compute if depths are in units of 2^unit steps.
-  [[nodiscard]] QuadricMet met_in_units(std::uint32_t quadric, Place place, int unit) const;
-  [[nodiscard]] Maybe edge_holds(std::uint32_t quadric, Place place) const;
+  [[nodiscard]] QuadricOutcome outcome_in_units(std::uint32_t quadric, Place place, int unit) const;
+  [[nodiscard]] Maybe edge_contains_ray(std::uint32_t quadric, Place place) const;
 
   const facet::QuadricTable& table_;
   const Sight& sight_;

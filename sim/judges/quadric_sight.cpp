@@ -197,7 +197,7 @@ Parts QuadricSight::tangent_parts(const facet::QuadricSide& side, Place place) c
                    : Part{Sheet{side.quadric, Root::farther}, std::nullopt});
 }
 
-Estimate QuadricSight::estimate(Sheet sheet, Place place) const {
+Estimate QuadricSight::estimate_depth(Sheet sheet, Place place) const {
   const SightQuadric& quadric = quadrics_[sheet.index];
   const double square = quadric.square.at(place);
   const double error = quadric.square.error;
@@ -211,7 +211,7 @@ Estimate QuadricSight::estimate(Sheet sheet, Place place) const {
   return {middle, 2.0 * (quadric.middle.error + std::sqrt(3.0 * error))};
 }
 
-Surd QuadricSight::exactly_at(Sheet sheet, Place place) const {
+Surd QuadricSight::exact_depth(Sheet sheet, Place place) const {
   const Exact& numbers = exact(sheet.index);
   const Dyadic l = numbers.l.at(place);
   if (numbers.a.sign() == 0) return {-numbers.q.at(place), 0, {}, twice(l)};

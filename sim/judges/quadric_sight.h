@@ -100,10 +100,10 @@ class QuadricSight {
   [[nodiscard]] Parts parts(const facet::QuadricSide& side, Place place) const;
 
   /// Approximate depth of the sheet at the place; the ray must meet its quadric.
-  [[nodiscard]] Estimate estimate(Sheet sheet, Place place) const;
+  [[nodiscard]] Estimate estimate_depth(Sheet sheet, Place place) const;
 
   /// Exact depth of the sheet at the place; the ray must meet its quadric.
-  [[nodiscard]] Surd exactly_at(Sheet sheet, Place place) const;
+  [[nodiscard]] Surd exact_depth(Sheet sheet, Place place) const;
 
  private:
   /// c + x x + y y + xx x^2 + xy x y + yy y^2.

@@ -90,7 +90,7 @@ int Sight::compare_exactly(std::uint32_t first, std::uint32_t second, Place plac
   return one.k.sign() == other.k.sign() ? sign : -sign;
 }
 
-bool Sight::edge_holds(std::uint32_t index, Place place) const {
+bool Sight::edge_contains_ray(std::uint32_t index, Place place) const {
   const double value = planes_[index].at(place);
   if (std::abs(value) > planes_[index].error) return value < 0.0;
   const Exact& line = exact(index);
@@ -100,25 +100,25 @@ bool Sight::edge_holds(std::uint32_t index, Place place) const {
   return sign < 0;
 }
 
-Estimate Sight::estimate(Sheet sheet, Place place) const {
-  if (sheet.root != Root::only) return quadrics_.estimate(sheet, place);
+Estimate Sight::estimate_depth(Sheet sheet, Place place) const {
+  if (sheet.root != Root::only) return quadrics_.estimate_depth(sheet, place);
   const SightPlane& plane = planes_[sheet.index];
   return {plane.at(place), 2.0 * plane.error};
 }
 
-Surd Sight::exactly_at(Sheet sheet, Place place) const {
-  if (sheet.root != Root::only) return quadrics_.exactly_at(sheet, place);
+Surd Sight::exact_depth(Sheet sheet, Place place) const {
+  if (sheet.root != Root::only) return quadrics_.exact_depth(sheet, place);
   const Exact& plane = exact(sheet.index);
   return {plane.l.at(place), 0, {}, plane.k};
 }
 
 int Sight::compare_with_roots(Sheet first, Sheet second, Place place) const {
   if (first == second) return 0;
-  const Estimate a = estimate(first, place);
-  const Estimate b = estimate(second, place);
+  const Estimate a = estimate_depth(first, place);
+  const Estimate b = estimate_depth(second, place);
   const double difference = a.value - b.value;
   if (std::abs(difference) > a.error + b.error) return difference > 0.0 ? 1 : -1;
-  const int sign = judges::compare(exactly_at(first, place), exactly_at(second, place));
+  const int sign = judges::compare(exact_depth(first, place), exact_depth(second, place));
   const Sheet near{near_plane(), Root::only};
   if (sign == 0 && first == near) return -1;
   if (sign == 0 && second == near) return 1;
@@ -127,9 +127,9 @@ int Sight::compare_with_roots(Sheet first, Sheet second, Place place) const {
 
 double Sight::distance(Sheet sheet, Place place) const {
   // The coefficients of steep surfaces cancel; their depth is then computed from the exact numbers.
-  Estimate depth = estimate(sheet, place);
+  Estimate depth = estimate_depth(sheet, place);
   const bool fine = depth.error <= 0x1p-45 * std::abs(depth.value);
-  if (!fine) depth.value = static_cast<double>(exactly_at(sheet, place).to_real());
+  if (!fine) depth.value = static_cast<double>(exact_depth(sheet, place).to_real());
   return is_perspective() ? -unit_ / depth.value : unit_ * depth.value;
 }
 

@@ -102,7 +102,7 @@ class Sight {
 
   /// Whether the positive half-space of an edge contains the ray, exact. A ray in the plane belongs to the side that it
   /// reaches when moved infinitesimally to the right, and infinitesimally less downwards.
-  [[nodiscard]] bool edge_holds(std::uint32_t index, Place place) const;
+  [[nodiscard]] bool edge_contains_ray(std::uint32_t index, Place place) const;
 
   /// Distance of the sheet from the eye along the axis, model units; relative error about 2^-45.
   [[nodiscard]] double distance(Sheet sheet, Place place) const;
@@ -121,8 +121,8 @@ class Sight {
 
   [[nodiscard]] int compare_exactly(std::uint32_t first, std::uint32_t second, Place place) const;
   [[nodiscard]] int compare_with_roots(Sheet first, Sheet second, Place place) const;
-  [[nodiscard]] Estimate estimate(Sheet sheet, Place place) const;
-  [[nodiscard]] Surd exactly_at(Sheet sheet, Place place) const;
+  [[nodiscard]] Estimate estimate_depth(Sheet sheet, Place place) const;
+  [[nodiscard]] Surd exact_depth(Sheet sheet, Place place) const;
 
   const facet::PlaneTable& table_;
   ExactCamera camera_;

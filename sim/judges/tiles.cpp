@@ -159,7 +159,8 @@ Pieces all_pieces(const facet::Geometry& geometry, const Sight& sight) {
   return all;
 }
 
-Pieces narrow(const Pieces& pieces, const Sight& sight, const Tile& tile, std::uint32_t width, std::uint32_t height) {
+Pieces prune_to_tile(const Pieces& pieces, const Sight& sight, const Tile& tile, std::uint32_t width,
+                     std::uint32_t height) {
   return Narrowing(pieces, sight, tile_middle(tile, width, height)).run();
 }
 

@@ -58,6 +58,7 @@ Pieces all_pieces(const facet::Geometry& geometry, const Sight& sight);
 /// Drops half-spaces that contain the tile, fronts with another front behind them all over the tile, backs with another
 /// back in front of them, and primitives outside the tile. Quadrics are kept. Error bounds ensure that nothing that
 /// matters is dropped. `width` and `height` are those of the picture.
-Pieces narrow(const Pieces& pieces, const Sight& sight, const Tile& tile, std::uint32_t width, std::uint32_t height);
+Pieces prune_to_tile(const Pieces& pieces, const Sight& sight, const Tile& tile, std::uint32_t width,
+                     std::uint32_t height);
 
 }  // namespace csgsim::judges

@@ -51,7 +51,7 @@ Comparison run_both(const Side& a, const Side& b, LockstepSettings settings) {
 
 }  // namespace
 
-std::optional<std::uint64_t> first_other_instruction(const isa::Program& a, const isa::Program& b) {
+std::optional<std::uint64_t> first_different_instruction(const isa::Program& a, const isa::Program& b) {
   std::uint64_t number = 0;
   for (std::size_t s = 0; s < std::max(a.segments.size(), b.segments.size()); ++s) {
     if (s >= a.segments.size() || s >= b.segments.size() || a.segments[s].region != b.segments[s].region) return number;
@@ -79,8 +79,8 @@ std::optional<PictureDifference> first_difference(const observe::Frame& a, const
 Comparison compare(const Side& a, const Side& b) {
   LockstepSettings settings;
   settings.whole_every = default_stride;
-  settings.clocks = machines::same_hardware(a.machine, b.machine);
-  const std::optional<std::uint64_t> other = first_other_instruction(a.program, b.program);
+  settings.clocks = machines::is_same_hardware(a.machine, b.machine);
+  const std::optional<std::uint64_t> other = first_different_instruction(a.program, b.program);
   if (other && !same_layout(a.program, b.program)) settings.end = *other;
   Comparison comparison = run_both(a, b, settings);
   comparison.other_instruction = other;

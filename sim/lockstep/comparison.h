@@ -51,7 +51,7 @@ struct Comparison {
 Comparison compare(const Side& a, const Side& b);
 
 /// The number of the first differing instruction, as in Comparison::other_instruction.
-std::optional<std::uint64_t> first_other_instruction(const isa::Program& a, const isa::Program& b);
+std::optional<std::uint64_t> first_different_instruction(const isa::Program& a, const isa::Program& b);
 
 /// The first difference between two pictures of the same size.
 std::optional<PictureDifference> first_difference(const observe::Frame& a, const observe::Frame& b);

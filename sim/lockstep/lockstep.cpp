@@ -23,7 +23,7 @@ void Lockstep::record_divergence(engine::Place place, std::optional<PixelDiffere
   compares_ = false;
 }
 
-std::optional<TwoValues> Lockstep::other_step(const engine::Step& step) const {
+std::optional<TwoValues> Lockstep::step_difference(const engine::Step& step) const {
   if (settings_.clocks && last_.clocks != step.clocks) return TwoValues{"clocks", step.clocks, last_.clocks};
   if (last_.enabled_pixels != step.enabled_pixels)
     return TwoValues{"enabled pixels", step.enabled_pixels, last_.enabled_pixels};
@@ -51,7 +51,8 @@ void Lockstep::after_instruction(const engine::Step& step, const engine::PixelSt
     if (other.fields != step.instruction.fields) pixel = comparison_.compare_written(other, state, b_);
   }
   if (pixel) return record_divergence(place, std::move(pixel), {});
-  if (std::optional<TwoValues> otherwise = other_step(step)) return record_divergence(place, {}, std::move(otherwise));
+  if (std::optional<TwoValues> otherwise = step_difference(step))
+    return record_divergence(place, {}, std::move(otherwise));
   ++compared_;
   if (is_whole) whole_until_ = number + 1;
 }

@@ -75,7 +75,7 @@ class Lockstep final : public engine::Observer {
 
   void record_divergence(engine::Place place, std::optional<PixelDifference> pixel, std::optional<TwoValues> otherwise);
   /// The difference between the two steps, if any.
-  [[nodiscard]] std::optional<TwoValues> other_step(const engine::Step& step) const;
+  [[nodiscard]] std::optional<TwoValues> step_difference(const engine::Step& step) const;
 
   const isa::Program& b_program_;
   engine::Numbers a_numbers_;

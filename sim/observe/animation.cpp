@@ -13,7 +13,7 @@ Animation::Animation(const std::filesystem::path& path, unsigned frames_per_seco
     : file_(path), encoder_(path, frames_per_second) {}
 
 void Animation::add(const Frame& frame, const isa::Program& program) {
-  const std::vector<std::uint8_t> channels = channels_of(frame, program);
+  const std::vector<std::uint8_t> channels = rgb_bytes(frame, program);
   file_.write(encoder_.add({frame.width, frame.height, 3, {}, pictures::Bytes(channels)}));
 }
 

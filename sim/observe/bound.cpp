@@ -26,14 +26,14 @@ std::string with_article(const std::string& part) {
 
 std::string rate_text(double frames_per_second) { return rounded(frames_per_second, 4); }
 
-std::optional<Bound> bound_of(const engine::RunResult& result, const machines::Machine& machine) {
+std::optional<Bottleneck> find_bottleneck(const engine::RunResult& result, const machines::Machine& machine) {
   const std::uint64_t next = result.interval_clocks;
   if (next == 0) return std::nullopt;
   std::vector<machines::Load> loads = machine.kind->loads(engine::timing_of(result));
   if (loads.empty()) return std::nullopt;
   std::ranges::stable_sort(loads, std::ranges::greater{}, &machines::Load::clocks);
   const machines::Load& busiest = loads.front();
-  Bound bound{busiest.part, share_of(busiest, next), result.host_clocks > next, "", ""};
+  Bottleneck bound{busiest.part, share_of(busiest, next), result.host_clocks > next, "", ""};
   bound.limit = fmt::format("limited by {} ({:.0f} % of each frame", with_article(busiest.part), 100.0 * bound.share);
   if (loads.size() > 1 && loads[1].clocks > 0)
     bound.limit += fmt::format("; {} takes {:.0f} %", with_article(loads[1].part), 100.0 * share_of(loads[1], next));

@@ -12,7 +12,7 @@ namespace csgsim::observe {
 
 /// The unit of a machine that limits the frame rate: it is busy in more of the clocks from one frame to the next than
 /// any other unit.
-struct Bound {
+struct Bottleneck {
   std::string part;
   double share = 0;      ///< fraction of these clocks
   bool by_host = false;  ///< the host takes longer than these clocks to compile the next frame
@@ -24,6 +24,6 @@ struct Bound {
 std::string rate_text(double frames_per_second);
 
 /// Computed from the account of a run; nothing if the machine's kind reports no units, or if a frame takes no time.
-std::optional<Bound> bound_of(const engine::RunResult& result, const machines::Machine& machine);
+std::optional<Bottleneck> find_bottleneck(const engine::RunResult& result, const machines::Machine& machine);
 
 }  // namespace csgsim::observe

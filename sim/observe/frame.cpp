@@ -50,9 +50,9 @@ Frame with_opaque_surfaces(Frame frame) {
 }
 
 FrameObserver::FrameObserver(const isa::Program& program)
-    : depth_(isa::field_of(program, isa::FieldRole::depth)),
+    : depth_(isa::find_field(program, isa::FieldRole::depth)),
       colour_(program.colour),
-      candidate_colour_(isa::field_of(program, isa::FieldRole::candidate_colour)),
+      candidate_colour_(isa::find_field(program, isa::FieldRole::candidate_colour)),
       frame_{program.shape.width, program.shape.height, filled<std::uint32_t>(pixel_count(program), program.background),
              filled<std::uint32_t>(pixel_count(program), nothing_in(depth_)),
              filled<std::uint32_t>(pixel_count(program), no_owner)} {
@@ -127,7 +127,7 @@ bool FrameObserver::reads_enable_alone(const isa::Instruction& instruction) cons
 }
 
 void FrameObserver::after_instruction(const engine::Step& step, const engine::PixelState& state) {
-  if (compares_panes(step.instruction)) return take_pane_depths(state);
+  if (compares_panes(step.instruction)) return read_pane_depths(state);
   if (!reads_enable_alone(step.instruction)) return;
   const isa::Region region = state.region();
   enable_.resize(row_words(region) * region.height);
@@ -170,7 +170,7 @@ void FrameObserver::enabled_after(const isa::Instruction& instruction, const isa
   }
 }
 
-void FrameObserver::take_pane_depths(const engine::PixelState& state) {
+void FrameObserver::read_pane_depths(const engine::PixelState& state) {
   const isa::Region region = state.region();
   values_.resize(static_cast<std::size_t>(region.width) * region.height);
   state.read_field(nearest_, values_);
@@ -181,7 +181,7 @@ void FrameObserver::take_pane_depths(const engine::PixelState& state) {
   });
 }
 
-void FrameObserver::put_panes(const isa::Region& region) {
+void FrameObserver::show_panes_in_front(const isa::Region& region) {
   for_rows(region, frame_.width, [&](std::size_t first, std::uint32_t count) {
     for (std::size_t at = first; at < first + count; ++at) {
       frame_.opaque_depth[at] = frame_.depth[at];
@@ -196,11 +196,11 @@ void FrameObserver::put_panes(const isa::Region& region) {
 void FrameObserver::after_segment(std::uint32_t segment, const engine::PixelState& state) {
   if (!drawn_[segment]) return;
   if (depth_.width > 0) {
-    place(state, depth_, frame_.depth);
+    copy_to_picture(state, depth_, frame_.depth);
     forget_unseen(state.region());
-    if (nearest_.width > 0) put_panes(state.region());
+    if (nearest_.width > 0) show_panes_in_front(state.region());
   }
-  if (colour_.width > 0) place(state, colour_, frame_.colour);
+  if (colour_.width > 0) copy_to_picture(state, colour_, frame_.colour);
 }
 
 void FrameObserver::forget_unseen(const isa::Region& region) {
@@ -213,7 +213,8 @@ void FrameObserver::forget_unseen(const isa::Region& region) {
   });
 }
 
-void FrameObserver::place(const engine::PixelState& state, isa::Field field, std::vector<std::uint32_t>& picture) {
+void FrameObserver::copy_to_picture(const engine::PixelState& state, isa::Field field,
+                                    std::vector<std::uint32_t>& picture) {
   const isa::Region region = state.region();
   if (region.width == frame_.width && region.height == frame_.height) return state.read_field(field, picture);
   values_.resize(static_cast<std::size_t>(region.width) * region.height);

@@ -96,10 +96,10 @@ class FrameObserver : public engine::Observer {
   /// Clears the owner of pixels that are empty at the end of a segment: an earlier segment with the same pixels may
   /// have set it.
   void forget_unseen(const isa::Region& region);
-  void take_pane_depths(const engine::PixelState& state);
+  void read_pane_depths(const engine::PixelState& state);
   /// Saves the opaque depths and owners, then replaces them in the picture by those of transparent surfaces in front.
-  void put_panes(const isa::Region& region);
-  void place(const engine::PixelState& state, isa::Field field, std::vector<std::uint32_t>& picture);
+  void show_panes_in_front(const isa::Region& region);
+  void copy_to_picture(const engine::PixelState& state, isa::Field field, std::vector<std::uint32_t>& picture);
 
   isa::Field depth_;
   isa::Field colour_;

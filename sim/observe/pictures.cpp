@@ -51,7 +51,7 @@ void check_depth_format(const std::filesystem::path& path) {
   pictures::check_format(with_default_extension(path, exr), pictures::Samples::floats);
 }
 
-std::vector<std::uint8_t> channels_of(const Frame& frame, const isa::Program& program) {
+std::vector<std::uint8_t> rgb_bytes(const Frame& frame, const isa::Program& program) {
   auto pixels = filled<std::uint8_t>(frame.colour.size() * 3, 0);
   const unsigned bits = program.colour.width;
   std::uint32_t last = 0;  // neighbouring pixels are mostly equal
@@ -65,13 +65,13 @@ std::vector<std::uint8_t> channels_of(const Frame& frame, const isa::Program& pr
 }
 
 void write_picture(OutputFile& file, const Frame& frame, const isa::Program& program) {
-  write(file, png, colours(frame, channels_of(frame, program)));
+  write(file, png, colours(frame, rgb_bytes(frame, program)));
 }
 
 void write_depth(OutputFile& file, const Frame& frame, const isa::Program& program) {
   std::vector<float> pixels;
   pixels.reserve(frame.depth.size());
-  const unsigned bits = isa::field_of(program, isa::FieldRole::depth).width;
+  const unsigned bits = isa::find_field(program, isa::FieldRole::depth).width;
   for (const std::uint32_t step : frame.depth) {
     pixels.push_back(static_cast<float>(isa::distance_of(program.facts->depth_scale, bits, step)));
   }

@@ -20,7 +20,7 @@ void check_format(const std::filesystem::path& path);
 void check_depth_format(const std::filesystem::path& path);
 
 /// The picture's red, green and blue, 8 bits each, in row order.
-std::vector<std::uint8_t> channels_of(const Frame& frame, const isa::Program& program);
+std::vector<std::uint8_t> rgb_bytes(const Frame& frame, const isa::Program& program);
 
 /// Writes the picture with 8 bits per channel, in the format of the file's extension. Throws InputError.
 void write_picture(OutputFile& file, const Frame& frame, const isa::Program& program);

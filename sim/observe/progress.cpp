@@ -40,7 +40,8 @@ ProgressObserver::~ProgressObserver() {
 
 void ProgressObserver::after_instruction(const engine::Step& step, const engine::PixelState& /*state*/) {
   done_ += step.clocks;
-  if (const std::uint64_t skipped = isa::skipped_after(step.instruction, step.enabled_pixels); skipped > 0) {
+  if (const std::uint64_t skipped = isa::skipped_instruction_count(step.instruction, step.enabled_pixels);
+      skipped > 0) {
     const std::span<const isa::Instruction> all = program_.segments[step.segment].instructions;
     total_ -= machines::clocks(all.subspan(step.index + 1, static_cast<std::size_t>(skipped)), machine_);
   }

@@ -46,7 +46,7 @@ Json machine_json(const Report& report) {
           {"height", machine.array.height},
           {"memory_bits", machine.array.memory_bits},
           {"clock_hz", machine.clock_hz},
-          {"ideal", machines::idealisations(machine)},
+          {"ideal", machines::ideal_parameters(machine)},
           {"memory_reads_per_clock", machine.memory_reads},
           {"alu_bits", machine.alu_bits},
           {"evaluator_latency", machines::evaluator_latency(machine)},
@@ -158,7 +158,7 @@ Json prunings_json(const isa::Program& program) {
 
 /// Null if the machine's kind reports no units.
 Json bound_json(const Report& report) {
-  const std::optional<Bound> bound = bound_of(report.result, report.machine);
+  const std::optional<Bottleneck> bound = find_bottleneck(report.result, report.machine);
   if (!bound) return {};
   return {{"part", bound->part}, {"share", bound->share}, {"by_host", bound->by_host}, {"sentence", bound->sentence}};
 }

@@ -44,16 +44,16 @@ Loader& loader() {
 }
 
 #ifdef CSGSIM_WITHOUT_PICTURES
-constexpr const char* left_out_by = "CSGSIM_PICTURES";
+constexpr const char* disabling_option = "CSGSIM_PICTURES";
 #else
-constexpr const char* left_out_by = nullptr;
+constexpr const char* disabling_option = nullptr;
 #endif
 
 constexpr ModuleRole role{.file = module_file,
                           .symbol = module_symbol,
                           .does = "writes this format",
                           .instead = ", or write .png",
-                          .left_out_by = left_out_by};
+                          .disabling_option = disabling_option};
 
 }  // namespace
 

@@ -69,7 +69,8 @@ std::vector<Tick> make_x_ticks(const Axis& axis, const Extent& extent) {
 double add_x_axis(Drawing& drawing, const Axis& axis, const Extent& extent, const Box& area) {
   std::vector<XTick> ticks;
   for (const Tick& tick : make_x_ticks(axis, extent))
-    ticks.push_back({{area.left + extent.along(tick.value) * (area.right - area.left), area.bottom}, tick.text});
+    ticks.push_back(
+        {{area.left + extent.fraction_along(tick.value) * (area.right - area.left), area.bottom}, tick.text});
   std::ranges::stable_sort(ticks, {}, [](const XTick& tick) { return tick.at.x; });
   std::vector<Text> texts = fitting(tick_texts(ticks, false), false, drawing.width);
   if (axis.is_names && texts.size() < ticks.size()) texts = fitting(tick_texts(ticks, true), true, drawing.width);
@@ -96,7 +97,7 @@ double y_axis_width(const Axis& axis, const std::vector<Tick>& ticks, double pix
 
 void add_y_axis(Drawing& drawing, const Axis& axis, const Extent& extent, const Box& area) {
   for (const Tick& tick : make_y_ticks(axis, extent, area.bottom - area.top)) {
-    const double y = area.bottom - extent.along(tick.value) * (area.bottom - area.top);
+    const double y = area.bottom - extent.fraction_along(tick.value) * (area.bottom - area.top);
     drawing.lines.push_back({{{area.left - tick_length, y}, {area.left, y}}, palette::ink});
     drawing.texts.push_back({tick.text, {area.left - tick_length - tick_gap, y}, Anchor::right});
   }
@@ -110,11 +111,11 @@ void add_y_axis(Drawing& drawing, const Axis& axis, const Extent& extent, const 
 void add_grid(Drawing& drawing, const std::vector<Tick>& x_ticks, const Extent& x, const std::vector<Tick>& y_ticks,
               const Extent& y, const Box& area) {
   for (const Tick& tick : x_ticks) {
-    const double at = area.left + x.along(tick.value) * (area.right - area.left);
+    const double at = area.left + x.fraction_along(tick.value) * (area.right - area.left);
     drawing.lines.push_back({{{at, area.top}, {at, area.bottom}}, palette::grid});
   }
   for (const Tick& tick : y_ticks) {
-    const double at = area.bottom - y.along(tick.value) * (area.bottom - area.top);
+    const double at = area.bottom - y.fraction_along(tick.value) * (area.bottom - area.top);
     drawing.lines.push_back({{{area.left, at}, {area.right, at}}, palette::grid});
   }
   drawing.lines.push_back({{{area.left, area.top},

@@ -76,7 +76,7 @@ Extent extent_of(std::span<const Bar> bars) {
 
 void add_bar(Drawing& drawing, const Bars& plot, const Bar& bar, const std::vector<std::string>& names,
              const Extent& extent, const Box& row) {
-  const auto x = [&](double value) { return row.left + extent.along(value) * (row.right - row.left); };
+  const auto x = [&](double value) { return row.left + extent.fraction_along(value) * (row.right - row.left); };
   drawing.fills.push_back({{x(0), row.top, x(bar.length), row.bottom}, palette::paper});
   for (const Part& part : bar.parts) {
     const Box box{x(part.begin), row.top, x(part.end), row.bottom};
@@ -88,7 +88,7 @@ void add_bar(Drawing& drawing, const Bars& plot, const Bar& bar, const std::vect
                                {(box.left + box.right) / 2, (row.top + row.bottom) / 2},
                                Anchor::centre,
                                false,
-                               palette::text_on(colour)});
+                               palette::readable_text_colour(colour)});
     }
   }
 }
@@ -115,7 +115,7 @@ Drawing lay_out(const Bars& plot) {
     drawing.texts.push_back({labels[i], {area.left - 8, middle}, Anchor::right});
   }
   if (plot.is_signed) {
-    const double zero = area.left + extent.along(0) * (area.right - area.left);
+    const double zero = area.left + extent.fraction_along(0) * (area.right - area.left);
     drawing.lines.push_back({{{zero, area.top}, {zero, area.bottom}}, palette::ink});
   }
   const double bottom = add_x_axis(drawing, plot.x, extent, area);

@@ -30,8 +30,8 @@ struct Panel {
   Extent y;
 
   [[nodiscard]] Pixel at(const Point& point) const {
-    return {area.left + x.along(point.x) * (area.right - area.left),
-            area.bottom - y.along(point.y) * (area.bottom - area.top)};
+    return {area.left + x.fraction_along(point.x) * (area.right - area.left),
+            area.bottom - y.fraction_along(point.y) * (area.bottom - area.top)};
   }
 };
 
@@ -95,7 +95,7 @@ class PanelContent {
       if (series.trace == Trace::level || series.trace == Trace::upright) return add_line(drawing, pixels, look, tip);
       const Pixel at = panel_.at(point);
       drawing.marks.push_back({at, look.mark, look.colour, size, tip});
-      surroundings_.boxes.push_back(around(at, size / 2));
+      surroundings_.boxes.push_back(square_around(at, size / 2));
     }
   }
 
@@ -156,7 +156,7 @@ class PanelContent {
   /// Merges the labels of points at the same place into one text.
   void add_label(const Pixel& at, std::string text, double mark) {
     const auto same = std::ranges::find_if(
-        labels_, [&](const Label& label) { return overlap(around(label.at, 1), around(at, 0.5)); });
+        labels_, [&](const Label& label) { return boxes_overlap(square_around(label.at, 1), square_around(at, 0.5)); });
     if (same == labels_.end()) {
       labels_.push_back({at, std::move(text), mark});
       return;

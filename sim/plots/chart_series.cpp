@@ -47,7 +47,7 @@ void move_chosen_to_front(std::vector<Name>& names) {
 /// Maps each name to a look: the one shared by all charts of a study, or one chosen for this chart alone.
 Looks places_of(const Chart& chart) {
   if (!chart.looks.empty()) return chart.looks;
-  const std::array<Names, 1> alone{names_by_priority(chart)};
+  const std::array<Names, 1> alone{series_names_by_priority(chart)};
   return common_looks(alone, palette::max_series, palette::max_series);
 }
 
@@ -70,7 +70,7 @@ Sample sample_of(Trace trace) {
 
 }  // namespace
 
-std::vector<std::string> names_by_priority(const Chart& chart) {
+std::vector<std::string> series_names_by_priority(const Chart& chart) {
   std::vector<Name> names = names_of(chart);
   move_chosen_to_front(names);
   std::vector<std::string> words;

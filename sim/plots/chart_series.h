@@ -18,7 +18,7 @@ struct SeriesLooks {
 
 /// Names of the foreground series: first those that get colours if the chart is drawn alone, in the chart's order, then
 /// the others.
-std::vector<std::string> names_by_priority(const Chart& chart);
+std::vector<std::string> series_names_by_priority(const Chart& chart);
 
 /// Chooses the looks of all series of a chart and makes its key.
 SeriesLooks series_looks(const Chart& chart);

@@ -58,10 +58,10 @@ Looks common_looks(std::span<const Names> names_by_plot, std::size_t distinct_lo
   return result;
 }
 
-void give_common_looks(std::vector<Plot>& plots) {
+void set_common_looks(std::vector<Plot>& plots) {
   std::vector<Names> names;
   for (const Plot& plot : plots) {
-    if (const auto* const chart = std::get_if<Chart>(&plot.content)) names.push_back(names_by_priority(*chart));
+    if (const auto* const chart = std::get_if<Chart>(&plot.content)) names.push_back(series_names_by_priority(*chart));
   }
   const Looks looks = common_looks(names, palette::max_series, palette::max_series);
   for (Plot& plot : plots) {

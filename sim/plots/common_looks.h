@@ -21,6 +21,6 @@ using Names = std::vector<std::string>;
 Looks common_looks(std::span<const Names> names_by_plot, std::size_t distinct_looks, std::size_t look_count);
 
 /// Gives series with the same name the same look in all charts.
-void give_common_looks(std::vector<Plot>& plots);
+void set_common_looks(std::vector<Plot>& plots);
 
 }  // namespace csgsim::plots

@@ -15,7 +15,7 @@ double side(const Pixel& a, const Pixel& b, const Pixel& c) {
 
 }  // namespace
 
-bool overlap(const Box& one, const Box& other) {
+bool boxes_overlap(const Box& one, const Box& other) {
   return one.left < other.right && other.left < one.right && one.top < other.bottom && other.top < one.bottom;
 }
 
@@ -24,11 +24,11 @@ bool is_within(const Box& inner, const Box& outer) {
          inner.bottom <= outer.bottom;
 }
 
-Box around(const Pixel& middle, double half_side) {
+Box square_around(const Pixel& middle, double half_side) {
   return {middle.x - half_side, middle.y - half_side, middle.x + half_side, middle.y + half_side};
 }
 
-bool meets(const Segment& segment, const Box& box) {
+bool segment_meets_box(const Segment& segment, const Box& box) {
   // Liang-Barsky: clips the segment against each pair of edges.
   double begin = 0;
   double end = 1;
@@ -46,7 +46,7 @@ bool meets(const Segment& segment, const Box& box) {
          cut(segment.from.y, segment.to.y - segment.from.y, box.top, box.bottom);
 }
 
-bool cross(const Segment& one, const Segment& other) {
+bool segments_cross(const Segment& one, const Segment& other) {
   return side(one.from, one.to, other.from) * side(one.from, one.to, other.to) < 0 &&
          side(other.from, other.to, one.from) * side(other.from, other.to, one.to) < 0;
 }

@@ -28,10 +28,10 @@ struct Box {
   bool operator==(const Box&) const = default;
 };
 
-[[nodiscard]] bool overlap(const Box& one, const Box& other);
+[[nodiscard]] bool boxes_overlap(const Box& one, const Box& other);
 [[nodiscard]] bool is_within(const Box& inner, const Box& outer);
 /// The square with centre `middle` and sides of 2 * half_side pixels.
-[[nodiscard]] Box around(const Pixel& middle, double half_side);
+[[nodiscard]] Box square_around(const Pixel& middle, double half_side);
 
 /// A straight line between two points.
 struct Segment {
@@ -42,8 +42,8 @@ struct Segment {
 };
 
 /// Whether part of a segment lies inside a box.
-[[nodiscard]] bool meets(const Segment& segment, const Box& box);
-[[nodiscard]] bool cross(const Segment& one, const Segment& other);
+[[nodiscard]] bool segment_meets_box(const Segment& segment, const Box& box);
+[[nodiscard]] bool segments_cross(const Segment& one, const Segment& other);
 
 struct Line {
   std::vector<Pixel> points;

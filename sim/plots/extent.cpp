@@ -45,7 +45,7 @@ Extent logarithmic_extent(double minimum, double maximum, bool has_zero) {
 
 }  // namespace
 
-double Extent::along(double value) const {
+double Extent::fraction_along(double value) const {
   const double shown = std::clamp(value, -max_shown, max_shown);
   if (!is_logarithmic) return (shown - low) / (high - low);
   if (shown <= 0) return place_of_zero;

@@ -18,7 +18,7 @@ struct Extent {
   bool has_zero = false;  ///< a logarithmic axis with a separate place for 0 before `low`
 
   /// Position of a value: 0 at the start of the axis, 1 at its end.
-  [[nodiscard]] double along(double value) const;
+  [[nodiscard]] double fraction_along(double value) const;
 
   /// Up to `max_count` ticks, plus one for 0 on a logarithmic axis; only whole numbers if `is_whole`.
   [[nodiscard]] std::vector<Tick> ticks(unsigned max_count, bool is_whole = false) const;

@@ -7,7 +7,7 @@
 
 namespace csgsim::plots {
 
-std::vector<std::filesystem::path> draw(std::span<const Plot> plots, const std::filesystem::path& folder) {
+std::vector<std::filesystem::path> write_plots(std::span<const Plot> plots, const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
   for (const Plot& plot : plots) {
     const Drawing drawing = lay_out(plot);

@@ -11,6 +11,6 @@
 namespace csgsim::plots {
 
 /// Writes folder/NAME.svg and folder/NAME.png (by gnuplot) for each plot and returns the files. Throws InputError.
-std::vector<std::filesystem::path> draw(std::span<const Plot> plots, const std::filesystem::path& folder);
+std::vector<std::filesystem::path> write_plots(std::span<const Plot> plots, const std::filesystem::path& folder);
 
 }  // namespace csgsim::plots

@@ -69,25 +69,27 @@ class Placer {
   /// Whether a mark of another point is so close to the box that the label could be read as belonging to it.
   [[nodiscard]] bool is_near_another(const Box& box, const Pixel& at, double distance) const {
     const Box wide{box.left - distance, box.top - distance, box.right + distance, box.bottom + distance};
-    return std::ranges::any_of(
-        around_.boxes, [&](const Box& one) { return overlap(one, wide) && !overlap(one, plots::around(at, 1)); });
+    return std::ranges::any_of(around_.boxes, [&](const Box& one) {
+      return boxes_overlap(one, wide) && !boxes_overlap(one, plots::square_around(at, 1));
+    });
   }
 
   [[nodiscard]] bool is_clear(const Box& box) const {
-    const auto is_hit = [&](const Segment& segment) { return meets(segment, box); };
+    const auto is_hit = [&](const Segment& segment) { return segment_meets_box(segment, box); };
     return is_within(box, around_.area) &&
-           std::ranges::none_of(around_.boxes, [&](const Box& one) { return overlap(one, box); }) &&
+           std::ranges::none_of(around_.boxes, [&](const Box& one) { return boxes_overlap(one, box); }) &&
            std::ranges::none_of(around_.segments, is_hit) &&
            std::ranges::none_of(placed_, [&](const PlacedLabel& label) {
-             return overlap(label.box, box) || (label.leader && is_hit(*label.leader));
+             return boxes_overlap(label.box, box) || (label.leader && is_hit(*label.leader));
            });
   }
 
   [[nodiscard]] bool is_clear(const Segment& leader) const {
-    const auto holds = [&](const Box& box) { return overlap(plots::around(leader.from, 0.01), box); };
-    return std::ranges::none_of(around_.boxes, [&](const Box& box) { return meets(leader, box) && !holds(box); }) &&
+    const auto holds = [&](const Box& box) { return boxes_overlap(plots::square_around(leader.from, 0.01), box); };
+    return std::ranges::none_of(around_.boxes,
+                                [&](const Box& box) { return segment_meets_box(leader, box) && !holds(box); }) &&
            std::ranges::none_of(placed_, [&](const PlacedLabel& label) {
-             return meets(leader, label.box) || (label.leader && cross(leader, *label.leader));
+             return segment_meets_box(leader, label.box) || (label.leader && segments_cross(leader, *label.leader));
            });
   }
 

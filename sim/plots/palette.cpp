@@ -27,7 +27,7 @@ double contrast(std::string_view one, std::string_view other) {
   return (light + 0.05) / (dark + 0.05);
 }
 
-std::string_view text_on(std::string_view colour) {
+std::string_view readable_text_colour(std::string_view colour) {
   constexpr std::string_view black = "#010101";
   constexpr std::string_view white = "#fefefe";
   return contrast(colour, black) > contrast(colour, white) ? black : white;

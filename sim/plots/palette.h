@@ -63,6 +63,6 @@ double contrast(std::string_view one, std::string_view other);
 
 /// The more readable text colour on `colour`: near black or near white, distinct from ink and paper, which a dark page
 /// swaps.
-std::string_view text_on(std::string_view colour);
+std::string_view readable_text_colour(std::string_view colour);
 
 }  // namespace csgsim::plots::palette

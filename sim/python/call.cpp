@@ -69,7 +69,7 @@ std::vector<session::OptionValue> command_options(const std::string& command) {
   if (row == studies.end())
     throw session::UsageError("there is no command or study '" + command + "'; csgsim.studies() lists the studies");
   session::OptionList list(command);
-  return studies::describe_for_caller(list, **row)->command.values();
+  return studies::add_library_study_options(list, **row)->command.values();
 }
 
 }  // namespace csgsim::python

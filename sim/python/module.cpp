@@ -54,13 +54,13 @@ Held make_held(isa::Program program, machines::Machine machine) {
 }
 
 /// A picture and its counts.
-struct Drawn {
+struct DrawnRun {
   observe::Frame frame;  ///< shows the requested surfaces
   nlohmann::ordered_json stats;
   Held held;
 };
 
-Drawn make_drawn(session::FinishedRun run, const session::RunRequest& options, Held held) {
+DrawnRun make_drawn(session::FinishedRun run, const session::RunRequest& options, Held held) {
   const bool is_of_opaque = options.surface == "opaque";
   return {is_of_opaque ? observe::with_opaque_surfaces(std::move(run.picture)) : std::move(run.picture),
           std::move(run.stats_file), std::move(held)};
@@ -84,7 +84,7 @@ std::unique_lock<std::mutex> lock_if_clocked(const session::RunRequest& options)
   return options.level == "cycle" ? std::unique_lock(clocked) : std::unique_lock<std::mutex>();
 }
 
-Drawn render_model(const Call& call, const Text& text) {
+DrawnRun render_model(const Call& call, const Text& text) {
   Read<session::RenderRequest> read(call);
   session::RenderRequest& request = read.request;
   session::RunOutputs outputs(request.run, request.model.inputs());
@@ -92,7 +92,7 @@ Drawn render_model(const Call& call, const Text& text) {
   const std::unique_lock alone = lock_if_clocked(request.run);
   session::FinishedRun run =
       session::finish_run(read.list, compiled.subject(request), request.run, outputs,
-                          session::advice_of(request, compiled), session::judge_of(request, compiled), {}, true);
+                          session::advice_of(request, compiled), session::make_judge(request, compiled), {}, true);
   return make_drawn(std::move(run), request.run,
                     make_held(std::move(compiled.model.program), std::move(compiled.machine)));
 }
@@ -104,12 +104,13 @@ Held compile_program(const Call& call, const Text& text) {
   return make_held(std::move(compiled.model.program), std::move(compiled.machine));
 }
 
-Drawn run_program(const Call& call, const Held& program) {
+DrawnRun run_program(const Call& call, const Held& program) {
   const Read<session::ProgramRequest> read(call);
   const session::ProgramRequest& request = read.request;
   session::refuse_misuse(request);
   session::RunOutputs outputs(request.run, request.files_read());
-  session::Loaded loaded = session::load(request, {.text = {}, .program = program ? &program->program : nullptr});
+  session::LoadedProgram loaded =
+      session::load(request, {.text = {}, .program = program ? &program->program : nullptr});
   const std::unique_lock alone = lock_if_clocked(request.run);
   session::FinishedRun run =
       session::finish_run(read.list, loaded.subject(), request.run, outputs,
@@ -117,9 +118,9 @@ Drawn run_program(const Call& call, const Held& program) {
   return make_drawn(std::move(run), request.run, make_held(std::move(loaded.program), std::move(loaded.machine)));
 }
 
-story::Answer explain_pixel(const Call& call, const Text& text, const Held& program) {
+story::PixelExplanation explain_pixel(const Call& call, const Text& text, const Held& program) {
   const Read<session::ExplainRequest> read(call);
-  const session::InPlace in_place{text, program ? &program->program : nullptr};
+  const session::ContentReplacement in_place{text, program ? &program->program : nullptr};
   session::refuse_misuse(read.request, read.list, in_place);
   return session::explain(read.request, read.list, in_place);
 }
@@ -131,12 +132,12 @@ nlohmann::ordered_json run_study(const Call& call) {
   if (row == rows.end())
     throw session::UsageError("there is no study '" + call.command + "'; csgsim.studies() lists them");
   session::OptionList list(call.command);
-  const std::shared_ptr<studies::StudyCommand> study_command = studies::describe_for_caller(list, **row);
+  const std::shared_ptr<studies::StudyCommand> study_command = studies::add_library_study_options(list, **row);
   give(call, list);
-  return nlohmann::ordered_json::parse(studies::conduct(*study_command));
+  return nlohmann::ordered_json::parse(studies::run_study_to_json(*study_command));
 }
 
-py::dict to_dict(const Drawn& drawn) {
+py::dict to_dict(const DrawnRun& drawn) {
   py::dict dict;
   dict["picture"] = picture_array(drawn.frame, drawn.held->program);
   dict["depth"] = depth_array(drawn.frame, drawn.held->program);
@@ -255,7 +256,7 @@ void define_program(py::module_& module) {
       .def("save", &save)
       .def("text", &text_of)
       .def("instructions", [](const Held& held) { return instruction_list(held->program, held->machine); })
-      .def("__len__", [](const Held& held) { return csgsim::isa::first_numbers(held->program).back(); })
+      .def("__len__", [](const Held& held) { return csgsim::isa::first_instruction_numbers(held->program).back(); })
       .def("fields", &field_list)
       .def("primitives", [](const Held& held) { return held->program.facts->primitives; })
       .def("size", [](const Held& held) { return std::pair(held->program.shape.width, held->program.shape.height); })

@@ -74,7 +74,7 @@ py::array picture_array(const observe::Frame& frame, const isa::Program& program
 py::array depth_array(const observe::Frame& frame, const isa::Program& program) {
   py::array_t<double> depth = image<double>(frame);
   double* at = depth.mutable_data();
-  const unsigned bits = isa::field_of(program, isa::FieldRole::depth).width;
+  const unsigned bits = isa::find_field(program, isa::FieldRole::depth).width;
   for (const std::uint32_t step : frame.depth) *at++ = isa::distance_of(program.facts->depth_scale, bits, step);
   return depth;
 }

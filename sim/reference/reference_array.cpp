@@ -37,7 +37,7 @@ std::uint64_t integer_root(std::uint64_t square) {
 }
 
 /// The result of the instruction `root` for a field of 2w + 1 bits.
-std::uint64_t with_root(std::uint64_t field, unsigned w) {
+std::uint64_t make_rooted_tree(std::uint64_t field, unsigned w) {
   const std::uint64_t square = field & low_bits(2 * w);
   const std::uint64_t root = integer_root(square);
   const std::uint64_t odd = root | 1U;
@@ -95,7 +95,7 @@ void ReferenceArray::at_enabled(const Act& act) {
 template <class Act>
 void ReferenceArray::at_enabled_with_f(const isa::Instruction& instruction, const Act& act) {
   const isa::Linear& linear = instruction.linear;
-  const bool has_to_fit = !isa::cuts_sum(instruction.opcode);
+  const bool has_to_fit = !isa::may_exceed_width(instruction.opcode);
   const bool has_squares = squares_ != isa::Linear{};
   at_enabled([&](std::size_t pixel, std::uint32_t x, std::uint32_t y) {
     Wide sum = exact_sum(linear, x, y);
@@ -195,7 +195,7 @@ void ReferenceArray::apply(const isa::Instruction& instruction) {
     case Opcode::add: return store([&](auto p) { return bits(p, first) + bits(p, second); });
     case Opcode::linear_plus: return store_with_f([](auto f, auto t) { return f + t; });
     case Opcode::linear_minus: return store_with_f([](auto f, auto t) { return f - t; });
-    case Opcode::root: return store([&](auto p) { return with_root(bits(p, first), first.width / 2U); });
+    case Opcode::root: return store([&](auto p) { return make_rooted_tree(bits(p, first), first.width / 2U); });
   }
 }
 

@@ -67,7 +67,7 @@ void ReferenceRun::advance(std::uint64_t number, std::span<engine::Observer* con
 }
 
 void ReferenceRun::execute(std::span<engine::Observer* const> observers) {
-  end_if_interrupted();
+  throw_if_interrupted();
   const isa::Instruction& instruction = program_.segments[place_.segment].instructions[place_.index];
   const std::uint64_t enabled = array_.enabled_pixels();
   met_.before(place_, instruction, array_);
@@ -77,7 +77,7 @@ void ReferenceRun::execute(std::span<engine::Observer* const> observers) {
   engine::Step step{place_.segment, place_.index, instruction, machines::clocks(instruction, machine_), enabled};
   if (met_.is_needed()) {
     step.at_pixels = machine_.kind->clocks_at_pixels(program_.segments[place_.segment], place_.index, machine_,
-                                                     &met_.met(place_.segment));
+                                                     &met_.pixel_activity(place_.segment));
   }
   for (engine::Observer* observer : observers) observer->after_instruction(step, array_);
   if (instruction.opcode == isa::Opcode::skip_if_none && enabled == 0) {
@@ -141,18 +141,18 @@ void ReferenceRun::restore(const engine::RunState& state) {
 }
 
 /// A run resumed from a saved state lacks the earlier part, so the whole Program is run again.
-std::vector<machines::PixelActivity> ReferenceRun::met_pixels() const {
-  if (const std::vector<machines::PixelActivity>* const met = met_.met()) return *met;
+std::vector<machines::PixelActivity> ReferenceRun::pixel_activity() const {
+  if (const std::vector<machines::PixelActivity>* const pixel_activity = met_.pixel_activity()) return *pixel_activity;
   ReferenceRun whole(program_, machine_);
   whole.advance(end, {});
-  return whole.met_pixels();
+  return whole.pixel_activity();
 }
 
 engine::RunResult ReferenceRun::result() const {
   engine::RunResult result = result_;
   result.overflows += array_.overflows();
   result.skips = skips_;
-  result.met = met_pixels();
+  result.pixel_activity = pixel_activity();
   put(host::time_frame(program_, machine_, engine::run_outcome(result)), result);
   return result;
 }

@@ -52,7 +52,7 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-std::string owner_runs(std::span<const std::uint32_t> owners) {
+std::string encode_owner_runs(std::span<const std::uint32_t> owners) {
   std::string bytes;
   for (std::size_t i = 0; i < owners.size();) {
     const std::size_t end = run_end(i, owners.size(), [&](std::size_t at) { return owners[at]; });

@@ -19,7 +19,7 @@ std::uint64_t read_varint(std::string_view& bytes);
 std::string base64(std::string_view bytes);
 
 /// Run lengths as varints: number of pixels and value + 1 in turn, where no_owner becomes 0.
-std::string owner_runs(std::span<const std::uint32_t> owners);
+std::string encode_owner_runs(std::span<const std::uint32_t> owners);
 
 /// The exclusive or that turns `before` into `after`, in the form of DrawingStep::changes. Both have the same length.
 std::string encode_changes(std::span<const std::uint32_t> before, std::span<const std::uint32_t> after);

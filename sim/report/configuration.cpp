@@ -21,7 +21,7 @@ void add_leaves(const Json& value, const std::string& at, const std::string& nam
   if (value.is_null()) return;
   if (value.is_object() && !value.empty()) {
     for (const auto& [key, one] : value.items())
-      add_leaves(one, child(at, key), name.empty() ? key : fmt::format("{}.{}", name, key), table);
+      add_leaves(one, child_pointer(at, key), name.empty() ? key : fmt::format("{}.{}", name, key), table);
   } else if (value.is_array() && value.size() <= max_elements && !is_list_of_leaves(value)) {
     for (std::size_t i = 0; i < value.size(); ++i)
       add_leaves(value[i], at + "/" + std::to_string(i), name + "[" + std::to_string(i) + "]", table);
@@ -34,7 +34,7 @@ void add_leaves(const Json& value, const std::string& at, const std::string& nam
 
 }  // namespace
 
-Table leaves(const Json& data, const std::string& at, const std::string& caption) {
+Table leaf_table(const Json& data, const std::string& at, const std::string& caption) {
   Table table{caption, {"key", "value"}, {}, true};
   const Json::json_pointer pointer(at);
   if (data.contains(pointer)) add_leaves(data.at(pointer), at, "", table);
@@ -57,7 +57,7 @@ Table machine_table(const Json& machine) {
 Section configuration_section(const Json& data, const Context& context) {
   Section section{"Configuration", {}};
   if (data.contains("configuration")) {
-    section.parts.emplace_back(leaves(data, "/configuration", "Effective configuration"));
+    section.parts.emplace_back(leaf_table(data, "/configuration", "Effective configuration"));
     return section;
   }
   Table options{"Options, given or default", {"option", "value"}, {}, true};

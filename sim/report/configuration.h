@@ -20,7 +20,7 @@ struct Context {
 
 /// The leaves of the data at a JSON pointer as rows named by their keys, as in `array.width`, without nulls. A long
 /// list appears as its length.
-Table leaves(const Json& data, const std::string& pointer, const std::string& caption);
+Table leaf_table(const Json& data, const std::string& pointer, const std::string& caption);
 
 /// The section on the inputs of the data: `configuration` of the data if present, otherwise the command's options.
 Section configuration_section(const Json& data, const Context& context);

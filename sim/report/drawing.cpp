@@ -95,7 +95,7 @@ class Recorder {
     DrawingStep step{numbers_.of(run_->place()), "", "", progress_.clocks(), look(run_->place().segment, *run_), ""};
     if (progress_.last()) {
       step.text = isa::text_of(*progress_.last(), program_.facts->fields);
-      step.serves = served_by(*progress_.last(), *program_.facts);
+      step.serves = purpose_text(*progress_.last(), *program_.facts);
     }
     step.changes = encode_changes(kept_, states_);
     kept_ = states_;
@@ -232,7 +232,7 @@ Drawing record_work(const isa::Program& program, const machines::Machine& machin
 
 }  // namespace
 
-std::string served_by(const isa::Instruction& instruction, const isa::Facts& facts) {
+std::string purpose_text(const isa::Instruction& instruction, const isa::Facts& facts) {
   const isa::Origin& origin = instruction.origin;
   std::string text(isa::info(origin.purpose).name);
   if (origin.primitive != isa::no_primitive) text += " " + isa::piece_name(facts, origin.primitive);

@@ -54,7 +54,7 @@ struct DrawingLimits {
 };
 
 /// Text of the purpose of an instruction, and of the pieces of primitives for which it works.
-std::string served_by(const isa::Instruction& instruction, const isa::Facts& facts);
+std::string purpose_text(const isa::Instruction& instruction, const isa::Facts& facts);
 
 /// Runs the Program at the functional level and records what it draws. If the steps exceed the limits, every second one
 /// is removed until they do not, and `summary` mentions it. The first and the last step always stay. The result

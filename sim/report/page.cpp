@@ -14,7 +14,9 @@ std::string pointer_part(std::string key) {
 
 }  // namespace
 
-std::string child(const std::string& pointer, const std::string& key) { return pointer + "/" + pointer_part(key); }
+std::string child_pointer(const std::string& pointer, const std::string& key) {
+  return pointer + "/" + pointer_part(key);
+}
 
 Cell cell(const Json& data, const std::string& at, Show show) {
   const Json::json_pointer pointer(at);

@@ -32,7 +32,7 @@ struct Cell {
 Cell cell(const Json& data, const std::string& pointer, Show show = Show::plain);
 
 /// The JSON pointer of the member `key` of the value at `pointer`.
-std::string child(const std::string& pointer, const std::string& key);
+std::string child_pointer(const std::string& pointer, const std::string& key);
 
 /// The quotient of two numbers as a share; 0 if the whole is 0.
 Cell share(const Json& part, double whole);

@@ -35,8 +35,9 @@ std::string owners_html(const OwnerPicture& owners) {
 }
 
 Json owners_json(const OwnerPicture& owners) {
-  return {
-      {"width", owners.picture.width}, {"height", owners.picture.height}, {"runs", base64(owner_runs(owners.owner))}};
+  return {{"width", owners.picture.width},
+          {"height", owners.picture.height},
+          {"runs", base64(encode_owner_runs(owners.owner))}};
 }
 
 std::string drawing_html(const Drawing& drawing, const std::string& id) {

@@ -41,7 +41,7 @@ Table account_of(const Json& data, const std::string& at, const char* caption, c
   Table table{caption, {what, "clocks", "share", "instructions", "pixel operations", "of these enabled"}, {}};
   const Json& account = data.at(Json::json_pointer(at));
   for (const auto& [name, cost] : account.items()) {
-    const std::string here = child(at, name);
+    const std::string here = child_pointer(at, name);
     table.rows.push_back({{name},
                           cell(data, here + "/clocks"),
                           share(cost["clocks"], whole),
@@ -62,8 +62,10 @@ Table parts_of_machine(const Json& data) {
       if (clocks == 0) continue;
       std::string words = activity;
       std::replace(words.begin(), words.end(), '_', ' ');
-      table.rows.push_back(
-          {{part}, {words}, cell(data, child(child("/account/parts", part), activity)), share(clocks, whole)});
+      table.rows.push_back({{part},
+                            {words},
+                            cell(data, child_pointer(child_pointer("/account/parts", part), activity)),
+                            share(clocks, whole)});
     }
   }
   return table;
@@ -92,7 +94,7 @@ OwnerPicture owner_picture(const Json& data, const observe::Frame& frame, const 
       owners_of(of_primitives, "Visible primitives, one colour each",
                 "The same view with one colour per primitive; the table of primitives lists their costs"),
       of_primitives.owner,
-      most_expensive_first(data),
+      primitives_by_cost(data),
       {"Primitives, most expensive first",
        {"primitive", "line:column", "clocks", "share", "pixels seen", "pieces", "instructions"},
        {}}};

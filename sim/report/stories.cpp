@@ -48,7 +48,7 @@ std::uint32_t primitive_seen(const isa::Facts& facts, const story::Story& story)
 
 }  // namespace
 
-std::vector<std::uint32_t> most_expensive_first(const Json& stats) {
+std::vector<std::uint32_t> primitives_by_cost(const Json& stats) {
   const Json& primitives = stats["by_primitive"];
   std::vector<std::uint32_t> order(primitives.size());
   std::iota(order.begin(), order.end(), 0U);

@@ -20,7 +20,7 @@ struct StoryLimits {
 };
 
 /// Primitives by their clocks in a run's stats, most expensive first.
-std::vector<std::uint32_t> most_expensive_first(const Json& stats);
+std::vector<std::uint32_t> primitives_by_cost(const Json& stats);
 
 /// One pixel for each of these owners that is visible, in their order: the pixel farthest, in rows plus columns, from
 /// pixels of other owners and from the border; of several, the middle one in row order. `owner` has the owner of each

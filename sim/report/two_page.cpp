@@ -46,7 +46,7 @@ Table account(const Json& data, const std::string& at, const char* caption, cons
     const Json::json_pointer pointer(side + at);
     if (!data.contains(pointer)) return;
     for (const auto& [name, cost] : data.at(pointer).items()) {
-      const std::string key = child(at, name);
+      const std::string key = child_pointer(at, name);
       if (!only || !data.contains(Json::json_pointer(other + key)))
         table.rows.push_back(row_of(name, data, key + "/clocks"));
     }
@@ -85,7 +85,7 @@ std::vector<std::size_t> pixels_of_stories(const ShownRun& a, const FirstDiffere
   if (first.pixel) pixels.push_back(*first.pixel);
   if (difference.pixels > 0) pixels.push_back(difference.first);
   add_central(difference.differs, std::array{std::uint32_t{1}});
-  std::vector<std::uint32_t> owners = most_expensive_first(a.stats);
+  std::vector<std::uint32_t> owners = primitives_by_cost(a.stats);
   owners.insert(owners.begin(), observe::no_owner);
   add_central(observe::with_primitive_owners(a.drawn.frame, *a.drawn.program.facts).owner, owners);
   return pixels;

@@ -106,7 +106,7 @@ TraceSummary write_trace(const isa::Program& program, const machines::Machine& m
   machines::set_picture_size(drawing, {program.shape.width, program.shape.height});
   const Frame frame{.program = program,
                     .machine = drawing,
-                    .figures = machines::own<bit_serial_memory::Figures>(drawing),
+                    .figures = machines::kind_figures<bit_serial_memory::Figures>(drawing),
                     .map = {drawing.array.memory_bits, program.shape.width, program.shape.height},
                     .slots = bit_serial_memory::slots_of(drawing),
                     .set = command_set};

@@ -41,7 +41,7 @@ std::vector<Parameter> verilog_parameters(const machines::Machine& machine, cons
   refuse_other_kind(machine);
   refuse_above_one(machine, "evaluator.bits", machine.evaluator_bits);
   refuse_above_one(machine, "evaluator.register_levels", machine.register_levels);
-  const auto& own = machines::own<pixel_planes::Figures>(machine);
+  const auto& own = machines::kind_figures<pixel_planes::Figures>(machine);
   const bool is_shared = own.scan_out_port == pixel_planes::ScanOutPort::shared;
   const bool has_roots = machine.evaluator_degree == 2 || (program != nullptr && takes_root(*program));
   const std::uint32_t pixels = machine.array.width * machine.array.height;

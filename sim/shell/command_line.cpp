@@ -102,7 +102,7 @@ Command& CommandLine::add(const std::string& name, std::string_view subject, con
   return command;
 }
 
-Command* CommandLine::command_named(std::string_view name) {
+Command* CommandLine::find_command(std::string_view name) {
   const auto found = std::ranges::find(commands_, name, &Command::name);
   return found == commands_.end() ? nullptr : &*found;
 }
@@ -119,7 +119,7 @@ std::vector<SettableOption> CommandLine::options_of(std::string_view command) co
 }
 
 CommandLine::Read CommandLine::read_words(std::span<const std::string> arguments, bool takes_settings) {
-  Read read{arguments.size() < 2 ? nullptr : command_named(arguments[1]), {}};
+  Read read{arguments.size() < 2 ? nullptr : find_command(arguments[1]), {}};
   if (read.command == nullptr) throw UsageError(unknown_command_message(arguments, command_names()));
   read.command->clear();
   const std::span<const std::string> words = arguments.subspan(2);
@@ -145,7 +145,7 @@ CommandLine::Read CommandLine::read_words(std::span<const std::string> arguments
   return read;
 }
 
-std::vector<Setting> CommandLine::settings_in(const std::string& file, const Command& command) const {
+std::vector<Setting> CommandLine::read_command_settings(const std::string& file, const Command& command) const {
   if (file.empty()) return {};
   std::vector<SettableCommand> known;
   for (const Command& one : commands_)
@@ -153,20 +153,20 @@ std::vector<Setting> CommandLine::settings_in(const std::string& file, const Com
   return read_settings(read_file(file, settings_input), file, known, command.name());
 }
 
-void CommandLine::carry_out(std::span<const std::string> arguments, const std::function<void()>& act) {
+void CommandLine::run_with_error_context(std::span<const std::string> arguments, const std::function<void()>& act) {
   try {
     act();
   } catch (const UsageError& error) {
-    const Command* const command = arguments.size() < 2 ? nullptr : command_named(arguments[1]);
+    const Command* const command = arguments.size() < 2 ? nullptr : find_command(arguments[1]);
     const std::string place = command == nullptr ? "" : command->place_of(error.what());
     if (!place.empty()) throw InputError(place + ": " + error.what());
-    throw UsageError(command == nullptr ? error.what() : with_help(error.what(), command->name()));
+    throw UsageError(command == nullptr ? error.what() : with_help_hint(error.what(), command->name()));
   }
 }
 
 /// Prints the help of the command named by the second word, or that of the program.
 void CommandLine::print_help(std::span<const std::string> words) const {
-  if (words.size() < 2) return fmt::print("{}", overview_text(description_, make_helps(commands_)));
+  if (words.size() < 2) return fmt::print("{}", overview_text(description_, make_command_helps(commands_)));
   const auto found = std::ranges::find(commands_, words[1], &Command::name);
   if (found == commands_.end()) throw UsageError(unknown_command_message(words, command_names()));
   fmt::print("{}", help_text(make_help(*found)));
@@ -174,7 +174,7 @@ void CommandLine::print_help(std::span<const std::string> words) const {
 
 /// Executes --help, --version or --describe if it is the first argument after the program's name; returns whether it
 /// is.
-bool CommandLine::handle_program_options(std::span<const std::string> arguments) const {
+bool CommandLine::try_program_options(std::span<const std::string> arguments) const {
   if (arguments.size() < 2) return false;
   const std::string_view first = arguments[1];
   constexpr std::string_view describing = "--describe";
@@ -193,12 +193,12 @@ bool CommandLine::handle_program_options(std::span<const std::string> arguments)
 
 void CommandLine::run(std::span<char* const> arguments) {
   const std::vector<std::string> words(arguments.begin(), arguments.end());
-  if (handle_program_options(words)) return;
-  carry_out(words, [&] {
+  if (try_program_options(words)) return;
+  run_with_error_context(words, [&] {
     const Read read = read_words(words, true);
     Command& command = *read.command;
     if (read.wants_help) return fmt::print("{}", help_text(make_help(command)));
-    give(settings_in(read.settings_file, command), command);
+    give(read_command_settings(read.settings_file, command), command);
     if (read.wants_dump) {
       command.apply_given();
       return fmt::print("{}", settings_text(command.name(), command.values()));
@@ -212,7 +212,7 @@ void CommandLine::run(std::span<char* const> arguments) {
 
 void CommandLine::run(std::vector<std::string> words, std::span<const Setting> settings, const RunWatch& watch) {
   words.insert(words.begin(), program_);
-  carry_out(words, [&] {
+  run_with_error_context(words, [&] {
     Command& command = *read_words(words, false).command;
     give(settings, command);
     command.watch = watch;

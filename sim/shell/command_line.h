@@ -64,13 +64,13 @@ class CommandLine {
  private:
   struct Read;
 
-  [[nodiscard]] Command* command_named(std::string_view name);
+  [[nodiscard]] Command* find_command(std::string_view name);
   [[nodiscard]] Read read_words(std::span<const std::string> arguments, bool takes_settings);
   [[nodiscard]] std::vector<std::string> command_names() const;
   void print_help(std::span<const std::string> words) const;
-  [[nodiscard]] bool handle_program_options(std::span<const std::string> arguments) const;
-  [[nodiscard]] std::vector<Setting> settings_in(const std::string& file, const Command& command) const;
-  void carry_out(std::span<const std::string> arguments, const std::function<void()>& act);
+  [[nodiscard]] bool try_program_options(std::span<const std::string> arguments) const;
+  [[nodiscard]] std::vector<Setting> read_command_settings(const std::string& file, const Command& command) const;
+  void run_with_error_context(std::span<const std::string> arguments, const std::function<void()>& act);
 
   std::string description_;
   std::string program_;

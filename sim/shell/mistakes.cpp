@@ -82,8 +82,8 @@ std::string command_for_file(Words arguments) {
     return session::shell_command(with_command_first(command, arguments));
   };
   if (session::has_model_name(file)) return fmt::format("{} is a model; to draw it: {}", shown, line("render"));
-  if (session::ends_in(file, ".csgt")) return fmt::format("{} is a Program; to run it: {}", shown, line("run"));
-  if (session::ends_in(file, ".json"))
+  if (session::has_extension(file, ".csgt")) return fmt::format("{} is a Program; to run it: {}", shown, line("run"));
+  if (session::has_extension(file, ".json"))
     return fmt::format("{} is no command; to repeat the run of a stats file: {}", shown, line("rerun"));
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored))
@@ -165,8 +165,8 @@ std::string probable_words(const Extra& extra, const OptionList& command, Words 
   if (is_setting && extra.before.find('=') == extra.before.npos)
     return fmt::format("{} {}={}", extra.before_before, extra.before, extra.word);
   const bool has_output = is_one_of("-o", words) || is_one_of("--output", words);
-  const bool is_picture = session::ends_in(extra.word, ".png") || session::ends_in(extra.word, ".tif") ||
-                          session::ends_in(extra.word, ".ppm") || session::ends_in(extra.word, ".gif");
+  const bool is_picture = session::has_extension(extra.word, ".png") || session::has_extension(extra.word, ".tif") ||
+                          session::has_extension(extra.word, ".ppm") || session::has_extension(extra.word, ".gif");
   if (is_picture && !has_output && is_one_of("-o", names)) return "-o " + extra.word;
   return {};
 }
@@ -208,9 +208,9 @@ std::string unknown_command_message(Words arguments, Words commands) {
   const std::string shown =
       first.starts_with('-') ? "option " + printable(first) : fmt::format("command '{}'", printable(first));
   if (!instead.empty()) return fmt::format("there is no {}; did you mean {}? see csgsim --help", shown, instead);
-  if (first.starts_with('-')) return with_help(leading_option_message(arguments, commands), "");
+  if (first.starts_with('-')) return with_help_hint(leading_option_message(arguments, commands), "");
   if (std::string message = command_for_file(arguments); !message.empty()) return message;
-  return with_help(fmt::format("there is no {};{}", shown, session::did_you_mean(first, commands)), "");
+  return with_help_hint(fmt::format("there is no {};{}", shown, session::did_you_mean(first, commands)), "");
 }
 
 std::string missing_value_message(const OptionList& command, Words words) {
@@ -252,7 +252,7 @@ std::string unreadable_word_message(const OptionList& command, Words words) {
   return {};
 }
 
-std::string with_help(const std::string& message, std::string_view command) {
+std::string with_help_hint(const std::string& message, std::string_view command) {
   if (message.ends_with("--help")) return message;
   const std::string_view link = message.ends_with('?') || message.ends_with(';') ? "" : ";";
   return fmt::format("{}{} see csgsim {}{}--help", message, link, command, command.empty() ? "" : " ");

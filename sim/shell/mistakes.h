@@ -23,6 +23,6 @@ std::string missing_value_message(const session::OptionList& command, std::span<
 std::string unreadable_word_message(const session::OptionList& command, std::span<const std::string> words);
 
 /// The message, followed by the command that prints the help, unless the message names one.
-std::string with_help(const std::string& message, std::string_view command);
+std::string with_help_hint(const std::string& message, std::string_view command);
 
 }  // namespace csgsim::shell

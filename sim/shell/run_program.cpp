@@ -4,7 +4,7 @@
 
 namespace csgsim::shell {
 
-void add_verbose(OptionList& options, RunRequest& request) {
+void add_verbose_option(OptionList& options, RunRequest& request) {
   options.flag("--verbose", request.verbose, "Print also all counts, the most expensive primitives and all advice");
 }
 
@@ -12,7 +12,7 @@ void run_program(const OptionList& options, const RunSubject& subject, const Run
                  const Advice& advice, const Judge& judge, const CheckpointOptions& checkpoints) {
   const FinishedRun run = finish_run(options, subject, request, outputs, advice, judge, checkpoints);
   const observe::Report report = run.report(subject);
-  print_first_lines(report, request.picture, advice, run.verdict, request.verbose);
+  print_run_summary(report, request.picture, advice, run.verdict, request.verbose);
   if (request.verbose) print_details(report, run.picture, advice);
   if (options.watch.after) options.watch.after(run.stats_file);
 }

@@ -9,7 +9,7 @@ namespace csgsim::shell {
 using namespace session;
 
 /// Adds --verbose.
-void add_verbose(OptionList& options, RunRequest& request);
+void add_verbose_option(OptionList& options, RunRequest& request);
 
 /// Runs the Program at the requested level, writes the requested files and prints the summary. The verdict of a judge,
 /// if there is one, goes into the stats under `accuracy`; all inputs of the run are under `configuration`. `advice`

@@ -38,11 +38,11 @@ void print_machine(const observe::Report& report) {
   print_line("machine", fmt::format("{}, {} x {} pixel processors of {} bits at {}, {} level", machine.name,
                                     machine.array.width, machine.array.height, machine.array.memory_bits,
                                     quantity(static_cast<double>(machine.clock_hz), "Hz"), report.level));
-  const std::vector<std::string> ideal = machines::idealisations(machine);
+  const std::vector<std::string> ideal = machines::ideal_parameters(machine);
   if (!ideal.empty()) print_line("ideal", fmt::format("{}", fmt::join(ideal, ", ")));
 }
 
-std::string shown_text(const observe::Report& report, const std::optional<observe::Bound>& bound) {
+std::string shown_text(const observe::Report& report, const std::optional<observe::Bottleneck>& bound) {
   const std::string rate =
       "at " + observe::rate_text(engine::frame_rates(report.result, report.machine).hardware) + " frames/s";
   return bound ? rate + ", " + bound->limit : rate;
@@ -58,10 +58,10 @@ std::string with_indefinite_article(std::string_view name) {
 }
 
 /// Text of the host's time for the model and per frame, and of the frame rate if the host limits it.
-std::string host_text(const observe::Report& report, const std::optional<observe::Bound>& bound) {
+std::string host_text(const observe::Report& report, const std::optional<observe::Bottleneck>& bound) {
   const machines::Machine& machine = report.machine;
   if (machine.host.processor == machines::ideal_processor) return "ideal: needs no time";
-  const std::uint32_t count = machine.kind->hosts(machine);
+  const std::uint32_t count = machine.kind->host_processor_count(machine);
   const std::string_view name = machines::host_processor_names.at(machine.host.processor);
   std::string text = count == 1 ? with_indefinite_article(name) + " needs" : fmt::format("{} {} need", count, name);
   if (const std::uint64_t clocks = report.result.host_model_clocks; clocks > 0)
@@ -213,11 +213,11 @@ void print_knobs(const observe::Report& report, const Advice& advice) {
 
 }  // namespace
 
-void print_first_lines(const observe::Report& report, const std::string& picture, const Advice& advice,
+void print_run_summary(const observe::Report& report, const std::string& picture, const Advice& advice,
                        std::string_view verdict, bool is_verbose) {
   const isa::ModelFacts& model = report.program.facts->model;
   const machines::Machine& machine = report.machine;
-  const std::optional<observe::Bound> bound = observe::bound_of(report.result, machine);
+  const std::optional<observe::Bottleneck> bound = observe::find_bottleneck(report.result, machine);
   print_line("picture", picture_text(picture));
   print_line("model", count_text(model.primitives, "primitive") + ", " + count_text(model.halfspaces, "half-space"));
   print_machine(report);

@@ -15,7 +15,7 @@ using namespace session;
 
 /// Prints the summary of a run: the picture's file, the model, the machine, the times, the host, the memory, the
 /// judge's verdict and advice; at most 12 lines. `is_verbose`: print_details follows.
-void print_first_lines(const observe::Report& report, const std::string& picture, const Advice& advice,
+void print_run_summary(const observe::Report& report, const std::string& picture, const Advice& advice,
                        std::string_view verdict, bool is_verbose);
 
 /// Prints the counts of a run, its most expensive primitives, and all changes that help.

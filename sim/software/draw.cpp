@@ -15,16 +15,18 @@ namespace csgsim::software {
 
 namespace {
 
-std::span<Seen> rows_of(Picture& picture, const RayBand& band) {
+std::span<VisibleSurface> rows_of(Picture& picture, const RayBand& band) {
   return std::span(picture.seen).subspan(std::size_t{band.first_row} * band.width, band.rays());
 }
 
-Picture blank(const RayCaster& rays) { return {std::vector<Seen>(std::size_t{rays.width()} * rays.height())}; }
+Picture blank_machine(const RayCaster& rays) {
+  return {std::vector<VisibleSurface>(std::size_t{rays.width()} * rays.height())};
+}
 
 }  // namespace
 
 Picture draw(const RayCaster& rays, Method& method, RayCounts* counts) {
-  Picture picture = blank(rays);
+  Picture picture = blank_machine(rays);
   RayBand band;
   for (std::uint32_t row = 0; row < rays.height(); row += band_rows) {
     rays.cast(row, band, counts);
@@ -33,12 +35,12 @@ Picture draw(const RayCaster& rays, Method& method, RayCounts* counts) {
   return picture;
 }
 
-Seconds timed(const RayCaster& rays, const std::function<std::unique_ptr<Method>()>& make) {
+Seconds measure_seconds(const RayCaster& rays, const std::function<std::unique_ptr<Method>()>& make) {
   constexpr unsigned max_runs = 5;
   constexpr double enough = 0.2;
   constexpr double never = std::numeric_limits<double>::infinity();
   Seconds min_seconds{never, never};
-  Picture picture = blank(rays);
+  Picture picture = blank_machine(rays);
   RayBand band;
   double spent = 0;
   for (unsigned i = 0; i < max_runs && spent < enough; ++i) {
@@ -63,10 +65,10 @@ std::string hash_of(const Picture& picture) {
   Hash hash;
   std::vector<std::uint32_t> values;
   values.reserve(picture.seen.size());
-  for (const Seen& seen : picture.seen) values.push_back(seen.depth);
+  for (const VisibleSurface& seen : picture.seen) values.push_back(seen.depth);
   hash.add(values);
   values.clear();
-  for (const Seen& seen : picture.seen) values.push_back(seen.owner);
+  for (const VisibleSurface& seen : picture.seen) values.push_back(seen.owner);
   hash.add(values);
   return hash.text();
 }

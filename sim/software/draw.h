@@ -16,7 +16,7 @@ namespace csgsim::software {
 
 /// The visible surface at each pixel, row by row.
 struct Picture {
-  std::vector<Seen> seen;
+  std::vector<VisibleSurface> seen;
 };
 
 /// Draws a picture band by band. If `counts` is given, the cost of the rays is added to it.
@@ -30,7 +30,7 @@ struct Seconds {
 
 /// Draws the picture repeatedly, up to five times or until 0.2 seconds have passed, and returns the minimum time of
 /// each part.
-Seconds timed(const RayCaster& rays, const std::function<std::unique_ptr<Method>()>& make);
+Seconds measure_seconds(const RayCaster& rays, const std::function<std::unique_ptr<Method>()>& make);
 
 /// Hash of depth and owner of every pixel.
 std::string hash_of(const Picture& picture);

@@ -13,15 +13,15 @@ std::size_t Surveyor::Hash::operator()(const std::vector<std::uint32_t>& sequenc
   return hash.value();
 }
 
-void Surveyor::add(const RayBand& band, std::span<const Seen> seen) {
+void Surveyor::add(const RayBand& band, std::span<const VisibleSurface> seen) {
   for (std::size_t ray = 0; ray < band.rays(); ++ray) add_ray(band.events_of(ray), seen[ray]);
 }
 
-void Surveyor::add_ray(std::span<const Event> events, const Seen& seen) {
+void Surveyor::add_ray(std::span<const Event> events, const VisibleSurface& seen) {
   ++survey_.rays;
   if (events.empty()) return;
   ++survey_.met;
-  if (seen.owner != Seen::nothing_seen) ++survey_.hits;
+  if (seen.owner != VisibleSurface::nothing_seen) ++survey_.hits;
   sequence_.clear();
   std::uint64_t points = 0;
   for (std::size_t i = 0; i < events.size() && events[i].depth <= seen.depth; ++i) {

@@ -28,7 +28,7 @@ struct Survey {
 /// Collects statistics of rays in the order of pixels.
 class Surveyor {
  public:
-  void add(const RayBand& band, std::span<const Seen> seen);
+  void add(const RayBand& band, std::span<const VisibleSurface> seen);
   [[nodiscard]] Survey result() const;
 
  private:
@@ -36,7 +36,7 @@ class Surveyor {
     std::size_t operator()(const std::vector<std::uint32_t>& sequence) const;
   };
 
-  void add_ray(std::span<const Event> events, const Seen& seen);
+  void add_ray(std::span<const Event> events, const VisibleSurface& seen);
 
   Survey survey_;
   std::vector<std::uint32_t> last_;

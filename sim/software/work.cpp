@@ -13,7 +13,7 @@ Work work_of(const Choice& choice, const Subject& subject, const RayCaster& rays
   const std::unique_ptr<Method> method = make_method(choice, subject, true);
   work.picture = draw(rays, *method, &work.rays);
   work.counts = method->counts();
-  work.measured = timed(rays, [&] { return make_method(choice, subject, false); });
+  work.measured = measure_seconds(rays, [&] { return make_method(choice, subject, false); });
   switch (choice.method->takes) {
     case Takes::events: break;
     case Takes::intervals: work.rays.sorting = {}; break;

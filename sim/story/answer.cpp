@@ -7,10 +7,10 @@
 
 namespace csgsim::story {
 
-Answer answer_of(const Subject& subject, const machines::Machine& machine, std::uint32_t x, std::uint32_t y,
-                 std::optional<std::uint32_t> missing) {
+PixelExplanation explain_pixel(const Subject& subject, const machines::Machine& machine, std::uint32_t x,
+                               std::uint32_t y, std::optional<std::uint32_t> missing) {
   const Story story = StoryBuilder(subject.program, machine).story_of(x, y);
-  Answer answer{text_of(subject, story), to_json(subject, story)};
+  PixelExplanation answer{text_of(subject, story), to_json(subject, story)};
   if (!missing) return answer;
   const WhyNot why = why_not(subject, story, *missing);
   answer.text = text_of(subject, story, why) + "\n" + answer.text;

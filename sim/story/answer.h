@@ -13,14 +13,14 @@
 namespace csgsim::story {
 
 /// The explanation of a pixel.
-struct Answer {
+struct PixelExplanation {
   std::string text;             ///< why a primitive is not visible, if requested, followed by the history
   nlohmann::ordered_json json;  ///< the explanation as JSON; docs/debugging.md describes every key with its unit
 };
 
 /// Explains the pixel and, if `missing` is given, why that primitive is not visible there. Throws InputError like
 /// StoryBuilder and StoryBuilder::story_of.
-Answer answer_of(const Subject& subject, const machines::Machine& machine, std::uint32_t x, std::uint32_t y,
-                 std::optional<std::uint32_t> missing);
+PixelExplanation explain_pixel(const Subject& subject, const machines::Machine& machine, std::uint32_t x,
+                               std::uint32_t y, std::optional<std::uint32_t> missing);
 
 }  // namespace csgsim::story

@@ -79,7 +79,7 @@ void find_classification(const isa::Program& program, Events events, Attempt& at
                                    events.begin() + static_cast<std::ptrdiff_t>(until.last_event) + 1,
                                    [](const Event& event) { return event.kind == EventKind::comparison; });
   // The leaf that a label waits for depends on earlier results.
-  const bool has_labels = isa::field_of(program, isa::FieldRole::label).width > 0;
+  const bool has_labels = isa::find_field(program, isa::FieldRole::label).width > 0;
   const bool has_products = passed_tests(events, attempt) > 1;
   const bool is_alone =
       count == 1 || (emptied && !events[*emptied].uses_several_results && !has_labels && !has_products);

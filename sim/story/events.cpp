@@ -51,8 +51,8 @@ struct Open {
 /// Splits the steps of a run into events; an event ends where the origin changes.
 class Narrator {
  public:
-  Narrator(const isa::Program& program, const PixelRun& run, std::span<const std::uint64_t> first_numbers)
-      : program_(program), run_(run), first_numbers_(first_numbers) {}
+  Narrator(const isa::Program& program, const PixelRun& run, std::span<const std::uint64_t> first_instruction_numbers)
+      : program_(program), run_(run), first_numbers_(first_instruction_numbers) {}
 
   std::vector<Event> narrate() {
     for (const PixelStep& step : run_.steps) {
@@ -314,8 +314,8 @@ class Narrator {
 }  // namespace
 
 std::vector<Event> find_events(const isa::Program& program, const PixelRun& run,
-                               std::span<const std::uint64_t> first_numbers) {
-  return Narrator(program, run, first_numbers).narrate();
+                               std::span<const std::uint64_t> first_instruction_numbers) {
+  return Narrator(program, run, first_instruction_numbers).narrate();
 }
 
 }  // namespace csgsim::story

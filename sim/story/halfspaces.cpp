@@ -56,7 +56,7 @@ ModelHalfspace in_model(const facet::PlaneTable& table, const facet::Halfspace& 
 HalfspaceFinder::HalfspaceFinder(const model::Tree& tree, const facet::Geometry& geometry, view::View view)
     : geometry_(geometry),
       view_(std::move(view)),
-      sets_(csg::convex_sets(csg::make_positive(tree), true)),
+      sets_(csg::convex_sets(csg::make_positive_tree(tree), true)),
       set_of_(tree.primitives.size()) {
   for (std::size_t set = 0; set < sets_.size(); ++set)
     for (const std::uint32_t primitive : sets_[set]) set_of_[primitive] = set;

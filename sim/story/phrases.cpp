@@ -43,7 +43,7 @@ std::string primitive_text(const isa::Program& program, std::uint32_t primitive)
 }
 
 std::optional<double> distance_of(const isa::Program& program, std::uint32_t steps) {
-  const unsigned bits = isa::field_of(program, isa::FieldRole::depth).width;
+  const unsigned bits = isa::find_field(program, isa::FieldRole::depth).width;
   const double distance = isa::distance_of(program.facts->depth_scale, bits, steps);
   return std::isfinite(distance) ? std::optional(distance) : std::nullopt;
 }

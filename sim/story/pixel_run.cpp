@@ -42,7 +42,7 @@ AtPixel at_pixel(const isa::Segment& segment, std::size_t index, std::uint32_t x
   const unsigned unused = 64U - linear.width;
   const auto low_bits = static_cast<std::uint64_t>(sum) << unused;
   const std::int64_t streamed = static_cast<std::int64_t>(low_bits) >> unused;
-  AtPixel one{instruction, streamed == sum || isa::cuts_sum(instruction.opcode)};
+  AtPixel one{instruction, streamed == sum || isa::may_exceed_width(instruction.opcode)};
   one.instruction.linear = {0, 0, streamed, linear.width, linear.shift};
   return one;
 }
@@ -71,7 +71,7 @@ class Runner {
         x_(x),
         y_(y),
         place_(static_cast<std::size_t>(y) * program.shape.width + x),
-        depth_(isa::field_of(program, isa::FieldRole::depth)),
+        depth_(isa::find_field(program, isa::FieldRole::depth)),
         frame_(program) {}
 
   /// `skips` begins with the first skip of the segment, if there is one.

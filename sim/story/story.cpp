@@ -49,7 +49,7 @@ const isa::Program& checked(const isa::Program& program, const machines::Machine
 StoryBuilder::StoryBuilder(const isa::Program& program, const machines::Machine& machine)
     : program_(checked(program, machine)),
       machine_(machine),
-      first_numbers_(isa::first_numbers(program)),
+      first_numbers_(isa::first_instruction_numbers(program)),
       record_(functional::make_run_record(program, machine)),
       timeline_(machine.kind->timeline(program, machine, record_.outcome())) {}
 
@@ -67,7 +67,8 @@ Story StoryBuilder::story_of(std::uint32_t x, std::uint32_t y) const {
   for (const std::uint32_t segment : run.segments) {
     story.segments.push_back({segment, first_numbers_[segment], first_numbers_[segment + 1]});
     if (!timeline_) continue;
-    const std::vector<machines::ClockSpan> clocks = machines::at_pixel(*timeline_, program_, machine_, segment, x, y);
+    const std::vector<machines::ClockSpan> clocks =
+        machines::spans_at_pixel(*timeline_, program_, machine_, segment, x, y);
     for (Event& event : story.events)
       if (event.segment == segment) event.clocks = clocks_of(event, first_numbers_[segment], clocks);
   }

@@ -45,7 +45,7 @@ CsvFile::CsvFile(std::filesystem::path path, std::string header) : path_(std::mo
   for (std::string line; std::getline(lines, line);) found_.push_back(std::move(line));
 }
 
-CsvFile study_table(const std::filesystem::path& path, const std::string& title, const std::string& header_line) {
+CsvFile open_study_table(const std::filesystem::path& path, const std::string& title, const std::string& header_line) {
   const std::string begin = header_line + "\n";
   const std::string comment = "# " + title + "\n";
   const std::filesystem::path beside = std::filesystem::path(path).replace_extension(".study");
@@ -59,7 +59,7 @@ CsvFile study_table(const std::filesystem::path& path, const std::string& title,
   return {path, begin};
 }
 
-void CsvFile::refuse(std::size_t line_index, std::string_view reason) const {
+void CsvFile::reject_line(std::size_t line_index, std::string_view reason) const {
   const auto above = static_cast<std::size_t>(std::ranges::count(begin_, '\n'));
   throw InputError(
       fmt::format("{}:{}:1: {}; delete the line to measure it again", path_.native(), above + line_index + 1, reason));

@@ -29,10 +29,10 @@ class CsvFile {
   CsvFile(std::filesystem::path path, std::string header);
 
   /// The lines below the header that the file had when it was opened.
-  [[nodiscard]] const std::vector<std::string>& found() const { return found_; }
+  [[nodiscard]] const std::vector<std::string>& existing_lines() const { return found_; }
 
-  /// Throws InputError with the place of the line found()[line_index], and the reason why it cannot be used.
-  [[noreturn]] void refuse(std::size_t line_index, std::string_view reason) const;
+  /// Throws InputError with the place of the line existing_lines()[line_index], and the reason why it cannot be used.
+  [[noreturn]] void reject_line(std::size_t line_index, std::string_view reason) const;
 
   /// Appends a line (or several separated by line breaks) and syncs the file. On failure it removes the partial line,
   /// if the file can be truncated, and throws InputError.
@@ -51,7 +51,7 @@ class CsvFile {
 /// the only line of a file with the same name and the extension .study. Tables written by csgsim 0.1.0 before December
 /// 2026 start with the title as a comment; they are converted. Throws InputError as CsvFile does, and if the title
 /// differs.
-CsvFile study_table(const std::filesystem::path& path, const std::string& title, const std::string& header_line);
+CsvFile open_study_table(const std::filesystem::path& path, const std::string& title, const std::string& header_line);
 
 /// The cells of a line. Throws InputError if a quote is not closed or the text contains a line break.
 std::vector<std::string> split_cells(std::string_view line);

@@ -41,8 +41,9 @@ std::uint64_t segment_hash(const isa::Segment& segment) {
 
 }  // namespace
 
-Fitted compile_fitting(const model::Tree& tree, const facet::Geometry& scene, const view::View& view,
-                       machines::Machine machine, const emit::Options& options, const MemoryGuess& guess) {
+FittedProgram compile_with_least_memory(const model::Tree& tree, const facet::Geometry& scene, const view::View& view,
+                                        machines::Machine machine, const emit::Options& options,
+                                        const MemoryGuess& guess) {
   const auto compile = [&](std::uint32_t memory_bits) {
     machine.array.memory_bits = memory_bits;
     return emit::compile(tree, scene, view, machine, options);

@@ -17,7 +17,7 @@
 namespace csgsim::studies {
 
 /// A Program and the machine with exactly the memory bits per pixel that it uses.
-struct Fitted {
+struct FittedProgram {
   isa::Program program;
   machines::Machine machine;
 };
@@ -31,8 +31,9 @@ struct MemoryGuess {
 /// Compiles for the machine with exactly the memory bits that the Program uses. A correct guess saves time and does not
 /// change the result. Neither strategy nor colouring may be automatic, because automatic choices depend on the
 /// available memory. Throws InputError if the model does not fit into guess.upper_bound bits.
-Fitted compile_fitting(const model::Tree& tree, const facet::Geometry& scene, const view::View& view,
-                       machines::Machine machine, const emit::Options& options, const MemoryGuess& guess);
+FittedProgram compile_with_least_memory(const model::Tree& tree, const facet::Geometry& scene, const view::View& view,
+                                        machines::Machine machine, const emit::Options& options,
+                                        const MemoryGuess& guess);
 
 /// Computes the timing of runs. The skipped parts of a Program and the pixels that its instructions affect depend only
 /// on its instructions, not on the machine's clocks. Programs with the same instructions are therefore run once for all

@@ -41,7 +41,7 @@ std::vector<std::filesystem::path> find_study_files(const std::filesystem::path&
   for (auto entry = std::filesystem::directory_iterator(folder, error);
        !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
     const bool is_written = std::any_of(written_endings.begin(), written_endings.end(), [&](std::string_view ending) {
-      return session::ends_in(entry->path(), ending);
+      return session::has_extension(entry->path(), ending);
     });
     if (is_written) files.push_back(entry->path());
   }
@@ -72,7 +72,7 @@ StudyFolder::StudyFolder(const std::filesystem::path& folder, const std::string&
   }
 }
 
-std::filesystem::path default_folder(const std::filesystem::path& model, std::string_view study) {
+std::filesystem::path default_output_folder(const std::filesystem::path& model, std::string_view study) {
   if (model == standard_stream) return fmt::format("model-{}", study);
   std::error_code error;
   std::filesystem::path named = std::filesystem::absolute(model, error).lexically_normal();
@@ -94,21 +94,22 @@ std::string with_model_name(const std::string& model, const std::string& reason)
   return reason.starts_with(model) ? reason : model + ": " + reason;
 }
 
-std::string failed_models(std::span<const std::string> failed, std::size_t model_count, const std::string& table_name) {
+std::string failed_models_message(std::span<const std::string> failed, std::size_t model_count,
+                                  const std::string& table_name) {
   constexpr std::size_t max_named = 5;
   const std::span<const std::string> named = failed.first(std::min(failed.size(), max_named));
   return fmt::format("{} of {} models could not be drawn: {}{}; see {} for the reasons", failed.size(), model_count,
                      fmt::join(named, ", "), named.size() < failed.size() ? " and others" : "", table_name);
 }
 
-void fail_inconsistent(const std::string& fault, bool has_read_rows) {
+void throw_inconsistent_results(const std::string& fault, bool has_read_rows) {
   if (!has_read_rows) throw std::logic_error(fault);
   throw InputError(fault +
                    "; rows read from the table may have been changed: measure everything again in another folder "
                    "(-o), and if the error remains, report it");
 }
 
-void warn_stale(const std::filesystem::path& table, const std::set<std::string>& changed_inputs) {
+void warn_stale_rows(const std::filesystem::path& table, const std::set<std::string>& changed_inputs) {
   if (changed_inputs.empty()) return;
   report_line(fmt::format("{}: {} {} changed since some points were measured; they are measured again", table.native(),
                           fmt::join(changed_inputs, " and "), changed_inputs.size() == 1 ? "has" : "have"));

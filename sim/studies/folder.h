@@ -32,7 +32,7 @@ class StudyFolder {
 
 /// The output folder of a study if -o is not given: MODEL-STUDY in the current folder, with the name of the model's
 /// file or of the folder of models.
-std::filesystem::path default_folder(const std::filesystem::path& model, std::string_view study);
+std::filesystem::path default_output_folder(const std::filesystem::path& model, std::string_view study);
 
 /// `csgsim STUDY` with all options that differ from their defaults, except those in `excluded_options` and those that
 /// do not affect results (output, threads, progress, plots). Identifies the content of a table.
@@ -49,13 +49,14 @@ inline constexpr auto options_of_shard = std::to_array<std::string_view>({"outpu
 std::string with_model_name(const std::string& model, const std::string& reason);
 
 /// The last line printed by a study that skipped some of its `model_count` models; `table_name` holds the reasons.
-std::string failed_models(std::span<const std::string> failed, std::size_t model_count, const std::string& table_name);
+std::string failed_models_message(std::span<const std::string> failed, std::size_t model_count,
+                                  const std::string& table_name);
 
 /// Throws for inconsistent results: std::logic_error if all rows were measured by this process, since the fault is then
 /// in csgsim; InputError with a fix if rows were read, which may have been changed.
-[[noreturn]] void fail_inconsistent(const std::string& fault, bool has_read_rows);
+[[noreturn]] void throw_inconsistent_results(const std::string& fault, bool has_read_rows);
 
 /// Warns on standard error about the inputs that changed since some rows of the table were measured.
-void warn_stale(const std::filesystem::path& table, const std::set<std::string>& changed_inputs);
+void warn_stale_rows(const std::filesystem::path& table, const std::set<std::string>& changed_inputs);
 
 }  // namespace csgsim::studies

@@ -28,7 +28,7 @@ void refuse_other_study(const ShardFile& first, const ShardFile& file) {
            "gather one study at a time");
   if (a.shard.count != b.shard.count)
     refuse(fmt::format("of {} and of {} shards", b.shard.count, a.shard.count), "delete one of the two sets of files");
-  std::vector<std::string> changed = differences(a.inputs, b.inputs);
+  std::vector<std::string> changed = changed_inputs(a.inputs, b.inputs);
   if (a.points != b.points) changed.emplace_back("the number of points");
   if (first.columns != file.columns) changed.emplace_back("the columns");
   if (!changed.empty())
@@ -51,7 +51,7 @@ class Folders {
 };
 
 /// Several processes may have measured a point of one shard; their results must agree.
-void add_lines(const ShardFile& file, const std::vector<unsigned>& shard_of, Gathered& gathered) {
+void add_lines(const ShardFile& file, const std::vector<unsigned>& shard_of, MergedShards& gathered) {
   for (const ShardLine& line : file.lines) {
     if (shard_of[line.point] != file.header.shard.number)
       throw InputError(fmt::format("{}: point {} belongs to shard {}/{}; delete the file and run its shard again",
@@ -67,7 +67,7 @@ void add_lines(const ShardFile& file, const std::vector<unsigned>& shard_of, Gat
   }
 }
 
-void count_missing(const std::vector<unsigned>& shard_of, Gathered& gathered) {
+void count_missing(const std::vector<unsigned>& shard_of, MergedShards& gathered) {
   std::set<unsigned> unfinished;
   for (std::size_t i = 0; i < gathered.rows.size(); ++i) {
     if (!gathered.rows[i].empty()) continue;
@@ -79,11 +79,11 @@ void count_missing(const std::vector<unsigned>& shard_of, Gathered& gathered) {
 
 }  // namespace
 
-Gathered gather(std::span<const fs::path> studies) {
+MergedShards merge_shards(std::span<const fs::path> studies) {
   Folders folders;
   std::vector<ShardFile> files;
   for (std::size_t study = 0; study < studies.size(); ++study) {
-    for (const fs::path& path : shard_files(studies[study])) {
+    for (const fs::path& path : list_shard_files(studies[study])) {
       files.push_back(read_shard_file(path));
       refuse_other_study(files.front(), files.back());
       folders.add(files.back().header.shard, study, studies);
@@ -93,7 +93,7 @@ Gathered gather(std::span<const fs::path> studies) {
     throw InputError(
         fmt::format("{}: contains no shard of a study; run the shards first", shards_folder(studies.front()).native()));
   const ShardHeader& header = files.front().header;
-  Gathered gathered;
+  MergedShards gathered;
   gathered.shards = header.shard.count;
   gathered.inputs = header.inputs;
   gathered.words = header.words;
@@ -101,7 +101,7 @@ Gathered gather(std::span<const fs::path> studies) {
   gathered.first = files.front().path;
   gathered.rows.resize(header.points);
   gathered.measured.resize(header.points);
-  const std::vector<unsigned> shard_of = shard_of_each(header.points, header.shard.count);
+  const std::vector<unsigned> shard_of = assign_shards(header.points, header.shard.count);
   for (const ShardFile& file : files) {
     add_lines(file, shard_of, gathered);
     if (!file.command.empty())

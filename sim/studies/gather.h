@@ -15,7 +15,7 @@
 namespace csgsim::studies {
 
 /// The combined results of all shards of a study.
-struct Gathered {
+struct MergedShards {
   unsigned shards = 0;
   Inputs inputs;
   std::vector<std::string> words;          ///< the study's command without options that do not affect results
@@ -30,6 +30,6 @@ struct Gathered {
 
 /// Joins the shards in these study folders. Throws InputError if they belong to several studies, if a shard is in two
 /// folders, or if a point has two different results.
-Gathered gather(std::span<const std::filesystem::path> studies);
+MergedShards merge_shards(std::span<const std::filesystem::path> studies);
 
 }  // namespace csgsim::studies

@@ -28,16 +28,16 @@ namespace {
 
 /// The words of a shard's command: as one of its runs had them, or else as another shard had them. Files of earlier
 /// versions have only the words that affect results.
-const std::vector<std::string>& words_of(const Gathered& gathered, unsigned number) {
+const std::vector<std::string>& words_of(const MergedShards& gathered, unsigned number) {
   const auto own = gathered.commands.find(number);
   if (own != gathered.commands.end()) return own->second.command;
   return gathered.commands.empty() ? gathered.words : gathered.commands.begin()->second.command;
 }
 
 /// The shell command that runs one shard.
-std::string shard_command(const Gathered& gathered, unsigned number, const std::string& folder) {
+std::string shard_command(const MergedShards& gathered, unsigned number, const std::string& folder) {
   return session::shell_command(
-      with_words(words_of(gathered, number), {"--shard", to_text(Shard{number, gathered.shards}), "-o", folder}));
+      insert_words(words_of(gathered, number), {"--shard", to_text(Shard{number, gathered.shards}), "-o", folder}));
 }
 
 /// The shell command that prints the commands of all incomplete shards.
@@ -50,18 +50,18 @@ std::string missing_command(const std::vector<std::string>& folders) {
 }
 
 /// The message ends with one command, which can be copied as printed.
-void refuse_missing(const Gathered& gathered, const std::vector<std::string>& folders) {
+void refuse_missing(const MergedShards& gathered, const std::vector<std::string>& folders) {
   if (gathered.missing == 0) return;
   const bool is_one = gathered.unfinished.size() == 1;
   throw InputError(fmt::format(
       "{}: {} of {} points are missing: {} {} of {} {}", folders.front(), gathered.missing, gathered.rows.size(),
-      is_one ? "shard" : "shards", to_ranges(gathered.unfinished), gathered.shards,
+      is_one ? "shard" : "shards", ranges_text(gathered.unfinished), gathered.shards,
       is_one
           ? "is not complete; complete it by: " + shard_command(gathered, gathered.unfinished.front(), folders.front())
           : "are not complete; print the command of each by: " + missing_command(folders)));
 }
 
-void print_missing(const Gathered& gathered, const std::string& folder) {
+void print_missing(const MergedShards& gathered, const std::string& folder) {
   for (const unsigned number : gathered.unfinished) fmt::print("{}\n", shard_command(gathered, number, folder));
 }
 
@@ -69,7 +69,7 @@ void print_missing(const Gathered& gathered, const std::string& folder) {
 class GatheredStudy {
  public:
   GatheredStudy(std::span<const StudyRow* const> studies, const std::vector<std::string>& words)
-      : list_(words.front()), command_(describe(list_, row_of(studies, words.front()))) {
+      : list_(words.front()), command_(add_study_options(list_, row_of(studies, words.front()))) {
     list_.flag("-q,--quiet", is_quiet_, "The flag that the terminal adds to each command");
     list_.give_words(std::span(words).subspan(1));
     list_.check_and_apply();
@@ -103,7 +103,7 @@ std::vector<std::string> rewrite_command(std::span<const StudyRow* const> studie
 }
 
 /// Throws InputError unless `words` equal what csgsim writes, which `write` returns.
-void refuse_other_words(const Gathered& gathered, const std::filesystem::path& file,
+void refuse_other_words(const MergedShards& gathered, const std::filesystem::path& file,
                         const std::vector<std::string>& words, const std::function<std::vector<std::string>()>& write) {
   std::string why;
   try {
@@ -121,7 +121,7 @@ void refuse_other_words(const Gathered& gathered, const std::filesystem::path& f
 
 /// A shard's commands are untrusted input. They must be exactly as csgsim writes them: a study with the options that
 /// affect results, and the same with other options. They therefore cannot name further files to be read or written.
-void refuse_other_words(std::span<const StudyRow* const> studies, const Gathered& gathered) {
+void refuse_other_words(std::span<const StudyRow* const> studies, const MergedShards& gathered) {
   refuse_other_words(gathered, gathered.first, gathered.words,
                      [&] { return rewrite_command(studies, gathered.words, options_without_effect); });
   for (const auto& entry : gathered.commands) {
@@ -140,7 +140,7 @@ std::vector<std::string> output_words(const std::string& output, const GatherReq
   return words;
 }
 
-void warn_other_version(const Gathered& gathered, const std::string& output) {
+void warn_other_version(const MergedShards& gathered, const std::string& output) {
   const std::string here = session::version_and_build();
   if (gathered.inputs.csgsim == here) return;
   report_line(fmt::format("{}: measured by csgsim {}; this is {}", output, gathered.inputs.csgsim, here));
@@ -160,14 +160,14 @@ void run_gather(std::span<const StudyRow* const> studies, const GatherRequest& o
   if (options.folders.size() > 1 && options.output.empty() && !options.missing)
     throw session::UsageError("--output", "the shards are in several folders; specify one for the results");
   const std::vector<std::filesystem::path> folders(options.folders.begin(), options.folders.end());
-  const Gathered gathered = gather(folders);
+  const MergedShards gathered = merge_shards(folders);
   const std::string output = options.output.empty() ? options.folders.front() : options.output;
   refuse_other_words(studies, gathered);
   if (options.missing) return print_missing(gathered, options.folders.front());
   refuse_missing(gathered, options.folders);
   warn_other_version(gathered, output);
-  const GatheredStudy study(studies, with_words(gathered.words, output_words(output, options)));
-  show_gathered(study.command(), gathered);
+  const GatheredStudy study(studies, insert_words(gathered.words, output_words(output, options)));
+  show_merged_shards(study.command(), gathered);
 }
 
 }  // namespace csgsim::studies

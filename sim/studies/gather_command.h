@@ -22,8 +22,8 @@ struct GatherRequest {
   void add_to(session::OptionList& list);
 };
 
-/// Joins the shards of one of these studies and shows the results. Throws InputError as gather() does and if points
-/// are missing, and UsageError if the folder for the results is not specified.
+/// Joins the shards of one of these studies and shows the results. Throws InputError as merge_shards() does and if
+/// points are missing, and UsageError if the folder for the results is not specified.
 void run_gather(std::span<const StudyRow* const> studies, const GatherRequest& options);
 
 }  // namespace csgsim::studies

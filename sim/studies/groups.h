@@ -16,7 +16,7 @@ namespace csgsim::studies {
 
 /// Groups the rows by model; rows of one model are adjacent.
 template <class Row>
-std::vector<std::span<const Row>> by_model(std::span<const Row> rows) {
+std::vector<std::span<const Row>> group_by_model(std::span<const Row> rows) {
   std::vector<std::span<const Row>> models;
   for (auto begin = rows.begin(); begin != rows.end();) {
     const auto end =
@@ -53,14 +53,14 @@ std::vector<std::string> machines_of(std::span<const Row> rows) {
 
 /// Throws InputError that lists the models without any measured row; `table` is the file with the reasons.
 template <class Row>
-void refuse_models(std::span<const Row> rows, const std::string& table) {
+void refuse_failed_models(std::span<const Row> rows, const std::string& table) {
   std::vector<std::string> failed;
-  const std::vector<std::span<const Row>> models = by_model(rows);
+  const std::vector<std::span<const Row>> models = group_by_model(rows);
   for (const std::span<const Row> model : models) {
     if (std::ranges::none_of(model, [](const Row& row) { return row.reason.empty(); }))
       failed.push_back(model.front().point.model);
   }
-  if (!failed.empty()) throw InputError(failed_models(failed, models.size(), table));
+  if (!failed.empty()) throw InputError(failed_models_message(failed, models.size(), table));
 }
 
 }  // namespace csgsim::studies

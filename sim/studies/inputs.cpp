@@ -2,7 +2,7 @@
 
 namespace csgsim::studies {
 
-std::vector<std::string> differences(const Inputs& before, const Inputs& now) {
+std::vector<std::string> changed_inputs(const Inputs& before, const Inputs& now) {
   std::vector<std::string> names;
   if (before.model_hash != now.model_hash) names.emplace_back("the model");
   if (before.machine_hash != now.machine_hash) names.emplace_back("the machine");

@@ -26,6 +26,6 @@ struct Inputs {
 inline constexpr std::size_t input_columns = 3;
 
 /// The inputs that differ, as text: `the model`, `the machine`, `csgsim`.
-std::vector<std::string> differences(const Inputs& before, const Inputs& now);
+std::vector<std::string> changed_inputs(const Inputs& before, const Inputs& now);
 
 }  // namespace csgsim::studies

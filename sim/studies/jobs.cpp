@@ -67,7 +67,7 @@ JobMaker::Read JobMaker::read(const session::ModelRequest& options, const machin
   }
 }
 
-Job JobMaker::job_of(const session::ModelRequest& options) {
+Job JobMaker::make_job(const session::ModelRequest& options) {
   machines::Machine machine = session::machine_of(options);
   const auto [place, is_new] = read_.try_emplace(key(options, machine));
   if (is_new) place->second = read(options, machine);

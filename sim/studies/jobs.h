@@ -45,7 +45,7 @@ class JobMaker {
  public:
   /// Creates a job with the options that `csgsim render` would use. If the model cannot be read or viewed, the job
   /// holds the reason. Throws InputError for invalid machines.
-  Job job_of(const session::ModelRequest& options);
+  Job make_job(const session::ModelRequest& options);
 
  private:
   /// A model, or the reason why it cannot be read.

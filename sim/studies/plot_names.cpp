@@ -15,7 +15,7 @@ std::string plot_stem(const std::filesystem::path& model) {
   return stem.substr(0, max_length) + "-" + hash.text();
 }
 
-std::vector<std::string> tick_names(std::span<const std::string> machines) {
+std::vector<std::string> machine_tick_labels(std::span<const std::string> machines) {
   std::vector<std::string> names;
   names.reserve(machines.size());
   for (const std::string& machine : machines) {

@@ -27,6 +27,6 @@ class PlotNames {
 
 /// Labels of machines on an axis. A machine that is another one with changed parameters is labelled by the change only:
 /// `pixel-planes-4` and `+alu.bits=2`.
-std::vector<std::string> tick_names(std::span<const std::string> machines);
+std::vector<std::string> machine_tick_labels(std::span<const std::string> machines);
 
 }  // namespace csgsim::studies

@@ -19,7 +19,7 @@ std::vector<software::Priced> parse_processors(const std::string& processor_name
   return processors;
 }
 
-void add_processors(session::OptionList& command, std::string& processor_names) {
+void add_processors_option(session::OptionList& command, std::string& processor_names) {
   command
       .option("--processors", processor_names,
               "Processors for which seconds are computed: names or .toml files, separated by commas; this-computer is "
@@ -27,7 +27,7 @@ void add_processors(session::OptionList& command, std::string& processor_names) 
       .check(session::check_by_parsing(parse_processors));
 }
 
-void add_model_without_machine(session::ModelRequest& model, session::OptionList& command) {
+void add_model_options_without_machine(session::ModelRequest& model, session::OptionList& command) {
   model.add_to(command);
   for (const char* const of_machines : {"--memory-bits", "--strategy", "--stack-bits", "--colouring", "--pruning"})
     command.remove(of_machines);
@@ -39,8 +39,8 @@ std::string seconds_text(double seconds) {
                                 : grouped(static_cast<std::uint64_t>(std::llround(seconds)));
 }
 
-std::vector<std::filesystem::path> inputs_with_processors(const session::ModelRequest& model,
-                                                          const std::string& processor_names) {
+std::vector<std::filesystem::path> model_and_processor_files(const session::ModelRequest& model,
+                                                             const std::string& processor_names) {
   std::vector<std::filesystem::path> files = model.inputs();
   const std::vector<std::filesystem::path> more = session::input_files({}, session::parse_words(processor_names));
   files.insert(files.end(), more.begin(), more.end());

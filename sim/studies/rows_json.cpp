@@ -16,10 +16,10 @@ nlohmann::ordered_json points_json(const std::string& title, std::size_t point_c
   return json;
 }
 
-std::string points_text(const std::string& title, std::size_t point_count, const SetPoint& set_point) {
-  return file_text(points_json(title, point_count, set_point));
+std::string points_json_text(const std::string& title, std::size_t point_count, const SetPoint& set_point) {
+  return json_file_text(points_json(title, point_count, set_point));
 }
 
-std::string file_text(const nlohmann::ordered_json& json) { return json.dump(2) + "\n"; }
+std::string json_file_text(const nlohmann::ordered_json& json) { return json.dump(2) + "\n"; }
 
 }  // namespace csgsim::studies

@@ -48,19 +48,19 @@ using SetPoint = std::function<void(nlohmann::ordered_json& json, std::size_t po
 
 /// The JSON of a study with `point_count` points.
 nlohmann::ordered_json points_json(const std::string& title, std::size_t point_count, const SetPoint& set_point);
-std::string points_text(const std::string& title, std::size_t point_count, const SetPoint& set_point);
+std::string points_json_text(const std::string& title, std::size_t point_count, const SetPoint& set_point);
 
 /// The JSON formatted as in a file.
-std::string file_text(const nlohmann::ordered_json& json);
+std::string json_file_text(const nlohmann::ordered_json& json);
 
 template <class Row>
-SetPoint make_setter(std::span<const Row> rows) {
+SetPoint make_point_setter(std::span<const Row> rows) {
   return [rows](nlohmann::ordered_json& json, std::size_t point) { set_columns(json, rows[point]); };
 }
 
 template <class Row>
 std::string rows_json(const std::string& title, std::span<const Row> rows) {
-  return points_text(title, rows.size(), make_setter(rows));
+  return points_json_text(title, rows.size(), make_point_setter(rows));
 }
 
 }  // namespace csgsim::studies

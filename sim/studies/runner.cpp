@@ -39,13 +39,13 @@ using Rows = std::vector<std::string>;
 constexpr std::size_t max_pending = 8;
 
 fs::path folder_of(const StudyCommand& request) {
-  return request.options.folder.empty() ? default_folder(request.study->named_after(), request.row->name)
+  return request.options.folder.empty() ? default_output_folder(request.study->output_named_after(), request.row->name)
                                         : fs::path(request.options.folder);
 }
 
 std::string title_of(const StudyCommand& request) {
   const std::string model = request.study->table_model();
-  std::string title = study_title(request.command, request.study->varied());
+  std::string title = study_title(request.command, request.study->varied_options());
   if (!model.empty()) title += " of " + escaped(fs::path(model).filename().native());
   return title;
 }
@@ -70,11 +70,11 @@ Rows complete(StudyCommand& request, std::span<const PointRequest> points, Table
       pending.push_back(std::move(row));
       if (pending.size() == at_once) write();
       progress.finish_point();
-      end_if_interrupted();
+      throw_if_interrupted();
     });
     write();
   }
-  return table.in_order(points);
+  return table.ordered_rows(points);
 }
 
 /// Combined inputs of all points.
@@ -162,7 +162,9 @@ struct Places {
 
 Table table_of(const StudyCommand& request, const Places& places) {
   const Study& study = *request.study;
-  const auto serves = [&study](std::size_t point, const std::string& row) { return study.serves(point, row); };
+  const auto serves = [&study](std::size_t point, const std::string& row) {
+    return study.has_requested_results(point, row);
+  };
   if (!places.folder) return Table(study.format(), serves);
   return {places.file(request, ".csv"), places.title, study.format(), serves};
 }
@@ -173,9 +175,9 @@ bool write_shown(const StudyCommand& request, Places& places, const std::string&
   std::vector<plots::Plot> plots;
   if (has_plot_files || places.report.is_requested()) plots = request.study->plots();
   // Series with the same name look the same in all plots of the study, even if several models have their own plots.
-  plots::give_common_looks(plots);
+  plots::set_common_looks(plots);
   const bool are_drawn = has_plot_files && !plots.empty();
-  if (are_drawn) plots::draw(plots, places.folder->path());
+  if (are_drawn) plots::write_plots(plots, places.folder->path());
   if (places.report.is_requested()) places.report.write(page_of(request, json, plots));
   return are_drawn;
 }
@@ -201,9 +203,9 @@ void measure_all(StudyCommand& request, std::vector<PointRequest> more, const Pl
   do {
     points.insert(points.end(), more.begin(), more.end());
     const std::set<std::string> changed = table.drop_stale(points, study.is_of_one_machine());
-    if (places.folder) warn_stale(places.file(request, ".csv"), changed);
+    if (places.folder) warn_stale_rows(places.file(request, ".csv"), changed);
     study.set_rows(complete(request, points, table), are_read);
-    more = study.more_points();
+    more = study.request_more_points();
   } while (!more.empty());
 }
 
@@ -243,23 +245,23 @@ std::shared_ptr<StudyCommand> describe_kept(session::OptionList& list, const Stu
   list.flag("--no-plots", options.no_plots, "Omit plots (drawn by gnuplot)");
   if (row.has_shards) add_shard(list, options.shard);
   options.report.add_to(list);
-  session::add_progress(list, options.progress);
+  session::add_progress_option(list, options.progress);
   return request;
 }
 
 }  // namespace
 
-std::shared_ptr<StudyCommand> describe(session::OptionList& list, const StudyRow& row) {
+std::shared_ptr<StudyCommand> add_study_options(session::OptionList& list, const StudyRow& row) {
   return describe_kept(list, row, Folder::usual);
 }
 
-std::shared_ptr<StudyCommand> describe_for_caller(session::OptionList& list, const StudyRow& row) {
+std::shared_ptr<StudyCommand> add_library_study_options(session::OptionList& list, const StudyRow& row) {
   std::shared_ptr<StudyCommand> request = describe_kept(list, row, Folder::optional);
   if (row.has_shards) list.remove("--shard");
   return request;
 }
 
-std::string conduct(StudyCommand& request) {
+std::string run_study_to_json(StudyCommand& request) {
   std::vector<PointRequest> points = request.study->request_points();
   Places places(request, request.study->inputs());
   measure_all(request, std::move(points), places);
@@ -278,15 +280,15 @@ void run_study(StudyCommand& request) {
   show(request, places);
 }
 
-void show_gathered(StudyCommand& request, const Gathered& gathered) {
+void show_merged_shards(StudyCommand& request, const MergedShards& gathered) {
   Places places(request, request.study->inputs());
   Table table = table_of(request, places);
   request.study->set_rows(table.put(gathered), true);
   show(request, places);
 }
 
-std::vector<std::string> with_words(const std::vector<std::string>& command,
-                                    const std::vector<std::string>& added_words) {
+std::vector<std::string> insert_words(const std::vector<std::string>& command,
+                                      const std::vector<std::string>& added_words) {
   std::vector<std::string> words = command;
   words.insert(words.begin() + 1, added_words.begin(), added_words.end());
   return words;

@@ -35,25 +35,25 @@ struct StudyCommand {
 };
 
 /// Adds the study's options to the list. Returns the command that the options fill.
-std::shared_ptr<StudyCommand> describe(session::OptionList& list, const StudyRow& row);
+std::shared_ptr<StudyCommand> add_study_options(session::OptionList& list, const StudyRow& row);
 
 /// Adds the study's options to the list for a library caller, who receives the results: they are written only if a
 /// folder is given, sharding is not available, and nothing is printed.
-std::shared_ptr<StudyCommand> describe_for_caller(session::OptionList& list, const StudyRow& row);
+std::shared_ptr<StudyCommand> add_library_study_options(session::OptionList& list, const StudyRow& row);
 
 /// Measures the points that are missing from the study's table, writes the results if there is a folder or a page, and
 /// returns the text of the study's JSON file. An interrupted study throws Interrupted; its table keeps the measured
 /// points.
-std::string conduct(StudyCommand& request);
+std::string run_study_to_json(StudyCommand& request);
 
 /// Measures the points that are missing from the study's table and shows all results.
 void run_study(StudyCommand& request);
 
 /// Shows the results of shards. The study's options must have been read.
-void show_gathered(StudyCommand& request, const Gathered& gathered);
+void show_merged_shards(StudyCommand& request, const MergedShards& gathered);
 
 /// A command line with further arguments inserted after the command's name.
-std::vector<std::string> with_words(const std::vector<std::string>& command,
-                                    const std::vector<std::string>& added_words);
+std::vector<std::string> insert_words(const std::vector<std::string>& command,
+                                      const std::vector<std::string>& added_words);
 
 }  // namespace csgsim::studies

@@ -48,7 +48,7 @@ Shard parse_shard(std::string_view text) {
 
 std::string to_text(const Shard& shard) { return fmt::format("{}/{}", shard.number, shard.count); }
 
-std::string to_ranges(const std::vector<unsigned>& ascending_numbers) {
+std::string ranges_text(const std::vector<unsigned>& ascending_numbers) {
   std::string text;
   for (std::size_t first = 0; first < ascending_numbers.size();) {
     std::size_t last = first;
@@ -60,7 +60,7 @@ std::string to_ranges(const std::vector<unsigned>& ascending_numbers) {
   return text;
 }
 
-std::vector<unsigned> shard_of_each(std::size_t point_count, unsigned shard_count) {
+std::vector<unsigned> assign_shards(std::size_t point_count, unsigned shard_count) {
   std::vector<std::size_t> order(point_count);
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [](std::size_t a, std::size_t b) { return scramble(a) < scramble(b); });

@@ -25,11 +25,11 @@ Shard parse_shard(std::string_view text);
 std::string to_text(const Shard& shard);
 
 /// Ascending numbers of points in the form `1,4-7`.
-std::string to_ranges(const std::vector<unsigned>& ascending_numbers);
+std::string ranges_text(const std::vector<unsigned>& ascending_numbers);
 
 /// The number of the shard of each point. The points are shuffled in an order that depends only on their number, and
 /// dealt out in turn: shard sizes differ by at most one point, and regularities of a study do not concentrate expensive
 /// points in one shard.
-std::vector<unsigned> shard_of_each(std::size_t point_count, unsigned shard_count);
+std::vector<unsigned> assign_shards(std::size_t point_count, unsigned shard_count);
 
 }  // namespace csgsim::studies

@@ -83,7 +83,7 @@ std::string stem_of(const ShardHeader& header) {
 
 fs::path shards_folder(const fs::path& study) { return study / "shards"; }
 
-std::vector<fs::path> shard_files(const fs::path& study, const std::optional<ShardHeader>& shard) {
+std::vector<fs::path> list_shard_files(const fs::path& study, const std::optional<ShardHeader>& shard) {
   const std::string stem = shard ? stem_of(*shard) : "";
   std::vector<fs::path> files;
   std::error_code error;

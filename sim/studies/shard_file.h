@@ -49,8 +49,8 @@ std::filesystem::path shards_folder(const std::filesystem::path& study);
 
 /// All files of shards in a study's folder, sorted by name; only those of `shard` if given. Throws InputError if the
 /// folder does not exist and `shard` is not given.
-std::vector<std::filesystem::path> shard_files(const std::filesystem::path& study,
-                                               const std::optional<ShardHeader>& shard = {});
+std::vector<std::filesystem::path> list_shard_files(const std::filesystem::path& study,
+                                                    const std::optional<ShardHeader>& shard = {});
 
 /// Reads a file; ignores a partial last line, which was interrupted or is being written. Throws InputError if the file
 /// does not belong to a shard.

@@ -33,21 +33,21 @@ ShardRun::ShardRun(fs::path folder, ShardHeader header, std::vector<std::string>
   if (folder_.empty()) throw session::UsageError("--output", "a shard needs a folder; specify one");
   std::set<std::size_t> known;
   std::set<std::string> changed;
-  for (const fs::path& path : shard_files(folder_, header_)) {
+  for (const fs::path& path : list_shard_files(folder_, header_)) {
     const ShardFile file = read_shard_file(path);
     refuse_other_study(file, header_, folder_);
     if (file.header == header_) {
       for (const ShardLine& line : file.lines) known.insert(line.point);
       continue;
     }
-    for (std::string& name : differences(file.header.inputs, header_.inputs)) changed.insert(std::move(name));
+    for (std::string& name : changed_inputs(file.header.inputs, header_.inputs)) changed.insert(std::move(name));
     std::error_code error;
     fs::remove(path, error);
     if (error)
       throw InputError(fmt::format("{} is out of date and cannot be deleted ({})", path.native(), error.message()));
   }
-  warn_stale(shards_folder(folder_), changed);
-  const std::vector<unsigned> shard_of = shard_of_each(header_.points, header_.shard.count);
+  warn_stale_rows(shards_folder(folder_), changed);
+  const std::vector<unsigned> shard_of = assign_shards(header_.points, header_.shard.count);
   for (std::size_t i = 0; i < shard_of.size(); ++i) {
     if (shard_of[i] != header_.shard.number) continue;
     ++points_;

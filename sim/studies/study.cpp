@@ -6,7 +6,7 @@
 
 namespace csgsim::studies {
 
-PageSubject subject_on(const session::ModelRequest& model, const std::string& machines) {
+PageSubject page_subject_on_machines(const session::ModelRequest& model, const std::string& machines) {
   PageSubject subject{model, {}};
   for (const std::string& name : session::parse_words(machines)) {
     subject.model.machine = name;
@@ -15,9 +15,9 @@ PageSubject subject_on(const session::ModelRequest& model, const std::string& ma
   return subject;
 }
 
-PageSubject subject_of(const std::vector<std::string>& models, const session::ModelRequest& view,
-                       const std::string& machines) {
-  PageSubject subject = subject_on(view, machines);
+PageSubject page_subject_of_models(const std::vector<std::string>& models, const session::ModelRequest& view,
+                                   const std::string& machines) {
+  PageSubject subject = page_subject_on_machines(view, machines);
   subject.model.model = models.front();
   if (models.size() > 1) subject.name = session::count_text(models.size(), "model");
   return subject;

@@ -42,11 +42,11 @@ struct PageSubject {
 };
 
 /// A model on each machine of a comma-separated list.
-PageSubject subject_on(const session::ModelRequest& model, const std::string& machines);
+PageSubject page_subject_on_machines(const session::ModelRequest& model, const std::string& machines);
 
 /// The first of these models on the machines; named by the number of models if there are several.
-PageSubject subject_of(const std::vector<std::string>& models, const session::ModelRequest& view,
-                       const std::string& machines);
+PageSubject page_subject_of_models(const std::vector<std::string>& models, const session::ModelRequest& view,
+                                   const std::string& machines);
 
 /// A study defines the points that its options select, measures a point, and shows the rows. The runner (runner.h) does
 /// the rest: common options, tables and resuming, progress, threads, shards, files and the page.
@@ -61,14 +61,14 @@ class Study {
   /// The input files, which must not be overwritten; the first model is the first of them.
   [[nodiscard]] virtual std::vector<std::filesystem::path> inputs() const = 0;
   /// Options whose values are part of the points, so that one table can hold points for several values.
-  [[nodiscard]] virtual std::set<std::string> varied() const { return {}; }
+  [[nodiscard]] virtual std::set<std::string> varied_options() const { return {}; }
   /// The model if a table holds points of one model only: its file name is part of the table's title.
   [[nodiscard]] virtual std::string table_model() const { return {}; }
   /// Whether all points of the table belong to table_model() on one machine: if the model or the machine changes, all
   /// rows are outdated.
   [[nodiscard]] virtual bool is_of_one_machine() const { return false; }
   /// The model, or folder of models, that the output folder is named after if -o is not given: the first input.
-  [[nodiscard]] virtual std::filesystem::path named_after() const { return inputs().front(); }
+  [[nodiscard]] virtual std::filesystem::path output_named_after() const { return inputs().front(); }
 
   /// Reads the inputs and returns the requested points. Called once, before anything is measured; not called by gather.
   virtual std::vector<PointRequest> request_points() = 0;
@@ -77,7 +77,9 @@ class Study {
   /// Measures the points with these numbers on `threads` threads; rows are passed on one at a time, in any order.
   virtual void measure(std::span<const std::size_t> points, unsigned threads, const Finished& finished) = 0;
   /// Whether a row of the point, read from the table, has all requested results. Its inputs are unchanged.
-  [[nodiscard]] virtual bool serves(std::size_t /*point*/, const std::string& /*row*/) const { return true; }
+  [[nodiscard]] virtual bool has_requested_results(std::size_t /*point*/, const std::string& /*row*/) const {
+    return true;
+  }
 
   [[nodiscard]] virtual RowFormat format() const = 0;
 
@@ -85,8 +87,8 @@ class Study {
   /// were not measured by this process.
   virtual void set_rows(std::span<const std::string> rows, bool are_read) = 0;
   /// Further points to measure, given all rows received until now; their numbers follow those of the earlier points.
-  virtual std::vector<PointRequest> more_points() { return {}; }
-  /// Whether more_points() may return points, so that the study cannot be sharded.
+  virtual std::vector<PointRequest> request_more_points() { return {}; }
+  /// Whether request_more_points() may return points, so that the study cannot be sharded.
   [[nodiscard]] virtual bool is_adaptive() const { return false; }
   virtual void print() const = 0;
   [[nodiscard]] virtual std::string json(const std::string& title) const = 0;
@@ -104,7 +106,7 @@ class Study {
 
 /// Where results are written if -o is not given.
 enum class Folder : std::uint8_t {
-  usual,     ///< in default_folder() (folder.h)
+  usual,     ///< in default_output_folder() (folder.h)
   optional,  ///< nowhere
 };
 
@@ -134,7 +136,7 @@ class RowsOf : public Study {
     rows_.reserve(rows.size());
     for (const std::string& row : rows) rows_.push_back(from_line<Row>(row));
     are_read_ = are_read;
-    conclude();
+    derive_results();
   }
 
   [[nodiscard]] std::string json(const std::string& title) const override {
@@ -143,7 +145,7 @@ class RowsOf : public Study {
 
  protected:
   /// Derives results from the rows before they are shown.
-  virtual void conclude() {}
+  virtual void derive_results() {}
 
   [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
   [[nodiscard]] bool are_read() const { return are_read_; }

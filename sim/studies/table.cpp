@@ -18,19 +18,19 @@ Inputs inputs_of(const std::string& row, std::size_t point_columns) {
 
 }  // namespace
 
-Table::Table(const std::filesystem::path& path, const std::string& title, RowFormat format, Serves serves)
+Table::Table(const std::filesystem::path& path, const std::string& title, RowFormat format, HasRequestedResults serves)
     : format_(std::move(format)),
       serves_(std::move(serves)),
       path_(path),
-      file_(study_table(path, title, format_.columns)) {
-  for (std::size_t i = 0; i < file_->found().size(); ++i) {
+      file_(open_study_table(path, title, format_.columns)) {
+  for (std::size_t i = 0; i < file_->existing_lines().size(); ++i) {
     try {
-      format_.check(file_->found()[i]);
+      format_.check(file_->existing_lines()[i]);
     } catch (const InputError& error) {
-      file_->refuse(i, error.what());
+      file_->reject_line(i, error.what());
     }
   }
-  store(file_->found());
+  store(file_->existing_lines());
 }
 
 std::string Table::point_of(const std::string& row) const {
@@ -59,7 +59,7 @@ std::set<std::string> Table::drop_stale(std::span<const PointRequest> requested,
                                                                                 : nullptr;
     const std::vector<std::string> names = known == nullptr
                                                ? std::vector<std::string>{}
-                                               : differences(inputs_of(row, format_.point_columns), known->inputs);
+                                               : changed_inputs(inputs_of(row, format_.point_columns), known->inputs);
     if (names.empty()) kept.push_back(row);
     changed.insert(names.begin(), names.end());
   }
@@ -97,7 +97,7 @@ void Table::add(std::span<const std::string> rows) {
   }
 }
 
-std::vector<std::string> Table::in_order(std::span<const PointRequest> requested) {
+std::vector<std::string> Table::ordered_rows(std::span<const PointRequest> requested) {
   std::vector<std::string> rows;
   std::unordered_set<std::string> points;
   for (std::size_t i = 0; i < requested.size(); ++i) {
@@ -116,7 +116,7 @@ std::vector<std::string> Table::in_order(std::span<const PointRequest> requested
   return rows;
 }
 
-std::vector<std::string> Table::put(const Gathered& gathered) {
+std::vector<std::string> Table::put(const MergedShards& gathered) {
   if (gathered.columns != format_.columns) {
     throw InputError(
         path_.native() +

@@ -27,19 +27,20 @@ struct PointRequest {
 };
 
 /// Whether a row of the point with this number, measured from the same inputs, has all results that are requested now.
-using Serves = std::function<bool(std::size_t point, const std::string& row)>;
+using HasRequestedResults = std::function<bool(std::size_t point, const std::string& row)>;
 
-inline bool serves_all(std::size_t /*point*/, const std::string& /*row*/) { return true; }
+inline bool accept_any_row(std::size_t /*point*/, const std::string& /*row*/) { return true; }
 
 /// The rows of a study as lines, optionally stored in a CSV file that grows by a line per point.
 class Table {
  public:
   /// A table without a file.
-  explicit Table(RowFormat format, Serves serves = serves_all)
+  explicit Table(RowFormat format, HasRequestedResults serves = accept_any_row)
       : format_(std::move(format)), serves_(std::move(serves)) {}
 
   /// Opens or creates a table. Throws InputError if the file holds another study (another `title`) or is not a table.
-  Table(const std::filesystem::path& path, const std::string& title, RowFormat format, Serves serves = serves_all);
+  Table(const std::filesystem::path& path, const std::string& title, RowFormat format,
+        HasRequestedResults serves = accept_any_row);
 
   [[nodiscard]] const std::vector<std::string>& rows() const { return rows_; }
 
@@ -55,11 +56,11 @@ class Table {
 
   /// Returns the rows of these points in their order; none may be missing. Reorders the table in the same
   /// way, with the rows of other points at the end.
-  std::vector<std::string> in_order(std::span<const PointRequest> requested);
+  std::vector<std::string> ordered_rows(std::span<const PointRequest> requested);
 
   /// Stores and returns the rows measured by shards; none may be missing. Throws InputError if a row cannot be read, or
   /// if the table has rows that the shards lack.
-  std::vector<std::string> put(const Gathered& gathered);
+  std::vector<std::string> put(const MergedShards& gathered);
 
  private:
   [[nodiscard]] std::string point_of(const std::string& row) const;
@@ -69,7 +70,7 @@ class Table {
   void store(std::vector<std::string> rows);
 
   RowFormat format_;
-  Serves serves_;
+  HasRequestedResults serves_;
   std::filesystem::path path_;
   std::optional<CsvFile> file_;
   std::vector<std::string> rows_;

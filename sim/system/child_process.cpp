@@ -95,7 +95,7 @@ Exceeded listen(const Descriptor& report, std::array<Stream, 2>& streams, Clock:
   constexpr int look_after = 50;  // milliseconds
   const bool is_interruptible = thread_stop_token().stop_possible();
   for (;;) {
-    end_if_interrupted();
+    throw_if_interrupted();
     std::array<pollfd, 3> files{pollfd{report.number(), POLLIN, 0}, pollfd{streams[0].file.number(), POLLIN, 0},
                                 pollfd{streams[1].file.number(), POLLIN, 0}};
     const int longest = milliseconds_until(end);

@@ -61,11 +61,11 @@ std::string model_text(const std::string& model) {
   return fmt::format("import(file = \"{}\");\n", std::filesystem::path(model).filename().native());
 }
 
-Drawings::Drawings(Beginning beginning) : beginning_(std::move(beginning)) {
+Drawings::Drawings(StartCommand beginning) : beginning_(std::move(beginning)) {
   static_cast<void>(model_text(beginning_.model));
 }
 
-std::vector<std::string> Drawings::words_of(const Json& request) const {
+std::vector<std::string> Drawings::command_words(const Json& request) const {
   std::vector<std::string> words{beginning_.model};
   words.insert(words.end(), beginning_.words.begin(), beginning_.words.end());
   const Json given = object_in(request, "knobs");
@@ -88,8 +88,8 @@ Drawings::ParsedRequest Drawings::parse(const Json& request) const {
   Json used{{"knobs", object_in(request, "knobs")}};
   const std::optional<std::string> source = source_in(request);
   if (source) used["source"] = *source;
-  std::vector<std::string> words = words_of(used);
-  session::ModelRequest options = session::model_request_in(words);
+  std::vector<std::string> words = command_words(used);
+  session::ModelRequest options = session::parse_model_request(words);
   std::string text = source ? *source : model_text(options.model);
   return {std::move(used), std::move(words), std::move(options), std::move(text)};
 }
@@ -131,7 +131,7 @@ std::shared_ptr<const Drawing> Drawings::latest() const {
   return kept_.empty() ? nullptr : kept_.front();
 }
 
-std::shared_ptr<Drawing> Drawings::find_kept(const ParsedRequest& parsed) {
+std::shared_ptr<Drawing> Drawings::find_cached(const ParsedRequest& parsed) {
   const std::lock_guard lock(mutex_);
   const auto is_same = [&](const auto& one) { return one->request == parsed.request && one->text == parsed.text; };
   const auto same = std::ranges::find_if(kept_, is_same);
@@ -140,13 +140,13 @@ std::shared_ptr<Drawing> Drawings::find_kept(const ParsedRequest& parsed) {
   return kept_.front();
 }
 
-void Drawings::keep(const std::shared_ptr<Drawing>& next) {
+void Drawings::cache(const std::shared_ptr<Drawing>& next) {
   const std::lock_guard lock(mutex_);
   kept_.insert(kept_.begin(), next);
   if (kept_.size() > max_kept) kept_.pop_back();
 }
 
-std::shared_ptr<std::mutex> Drawings::find_turn(const ParsedRequest& parsed) {
+std::shared_ptr<std::mutex> Drawings::find_evaluation_mutex(const ParsedRequest& parsed) {
   const std::lock_guard lock(mutex_);
   std::erase_if(turns_, [](const auto& one) { return one.second.expired(); });
   std::weak_ptr<std::mutex>& turn = turns_[hash_of(parsed.request, parsed.text)];
@@ -157,21 +157,21 @@ std::shared_ptr<std::mutex> Drawings::find_turn(const ParsedRequest& parsed) {
 
 std::shared_ptr<Drawing> Drawings::compile(const Json& request, Evaluation& evaluation) {
   ParsedRequest parsed = parse(request);
-  if (std::shared_ptr<Drawing> same = find_kept(parsed)) return same;
-  const std::shared_ptr<std::mutex> turn = find_turn(parsed);
+  if (std::shared_ptr<Drawing> same = find_cached(parsed)) return same;
+  const std::shared_ptr<std::mutex> turn = find_evaluation_mutex(parsed);
   const std::lock_guard waits(*turn);
-  if (std::shared_ptr<Drawing> same = find_kept(parsed)) return same;
+  if (std::shared_ptr<Drawing> same = find_cached(parsed)) return same;
   evaluation.begin(Stage::evaluating);
   std::shared_ptr<Drawing> next = evaluate(std::move(parsed));
   evaluation.begin(Stage::drawing);
-  keep(next);
+  cache(next);
   return next;
 }
 
 std::shared_ptr<Drawing> Drawings::draw(const Json& request, Evaluation& evaluation) {
   std::shared_ptr<Drawing> drawing = compile(request, evaluation);
   const std::lock_guard lock(drawing->found->mutex);
-  std::optional<session::Drawn>& drawn = drawing->found->drawn;
+  std::optional<session::DrawnRun>& drawn = drawing->found->drawn;
   if (!drawn) drawn = session::draw(drawing->model.program, drawing->machine);
   return drawing;
 }

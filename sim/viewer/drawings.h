@@ -23,7 +23,7 @@
 namespace csgsim::viewer {
 
 /// The command line that started a session.
-struct Beginning {
+struct StartCommand {
   std::string model;               ///< path of its file
   std::vector<std::string> words;  ///< all words except the model and the knobs
   Json knobs;                      ///< given knobs as texts by name; `set` is an array of strings
@@ -32,7 +32,7 @@ struct Beginning {
 /// Results about a drawing, computed on demand.
 struct DrawingResults {
   std::mutex mutex;  ///< held while a member is created or changed
-  std::optional<session::Drawn> drawn{};
+  std::optional<session::DrawnRun> drawn{};
   std::unique_ptr<Instants> instants{};
   std::unique_ptr<ActiveTrees> active_trees{};
   std::shared_ptr<const Lanes> lanes{};  ///< lanes of the whole frame
@@ -63,9 +63,9 @@ std::string model_text(const std::string& model);
 class Drawings {
  public:
   /// Throws InputError if the model's file cannot be read or is not a regular file.
-  explicit Drawings(Beginning beginning);
+  explicit Drawings(StartCommand beginning);
 
-  [[nodiscard]] const Beginning& beginning() const { return beginning_; }
+  [[nodiscard]] const StartCommand& beginning() const { return beginning_; }
 
   /// Compiles the request, or returns the existing drawing if none of its inputs has changed. Throws RequestError,
   /// InputError, UsageError for invalid options, and Interrupted.
@@ -85,15 +85,15 @@ class Drawings {
     std::string text;  ///< text of the model
   };
 
-  [[nodiscard]] std::vector<std::string> words_of(const Json& request) const;
+  [[nodiscard]] std::vector<std::string> command_words(const Json& request) const;
   [[nodiscard]] ParsedRequest parse(const Json& request) const;
   [[nodiscard]] session::ModelFile model_of(const ParsedRequest& parsed) const;
   [[nodiscard]] std::shared_ptr<Drawing> evaluate(ParsedRequest parsed) const;
-  std::shared_ptr<Drawing> find_kept(const ParsedRequest& parsed);
-  void keep(const std::shared_ptr<Drawing>& next);
-  std::shared_ptr<std::mutex> find_turn(const ParsedRequest& parsed);
+  std::shared_ptr<Drawing> find_cached(const ParsedRequest& parsed);
+  void cache(const std::shared_ptr<Drawing>& next);
+  std::shared_ptr<std::mutex> find_evaluation_mutex(const ParsedRequest& parsed);
 
-  Beginning beginning_;
+  StartCommand beginning_;
   mutable std::mutex mutex_;                                ///< protects the members below; never held for long
   std::vector<std::shared_ptr<Drawing>> kept_;              ///< the latest first
   std::map<std::size_t, std::weak_ptr<std::mutex>> turns_;  ///< one per running evaluation, by a hash of the request

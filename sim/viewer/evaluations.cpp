@@ -56,7 +56,7 @@ Json Evaluations::progress(std::string_view name) const {
   return progress;
 }
 
-std::list<Evaluations::Entry>::iterator Evaluation::enter(Evaluations& evaluations, std::string name) {
+std::list<Evaluations::Entry>::iterator Evaluation::add_entry(Evaluations& evaluations, std::string name) {
   const std::lock_guard lock(evaluations.mutex_);
   evaluations.entries_.push_back({.name = std::move(name)});
   const auto entry = std::prev(evaluations.entries_.end());
@@ -65,7 +65,7 @@ std::list<Evaluations::Entry>::iterator Evaluation::enter(Evaluations& evaluatio
 }
 
 Evaluation::Evaluation(Evaluations& all, std::string name)
-    : all_(all), entry_(enter(all, std::move(name))), interruptible_(entry_->stop.get_token()) {}
+    : all_(all), entry_(add_entry(all, std::move(name))), interruptible_(entry_->stop.get_token()) {}
 
 Evaluation::~Evaluation() {
   const std::lock_guard lock(all_.mutex_);

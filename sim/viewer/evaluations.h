@@ -82,7 +82,7 @@ class Evaluation {
   [[nodiscard]] EndReason end_reason() const;
 
  private:
-  static std::list<Evaluations::Entry>::iterator enter(Evaluations& evaluations, std::string name);
+  static std::list<Evaluations::Entry>::iterator add_entry(Evaluations& evaluations, std::string name);
 
   Evaluations& all_;
   std::list<Evaluations::Entry>::iterator entry_;

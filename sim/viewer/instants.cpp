@@ -98,7 +98,7 @@ void Instants::go_to(std::uint64_t number) {
   run_->advance(number, observers);
 }
 
-std::uint64_t Instants::first_of(std::uint64_t primitive) const {
+std::uint64_t Instants::first_instruction_of(std::uint64_t primitive) const {
   std::uint64_t number = 0;
   for (const isa::Segment& segment : program_.segments) {
     for (const isa::Instruction& one : segment.instructions) {
@@ -149,7 +149,7 @@ nlohmann::ordered_json Instants::instruction_json(std::uint64_t number) const {
   const isa::Instruction& instruction = program_.segments[place.segment].instructions[place.index];
   nlohmann::ordered_json json{{"number", number},
                               {"text", isa::text_of(instruction, program_.facts->fields)},
-                              {"serves", report::served_by(instruction, *program_.facts)}};
+                              {"serves", report::purpose_text(instruction, *program_.facts)}};
   const std::uint32_t piece = instruction.origin.primitive;
   if (piece != isa::no_primitive) json["primitive"] = isa::primitive_of(*program_.facts, piece);
   const std::uint32_t against = instruction.origin.node;
@@ -158,8 +158,8 @@ nlohmann::ordered_json Instants::instruction_json(std::uint64_t number) const {
 }
 
 std::uint64_t Instants::number_of(const InstantRequest& request) {
-  if (request.primitive) return first_of(*request.primitive);
-  return request.clock ? clocks_.first_after(*request.clock, 0) : std::min(request.number, numbers_.count());
+  if (request.primitive) return first_instruction_of(*request.primitive);
+  return request.clock ? clocks_.first_not_issued(*request.clock, 0) : std::min(request.number, numbers_.count());
 }
 
 /// Adds the clocks of issue, or the reason why the machine's kind does not provide them.

@@ -46,7 +46,7 @@ class Instants {
 
   void go_to(std::uint64_t number);
   [[nodiscard]] std::uint64_t number_of(const InstantRequest& request);
-  [[nodiscard]] std::uint64_t first_of(std::uint64_t primitive) const;
+  [[nodiscard]] std::uint64_t first_instruction_of(std::uint64_t primitive) const;
   [[nodiscard]] isa::Field field_named(const std::string& name) const;
   [[nodiscard]] std::vector<std::uint8_t> pixels_of(isa::Field field, std::string& scale) const;
   void tint(std::vector<std::uint8_t>& pixels) const;

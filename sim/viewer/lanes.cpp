@@ -73,7 +73,7 @@ Lanes::Lanes(std::string_view trace_events) : begin_(std::numeric_limits<std::ui
   begin_ = std::min(begin_, end_);
 }
 
-std::uint32_t Lanes::index_of(const std::string& text) {
+std::uint32_t Lanes::text_index(const std::string& text) {
   const auto [found, is_new] = indices_.try_emplace(text, static_cast<std::uint32_t>(texts_.size()));
   if (is_new) texts_.push_back(text);
   return found->second;
@@ -93,7 +93,7 @@ void Lanes::take(const nlohmann::json& event) {
     return;
   }
   const Stretch one{args.at("clock").get<std::uint64_t>(), args.at("clocks").get<std::uint64_t>(),
-                    index_of(event.at("name").get<std::string>())};
+                    text_index(event.at("name").get<std::string>())};
   lanes_[lane_of_.at(lane)].stretches.push_back(one);
   begin_ = std::min(begin_, one.begin);
   end_ = std::max(end_, one.end());

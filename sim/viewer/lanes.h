@@ -43,7 +43,7 @@ class Lanes {
   class Shortened;
 
   void take(const nlohmann::json& event);
-  std::uint32_t index_of(const std::string& text);
+  std::uint32_t text_index(const std::string& text);
 
   std::vector<std::string> texts_;
   std::unordered_map<std::string, std::uint32_t> indices_;  ///< index of each text

@@ -142,13 +142,14 @@ Json Session::explain(const Json& request, Evaluation& evaluation) {
   const std::shared_ptr<Drawing> held = drawings_.compile(request, evaluation);
   const Drawing& drawing = *held;
   const isa::Program& program = drawing.model.program;
-  const session::Pixel pixel = session::pixel_named(program, text_in(request, "pixel"), "pixel");
+  const session::Pixel pixel = session::parse_pixel(program, text_in(request, "pixel"), "pixel");
   const std::string why_not = text_in(request, "why_not");
   std::optional<std::uint32_t> missed;
-  if (!why_not.empty()) missed = session::primitive_named(program, why_not, "why not");
+  if (!why_not.empty()) missed = session::parse_primitive(program, why_not, "why not");
   return session::with_memory_for_picture(drawing.machine.array, [&]() -> Json {
     const story::HalfspaceFinder finder = session::halfspaces_of(drawing.model);
-    story::Answer history = story::answer_of({program, &finder}, drawing.machine, pixel.x, pixel.y, missed);
+    story::PixelExplanation history =
+        story::explain_pixel({program, &finder}, drawing.machine, pixel.x, pixel.y, missed);
     return {{"text", std::move(history.text)}, {"story", std::move(history.json)}};
   });
 }
@@ -223,9 +224,10 @@ Json Session::advice(const Json& request, Evaluation& evaluation) {
   const engine::RunResult& result = drawing->found->drawn->result;
   const session::Advice advice{
       .machine = drawing->options.machine, .is_asked = true, .ask = {}, .settings = [&](const engine::RunResult& of) {
-        return session::setting_knobs(drawing->model, drawing->options, drawing->machine, of);
+        return session::measure_setting_knobs(drawing->model, drawing->options, drawing->machine, of);
       }};
-  const std::vector<observe::Knob> turned = session::knobs_of(advice, drawing->model.program, drawing->machine, result);
+  const std::vector<observe::Knob> turned =
+      session::measure_parameter_knobs(advice, drawing->model.program, drawing->machine, result);
   return {{"knobs", stats_of(drawing->model, drawing->machine, *drawing->found->drawn, turned).at("knobs")}};
 }
 
@@ -253,7 +255,7 @@ std::string Session::report() const {
 }
 
 Json Session::about() const {
-  const Beginning& beginning = drawings_.beginning();
+  const StartCommand& beginning = drawings_.beginning();
   Json machines = kinds::built_in_names();
   const session::ModelRequest usual;
   const Json begun_with = beginning.knobs.value("machine", Json());

@@ -36,7 +36,7 @@ struct SessionOptions {
 class Session {
  public:
   /// Throws InputError if the file cannot be read.
-  explicit Session(Beginning beginning, SessionOptions options = {})
+  explicit Session(StartCommand beginning, SessionOptions options = {})
       : options_(std::move(options)), drawings_(std::move(beginning)), evaluations_(options_.evaluation_time) {}
 
   /// The questions, with the additional members of their requests:

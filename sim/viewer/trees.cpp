@@ -106,7 +106,8 @@ std::optional<Json> ActiveTrees::of(std::uint32_t piece, std::uint32_t segment) 
   if (!plan_ || segment_ != segment) {
     const view::View view = session::view_of(model_);
     emit::Options options = model_.choices.options;
-    if (const auto division = machine_.kind->division(machine_)) options = emit::options_for(*division, options);
+    if (const auto division = machine_.kind->division(machine_))
+      options = emit::options_for_division(*division, options);
     options = emit::with_prices(std::move(options), machine_);
     emit::Plan plan = emit::make_plan(model_.tree, model_.scene, view, {model_.program.segments[segment].region},
                                       {emit::pruning_of(options), options.prices}, {}, options.work);

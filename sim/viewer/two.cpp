@@ -36,7 +36,7 @@ nlohmann::ordered_json compare_drawings(const report::DrawnProgram& a, const rep
   if (found.pixels > 0) json["first"] = {found.first % a.frame.width, found.first / a.frame.width};
   json["picture"] = png_url(found.picture.png);
   json["instruction"] = nullptr;
-  if (const std::optional<std::uint64_t> other = lockstep::first_other_instruction(a.program, b.program)) {
+  if (const std::optional<std::uint64_t> other = lockstep::first_different_instruction(a.program, b.program)) {
     json["instruction"] = {
         {"number", *other}, {"a", instruction_text(a.program, *other)}, {"b", instruction_text(b.program, *other)}};
   }

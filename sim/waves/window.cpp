@@ -105,11 +105,11 @@ class Stretches {
   /// Adds the instructions of a segment for which `belongs` returns true, given number and instruction.
   void add(std::uint32_t segment, const std::function<bool(std::uint64_t, const isa::Instruction&)>& belongs) {
     const std::vector<isa::Instruction>& all = program_.segments[segment].instructions;
-    const std::uint64_t first = isa::first_numbers(program_)[segment];
+    const std::uint64_t first = isa::first_instruction_numbers(program_)[segment];
     std::vector<std::vector<machines::ClockSpan>> at_pixels;
     for (const wave::Pixel pixel : pixels_) {
       if (program_.segments[segment].region.holds(pixel.x, pixel.y))
-        at_pixels.push_back(machines::at_pixel(known_.timeline, program_, machine_, segment, pixel.x, pixel.y));
+        at_pixels.push_back(machines::spans_at_pixel(known_.timeline, program_, machine_, segment, pixel.x, pixel.y));
     }
     for (std::size_t i = 0; i < all.size(); ++i) {
       const machines::ClockSpan issued = known_.timeline.issued[segment][i];
@@ -150,7 +150,7 @@ class Stretches {
 isa::Field field_named(std::string_view target, const isa::Program& program) {
   const bool is_colour = target == "owner" || target == "colour";
   if (is_colour || target == "depth") {
-    const isa::Field field = is_colour ? program.colour : isa::field_of(program, isa::FieldRole::depth);
+    const isa::Field field = is_colour ? program.colour : isa::find_field(program, isa::FieldRole::depth);
     if (field.width > 0) return field;
     throw InputError(
         fmt::format("the Program has no field for the {}; name another field", is_colour ? "colour" : "depth"));
@@ -190,13 +190,13 @@ std::vector<wave::Window> find_windows(const WindowRequest& request, const isa::
     throw InputError(
         by_number
             ? fmt::format("none of the instructions i{} to i{} is executed; the Program has {} instructions",
-                          request.begin, request.end - 1, isa::first_numbers(program).back())
+                          request.begin, request.end - 1, isa::first_instruction_numbers(program).back())
             : fmt::format("no instruction of {} is executed at the probed pixels; choose other pixels", request.name));
   }
   return windows;
 }
 
-std::vector<wave::Window> pad(std::span<const wave::Window> windows, std::uint64_t clocks) {
+std::vector<wave::Window> pad_windows(std::span<const wave::Window> windows, std::uint64_t clocks) {
   std::vector<wave::Window> all;
   for (const wave::Window& window : windows) {
     const wave::Window one{window.begin - std::min(window.begin, clocks), window.end + std::min(~window.end, clocks)};
@@ -235,15 +235,17 @@ LastWrite last_write(std::string_view target, const isa::Program& program, const
         }
       }
       if (isa::needs_global_or(instruction.opcode))
-        i += static_cast<std::uint32_t>(isa::skipped_after(instruction, known.answers.at(questions++) ? 1 : 0));
+        i += static_cast<std::uint32_t>(
+            isa::skipped_instruction_count(instruction, known.answers.at(questions++) ? 1 : 0));
     }
   }
   if (!is_found) {
     throw InputError(fmt::format("no instruction changes the {} of pixel {},{}; choose another --pixel or --at", target,
                                  pixel.x, pixel.y));
   }
-  last.number = isa::first_numbers(program)[last.segment] + last.index;
-  last.at_pixel = machines::at_pixel(known.timeline, program, machine, last.segment, pixel.x, pixel.y)[last.index];
+  last.number = isa::first_instruction_numbers(program)[last.segment] + last.index;
+  last.at_pixel =
+      machines::spans_at_pixel(known.timeline, program, machine, last.segment, pixel.x, pixel.y)[last.index];
   const std::uint64_t issued = known.timeline.issued[last.segment][last.index].begin;
   const std::uint64_t way = last.at_pixel.begin - std::min(issued, last.at_pixel.begin);
   last.windows = {{last.at_pixel.begin - std::min(way, max_clocks_before), last.at_pixel.end + 1}};

@@ -39,7 +39,7 @@ std::vector<wave::Window> find_windows(const WindowRequest& request, const isa::
 
 /// Adds this number of clocks before and after each window and joins windows that touch. The frame may end before a
 /// window does.
-std::vector<wave::Window> pad(std::span<const wave::Window> windows, std::uint64_t clocks);
+std::vector<wave::Window> pad_windows(std::span<const wave::Window> windows, std::uint64_t clocks);
 
 /// The write that set the final value of a field in a pixel.
 struct LastWrite {

@@ -77,7 +77,7 @@ void run(isa::ArrayShape shape, unsigned primitives) {
   const isa::Program program = typical_mix(shape, primitives);
   DenseLoop dense(shape);
   array::PixelArray pixels(shape, 1);
-  machines::Machine machine = machines::blank(pixel_planes::kind);
+  machines::Machine machine = machines::blank_machine(pixel_planes::kind);
   machine.name = "bench";
   machine.array = shape;
   machine.clock_hz = 10'000'000;

@@ -56,7 +56,7 @@ Subject subject(const testing::ThesisObject& object, machines::Size picture, mac
   machine.array.width = square.width;
   machine.array.height = square.height;
   // Compiles with prunings other than the divider's.
-  machines::own<pixel_square::Figures>(machine).divider = pixel_square::DividerKind::host;
+  machines::kind_figures<pixel_square::Figures>(machine).divider = pixel_square::DividerKind::host;
   return {object.name, std::move(tree), std::move(scene), std::move(view), machine};
 }
 
@@ -68,7 +68,7 @@ struct Work {
   division::PeakUsage at_hand;
   std::uint64_t most_words = 0;  ///< 32-bit words of the commands of the largest square
 
-  void take(const isa::Region& region, const division::Divided& square) {
+  void take(const isa::Region& region, const division::SquareDivision& square) {
     squares += square.counts();
     const division::PeakUsage most = square.peak_usage();
     at_hand.halfspaces = std::max(at_hand.halfspaces, most.halfspaces);
@@ -99,7 +99,7 @@ Work two_levels(const Subject& subject, testing::ModelDivider& divider, std::uin
   const std::vector<isa::Region> squares = machines::regions(subject.machine);
   const machines::Size picture = subject.machine.picture;
   for (const division::Group& group :
-       division::groups_of(squares, {picture.width, picture.height, 0}, subject.machine.array, side, side)) {
+       division::group_squares(squares, {picture.width, picture.height, 0}, subject.machine.array, side, side)) {
     std::vector<isa::Region> inside;
     for (const std::size_t square : group.squares) inside.push_back(squares[square]);
     const division::DividedGroup divided = divider.divide_group(group.region, inside, list_entries);
@@ -178,7 +178,7 @@ std::vector<std::vector<std::uint32_t>> unions_of(const csg::PositiveTree& tree,
 
 /// Possible savings of drawing unions as one primitive (thesis 7.3.2).
 void print_unions(const Subject& subject) {
-  const csg::PositiveTree tree = csg::make_positive(subject.tree);
+  const csg::PositiveTree tree = csg::make_positive_tree(subject.tree);
   const auto plain = unions_of(tree, false);
   std::set<std::uint32_t> members;
   for (const auto& one : plain) members.insert(one.begin(), one.end());

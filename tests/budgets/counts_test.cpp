@@ -58,7 +58,7 @@ std::uint64_t listed(const isa::Program& program, std::uint32_t primitive) {
 }
 
 void check(const std::string& name, const std::vector<std::uint64_t>& by_hand) {
-  const isa::Program program = isa::load_program(budgets::place(name));
+  const isa::Program program = isa::load_program(budgets::source_path(name));
   const observe::Stats stats = budgets::measure(program).stats;
   REQUIRE(program.facts->primitives.size() == by_hand.size());
   for (std::uint32_t i = 0; i < by_hand.size(); ++i) {
@@ -92,5 +92,5 @@ TEST_CASE("a sphere takes 537 clocks if its radius is not a power of two") {
 
 TEST_CASE("the Programs of the budgets fit the published 512 x 512 pixels of 72 bits") {
   for (const char* const name : {"triangle.csgt", "shadow.csgt", "sphere.csgt", "sphere_radius.csgt"})
-    CHECK((isa::load_program(budgets::place(name)).shape == isa::ArrayShape{512, 512, 72}));
+    CHECK((isa::load_program(budgets::source_path(name)).shape == isa::ArrayShape{512, 512, 72}));
 }

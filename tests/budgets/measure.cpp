@@ -8,7 +8,7 @@
 
 namespace csgsim::budgets {
 
-std::string place(const std::string& name) { return std::string(CSGSIM_SOURCE_DIR) + "/tests/budgets/" + name; }
+std::string source_path(const std::string& name) { return std::string(CSGSIM_SOURCE_DIR) + "/tests/budgets/" + name; }
 
 Measured measure(const isa::Program& program) {
   const machines::Machine machine = kinds::load("pixel-planes-4");
@@ -20,13 +20,13 @@ Measured measure(const isa::Program& program) {
   return {stats.stats(), frame.frame()};
 }
 
-std::uint64_t most_expensive_primitive(const observe::Stats& stats) {
+std::uint64_t max_primitive_clocks(const observe::Stats& stats) {
   std::uint64_t most = 0;
   for (const observe::Cost& cost : stats.by_primitive) most = std::max(most, cost.clocks);
   return most;
 }
 
-double clocks_an_expression(const observe::Stats& stats) {
+double clocks_per_expression(const observe::Stats& stats) {
   std::uint64_t expressions = 0;
   for (const isa::OpcodeInfo& row : isa::opcode_table) {
     if (isa::has_operand(row.operands, isa::OperandKind::linear))
@@ -35,7 +35,7 @@ double clocks_an_expression(const observe::Stats& stats) {
   return static_cast<double>(stats.total.clocks) / static_cast<double>(expressions);
 }
 
-std::array<double, 3> shares(const Triangle& triangle, double x, double y) {
+std::array<double, 3> barycentric_coordinates(const Triangle& triangle, double x, double y) {
   const auto twice_area = [](double ax, double ay, double bx, double by) { return ax * by - ay * bx; };
   const auto& [a, b, c] = triangle;
   const double whole = twice_area(b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y);
@@ -44,8 +44,8 @@ std::array<double, 3> shares(const Triangle& triangle, double x, double y) {
   return {1 - of_b - of_c, of_b, of_c};
 }
 
-double between(const Triangle& triangle, const std::array<double, 3>& values, double x, double y) {
-  const std::array<double, 3> of = shares(triangle, x, y);
+double interpolate(const Triangle& triangle, const std::array<double, 3>& values, double x, double y) {
+  const std::array<double, 3> of = barycentric_coordinates(triangle, x, y);
   return of[0] * values[0] + of[1] * values[1] + of[2] * values[2];
 }
 

@@ -12,7 +12,7 @@
 namespace csgsim::budgets {
 
 /// Path of tests/budgets/NAME in the source tree.
-std::string place(const std::string& name);
+std::string source_path(const std::string& name);
 
 /// A run at the functional level on Pixel-planes 4; an overflowing linear expression fails the test.
 struct Measured {
@@ -22,10 +22,10 @@ struct Measured {
 Measured measure(const isa::Program& program);
 
 /// Clocks that the controller spends on the most expensive primitive, without the trees' latency.
-std::uint64_t most_expensive_primitive(const observe::Stats& stats);
+std::uint64_t max_primitive_clocks(const observe::Stats& stats);
 
 /// Clocks of all instructions divided by the number of those with a linear expression.
-double clocks_an_expression(const observe::Stats& stats);
+double clocks_per_expression(const observe::Stats& stats);
 
 /// A corner of a triangle in the Programs; x to the right, y down and z away from the eye in pixels, components 0 to
 /// 255.
@@ -36,9 +36,9 @@ struct Corner {
 using Triangle = std::array<Corner, 3>;
 
 /// The linear interpolation at (x, y) of the values at the corners.
-double between(const Triangle& triangle, const std::array<double, 3>& values, double x, double y);
+double interpolate(const Triangle& triangle, const std::array<double, 3>& values, double x, double y);
 
 /// Barycentric coordinates of the point (x, y): three weights that sum to 1, all positive inside.
-std::array<double, 3> shares(const Triangle& triangle, double x, double y);
+std::array<double, 3> barycentric_coordinates(const Triangle& triangle, double x, double y);
 
 }  // namespace csgsim::budgets

@@ -18,7 +18,7 @@ void check_expressions(const std::string& name, double ours) {
 }
 
 std::uint64_t run(const std::string& name) {
-  return budgets::most_expensive_primitive(budgets::measure(isa::load_program(budgets::place(name))).stats);
+  return budgets::max_primitive_clocks(budgets::measure(isa::load_program(budgets::source_path(name))).stats);
 }
 
 isa::Program compiled(const std::string& path, const view::Camera& camera) {
@@ -37,9 +37,9 @@ TEST_CASE("docs/performance.md states the measured clocks of triangles and spher
 TEST_CASE("docs/performance.md states the measured clocks of faceted spheres") {
   const view::Camera camera = testing::camera({0, -1286.98, 0}, {0, 0, 0}, view::Projection::orthographic);
   for (const int facets : {16, 32}) {
-    const isa::Program program = compiled(budgets::place(fmt::format("sphere_{}.csg", facets)), camera);
+    const isa::Program program = compiled(budgets::source_path(fmt::format("sphere_{}.csg", facets)), camera);
     budgets::check_row(fmt::format("sphere of {} facets", program.facts->model.halfspaces), budgets::published_sphere,
-                       budgets::most_expensive_primitive(budgets::measure(program).stats));
+                       budgets::max_primitive_clocks(budgets::measure(program).stats));
   }
 }
 
@@ -47,6 +47,6 @@ TEST_CASE("docs/performance.md states the measured clocks of a linear expression
   for (const testing::ThesisObject& object : testing::thesis_objects(view::Projection::orthographic)) {
     if (object.name == "thesis_fig_2_3") continue;
     const isa::Program program = compiled(testing::model_path(object.name), object.camera);
-    check_expressions(object.name, budgets::clocks_an_expression(budgets::measure(program).stats));
+    check_expressions(object.name, budgets::clocks_per_expression(budgets::measure(program).stats));
   }
 }

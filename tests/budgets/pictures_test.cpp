@@ -29,14 +29,14 @@ struct Point {
 enum class Side : std::uint8_t { inside, outside, close };
 
 Side side_of(const Triangle& triangle, double x, double y) {
-  const std::array<double, 3> of = budgets::shares(triangle, x, y);
+  const std::array<double, 3> of = budgets::barycentric_coordinates(triangle, x, y);
   const double least = std::min({of[0], of[1], of[2]});
   if (std::abs(least) < 1e-3) return Side::close;
   return least > 0 ? Side::inside : Side::outside;
 }
 
 double depth_at(const Triangle& triangle, double x, double y) {
-  return budgets::between(triangle, {triangle[0].z, triangle[1].z, triangle[2].z}, x, y);
+  return budgets::interpolate(triangle, {triangle[0].z, triangle[1].z, triangle[2].z}, x, y);
 }
 
 struct Seen {
@@ -84,7 +84,7 @@ bool colour_is(std::uint32_t colour, const Triangle& triangle, double x, double 
   const std::array<std::uint8_t, 3> levels = isa::unpack_colour(colour, 24);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const double full =
-        budgets::between(triangle, {triangle[0].colour[i], triangle[1].colour[i], triangle[2].colour[i]}, x, y);
+        budgets::interpolate(triangle, {triangle[0].colour[i], triangle[1].colour[i], triangle[2].colour[i]}, x, y);
     // Tolerance: half a level for rounded coefficients, and one level for each floor, here and in halving.
     const double off = levels[i] - (dark ? full / 2 : full);
     if (off > 0.5 || off < (dark ? -1.25 : -1.5)) return false;
@@ -118,7 +118,7 @@ void judge_pixel(const observe::Frame& frame, std::uint32_t pixel, bool with_sha
 }
 
 Tally judge_triangles(const std::string& name, bool with_shadows) {
-  const observe::Frame frame = budgets::measure(isa::load_program(budgets::place(name))).frame;
+  const observe::Frame frame = budgets::measure(isa::load_program(budgets::source_path(name))).frame;
   Tally tally;
   for (std::uint32_t pixel = 0; pixel < side * side; ++pixel) judge_pixel(frame, pixel, with_shadows, tally);
   return tally;
@@ -181,7 +181,7 @@ bool sphere_pixel_is(const std::vector<Sphere>& drawn, const observe::Frame& fra
 }
 
 std::uint32_t wrong_pixels(const std::string& name, const std::vector<Sphere>& drawn) {
-  const observe::Frame frame = budgets::measure(isa::load_program(budgets::place(name))).frame;
+  const observe::Frame frame = budgets::measure(isa::load_program(budgets::source_path(name))).frame;
   std::uint32_t wrong = 0;
   for (std::uint32_t pixel = 0; pixel < side * side; ++pixel) {
     if (!sphere_pixel_is(drawn, frame, pixel)) ++wrong;

@@ -29,7 +29,7 @@ struct Drawn {
 /// Draws like `csgsim render tests/models/NAME.csg --machine MACHINE --view-all`.
 Drawn draw(const std::string& name, const std::string& machine, unsigned z_bits = 20) {
   const model::Tree tree = read::read_csg_file(testing::model_path(name));
-  const facet::Box box = convex::extent(facet::make_geometry(tree), csg::make_positive(tree));
+  const facet::Box box = convex::extent(facet::make_geometry(tree), csg::make_positive_tree(tree));
   testing::Setup setup;
   setup.exact_curves = true;
   setup.machine = machine;

@@ -29,7 +29,7 @@ void check_command(const nlohmann::json& recommended, const Folder& folder) {
 
 /// All recommendations for the model, from advise.json.
 nlohmann::json advice(const std::string& words, const Folder& folder) {
-  succeeded(run("advise " + model("old_example011") + words + " --no-plots -o " + (folder / "a")));
+  require_success(run("advise " + model("old_example011") + words + " --no-plots -o " + (folder / "a")));
   return json(folder / "a/advise.json")["recommendations"];
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("the commands in docs/design-space.md draw what the page states") {
     const std::string output = " --output ";
     std::string words = line.substr(begin, line.find(output) - begin).substr(std::string("csgsim ").size());
     words.replace(words.find("tests/"), 0, std::string(CSGSIM_SOURCE_DIR) + "/");
-    succeeded(run(words + output + (folder / "p.png") + " --stats " + (folder / "p.json")));
+    require_success(run(words + output + (folder / "p.png") + " --stats " + (folder / "p.json")));
     const nlohmann::json stats = json(folder / "p.json");
     const auto says = [&](const std::string& text) { return figures.find(text) != std::string::npos; };
     const std::string clocks = std::to_string(stats["clocks"].get<std::uint64_t>());
@@ -124,7 +124,7 @@ TEST_CASE("advise names the conflicting limit and the nearest choice if none mee
       tight.out.find(
           "conflicting requirement: at least 24 bits of colour; with the others met, the best is 21 bits of colour") !=
       std::string::npos);
-  succeeded(run(ask + "--max-bits 49 -o " + (folder / "b")));
+  require_success(run(ask + "--max-bits 49 -o " + (folder / "b")));
 }
 
 TEST_CASE("advise reuses its measurements when the limits change") {
@@ -146,10 +146,10 @@ TEST_CASE("advise reuses its measurements when the limits change") {
   const std::size_t end = marked.find('\n', at);
   marked.insert(end, "marked");
   write(folder / "a/advise.csv", marked.substr(0, marked.size() - 500));
-  succeeded(run(ask + " --threads 1 --no-plots"));
+  require_success(run(ask + " --threads 1 --no-plots"));
   CHECK(content(folder / "a/advise.csv") == marked);
   write(folder / "a/advise.csv", table);
-  succeeded(run(ask + " --min-fps 1 --max-bits 60 --no-plots"));
+  require_success(run(ask + " --min-fps 1 --max-bits 60 --no-plots"));
   CHECK(content(folder / "a/advise.csv") == table);
   CHECK(content(folder / "a/advise.json") != answer);
   const Outcome again = run(ask);
@@ -162,7 +162,7 @@ TEST_CASE("advise reports an edited table row whose figures differ from the draw
   const Folder folder;
   const std::string ask =
       "advise " + model("old_example011") + narrow + "--max-wrong-pixels 1000 --no-plots -o " + (folder / "a");
-  succeeded(run(ask));
+  require_success(run(ask));
   std::string table = content(folder / "a/advise.csv");
   // Adds a wrong pixel to each row: a row ends with its clocks, wrong pixels and related counts.
   std::size_t changed = 0;
@@ -179,9 +179,9 @@ TEST_CASE("advise reports an edited table row whose figures differ from the draw
 
 TEST_CASE("advise without -o writes into a folder of the model's name and prints it last") {
   const Folder folder;
-  const Outcome outcome = succeeded(run_words({"advise", model("old_example011"), "--size", "32x32", "--z-bits", "16",
-                                               "--fraction-bits", "6", "--max-wrong-pixels", "1000"},
-                                              folder.path()));
+  const Outcome outcome = require_success(run_words({"advise", model("old_example011"), "--size", "32x32", "--z-bits",
+                                                     "16", "--fraction-bits", "6", "--max-wrong-pixels", "1000"},
+                                                    folder.path()));
   CHECK(outcome.out.find("\nfewest bits") != std::string::npos);
   CHECK(outcome.out.find("\nold_example011-advise: advise.csv, advise.json, and ") != std::string::npos);
   CHECK(folder.files() == 1);
@@ -191,18 +191,18 @@ TEST_CASE("advise without -o writes into a folder of the model's name and prints
 TEST_CASE("advise rejects impossible limits and ranges before it measures") {
   const Folder folder;
   const std::string ask = "advise " + model("old_example011") + " -o " + (folder / "a") + " ";
-  misused(ask + "--max-bits 0", "--max-bits");
-  misused(ask + "--max-wrong-pixels -1", "whole number");
-  misused(ask + "--min-fps fast", "not a number");
-  misused(ask + "--min-fps=-2", "not a non-negative number");
-  misused(ask + "--min-colour-bits 25", "24");
-  misused(ask + "--strategy auto", "there is no strategy 'auto'");
-  misused(ask + "--strategy lst", "did you mean list?");
-  misused(ask + "--z-bits 3", "4 to 30");
-  misused(ask + "--fraction-bits 21", "0 to 20");
-  misused(ask + "--alu-bits 0", "1 to 32");
-  misused(ask + "--machine scan-line --alu-bits 2", "has no parameter alu.bits");
-  misused(ask + "--memory-bits 72", "--memory-bits");
-  misused("advise", "MODEL");
+  check_misuse(ask + "--max-bits 0", "--max-bits");
+  check_misuse(ask + "--max-wrong-pixels -1", "whole number");
+  check_misuse(ask + "--min-fps fast", "not a number");
+  check_misuse(ask + "--min-fps=-2", "not a non-negative number");
+  check_misuse(ask + "--min-colour-bits 25", "24");
+  check_misuse(ask + "--strategy auto", "there is no strategy 'auto'");
+  check_misuse(ask + "--strategy lst", "did you mean list?");
+  check_misuse(ask + "--z-bits 3", "4 to 30");
+  check_misuse(ask + "--fraction-bits 21", "0 to 20");
+  check_misuse(ask + "--alu-bits 0", "1 to 32");
+  check_misuse(ask + "--machine scan-line --alu-bits 2", "has no parameter alu.bits");
+  check_misuse(ask + "--memory-bits 72", "--memory-bits");
+  check_misuse("advise", "MODEL");
   CHECK(folder.files() == 0);
 }

@@ -50,7 +50,7 @@ TEST_CASE("bench reports each measurement with its command and names missing pro
 TEST_CASE("bench measures another build alongside this one and reports the ratio") {
   const Folder folder;
   ::setenv("PATH", folder.path().c_str(), 1);
-  const Outcome outcome = succeeded(measure(
+  const Outcome outcome = require_success(measure(
       {"--size", "32x32", "--rounds", "1", "--parts", "speed,counts,schedule,works", "--works", "picture", "--machines",
        "pixel-square", "--levels", "functional", "--beside", binary_folder + "/csgsim", "-o", folder / "b"}));
   CHECK(outcome.out.find("other ÷ this") != std::string::npos);
@@ -78,7 +78,7 @@ TEST_CASE("bench measures another build alongside this one and reports the ratio
 
 TEST_CASE("bench counts the work of a Program reproducibly") {
   const std::string program = std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3_squares.csgt";
-  const Outcome outcome = succeeded(bench({"count", program}));
+  const Outcome outcome = require_success(bench({"count", program}));
   CHECK(outcome.out.starts_with("segments "));
   CHECK(bench({"count", program}).out == outcome.out);
   const nlohmann::json counts = nlohmann::json::parse(bench({"count", "--json", program}).out);
@@ -88,7 +88,7 @@ TEST_CASE("bench counts the work of a Program reproducibly") {
 
 TEST_CASE("bench fits a power law to the time of growing models and plots it") {
   const Folder folder;
-  succeeded(measure({"--size", "64x64", "--seconds", "0", "--parts", "growth", "-o", folder / "b"}));
+  require_success(measure({"--size", "64x64", "--seconds", "0", "--parts", "growth", "-o", folder / "b"}));
   const nlohmann::json growth = json(folder / "b/bench.json")["growth"];
   REQUIRE(growth.size() == 7);
   for (const nlohmann::json& row : growth) {

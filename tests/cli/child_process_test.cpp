@@ -19,9 +19,9 @@ const std::string program = std::string(CSGSIM_BINARY_DIR) + "/csgsim";
 /// Draws source with a stand-in for OpenSCAD; terminated after a minute, with code 124.
 Outcome draw_source(const std::string& commands, const std::vector<std::string>& more = {}) {
   const Folder folder;
-  stand_in(folder, "openscad", commands);
+  write_stand_in(folder, "openscad", commands);
   write(folder / "part.scad", "// whatever\n");
-  std::vector<std::string> words{"--kill-after=1", "60",     "env",  path_with(folder), program, "render",
+  std::vector<std::string> words{"--kill-after=1", "60",     "env",  path_argument(folder), program, "render",
                                  "part.scad",      "--size", "16x16"};
   words.insert(words.end(), more.begin(), more.end());
   return run_program("timeout", words, folder.path());
@@ -58,7 +58,7 @@ pid_t begin_drawing(const Folder& folder) {
   const pid_t process = ::fork();
   REQUIRE(process >= 0);
   if (process != 0) return process;
-  const std::string path = path_with(folder).substr(5);
+  const std::string path = path_argument(folder).substr(5);
   ::setenv("PATH", path.c_str(), 1);
   ::setpgid(0, 0);
   const int nowhere = ::open("/dev/null", O_RDWR);
@@ -76,7 +76,7 @@ TEST_CASE("ending csgsim by any signal also ends its child processes") {
       CAPTURE(signal);
       CAPTURE(is_group);
       const Folder folder;
-      stand_in(folder, "openscad", "sleep 300 & echo $! > numbers; echo $$ >> numbers; wait; sleep 300");
+      write_stand_in(folder, "openscad", "sleep 300 & echo $! > numbers; echo $$ >> numbers; wait; sleep 300");
       write(folder / "part.scad", "// whatever\n");
       const pid_t process = begin_drawing(folder);
       CHECK(comes_true([&] { return numbers_in(folder / "numbers").size() == 2; }));
@@ -112,19 +112,19 @@ TEST_CASE("OpenSCAD is limited to 8 GiB of memory or to a lower limit of csgsim"
   const std::string tells = "echo \"WARNING: $(ulimit -v)\" >&2; echo 'cube(size = [8, 6, 4]);'";
   CHECK(draw_source(tells).err == "openscad: WARNING: 8388608\n");
   const Folder folder;
-  stand_in(folder, "openscad", tells);
+  write_stand_in(folder, "openscad", tells);
   write(folder / "part.scad", "// whatever\n");
-  const Outcome less = run_program(
-      "sh",
-      {"-c", "ulimit -v 4000000 && exec env " + path_with(folder) + " " + program + " render part.scad --size 16x16"},
-      folder.path());
+  const Outcome less = run_program("sh",
+                                   {"-c", "ulimit -v 4000000 && exec env " + path_argument(folder) + " " + program +
+                                              " render part.scad --size 16x16"},
+                                   folder.path());
   // The sanitizer's own memory exceeds this limit.
   if (CSGSIM_ADDRESS_SANITIZER == 0) CHECK(less.err == "openscad: WARNING: 4000000\n");
 }
 
 TEST_CASE("OpenSCAD inherits no open file except the standard streams") {
   // The shell also has its script open. A pipe would be one more open file, so a temporary file holds the links.
-  const Outcome outcome = succeeded(
+  const Outcome outcome = require_success(
       draw_source("links=$(mktemp); readlink /proc/$$/fd/* > $links; sed 's/^/WARNING: /' $links >&2; rm $links; "
                   "echo 'cube(size = [8, 6, 4]);'"));
   int files = 0;

@@ -16,7 +16,7 @@ std::string classify(const std::string& more) {
 
 TEST_CASE("classify counts and prices every method and all see the same surfaces") {
   const Folder folder;
-  const Outcome first = succeeded(run(classify(" -o " + (folder / "c"))));
+  const Outcome first = require_success(run(classify(" -o " + (folder / "c"))));
   CHECK(first.out.find("All methods see the same surfaces") != std::string::npos);
   const nlohmann::json points = json(folder / "c/classify.json")["points"];
   REQUIRE(points.size() == 7 * 6 + 3);
@@ -33,16 +33,16 @@ TEST_CASE("classify counts and prices every method and all see the same surfaces
   const std::string table = content(folder / "c/classify.csv");
   const std::size_t last = table.rfind('\n', table.size() - 2);
   write(folder / "c/classify.csv", table.substr(0, table.rfind('\n', last - 1) + 30));
-  succeeded(run(classify(" -o " + (folder / "c"))));
+  require_success(run(classify(" -o " + (folder / "c"))));
   const std::string again = content(folder / "c/classify.csv");
   CHECK(again.substr(0, last - 200) == table.substr(0, last - 200));
 }
 
 TEST_CASE("classify prices stored counts for another processor without a new run") {
   const Folder folder;
-  succeeded(run(classify(few + " --no-plots -o " + (folder / "c"))));
+  require_success(run(classify(few + " --no-plots -o " + (folder / "c"))));
   const std::string table = content(folder / "c/classify.csv");
-  succeeded(
+  require_success(
       run(classify(" --methods standard,status,weave --coherences all-points,one-list --no-plots --processors "
                    "mc68000+price.load=24 -o " +
                    (folder / "c"))));
@@ -68,43 +68,43 @@ TEST_CASE("classify draws every supported tree shape and reports a tree that is 
             "center = true); }\n";
   write(folder / "deep.csg", deep + "}\n");
   const Outcome refused =
-      succeeded(run("classify " + (folder / "deep.csg") +
-                    " --size 32x32 --view-all --shapes written --methods standard,bit-parallel --coherences "
-                    "one-list --processors mc68000 -o " +
-                    (folder / "d")));
+      require_success(run("classify " + (folder / "deep.csg") +
+                          " --size 32x32 --view-all --shapes written --methods standard,bit-parallel --coherences "
+                          "one-list --processors mc68000 -o " +
+                          (folder / "d")));
   CHECK(refused.out.find("use --shapes balanced") != std::string::npos);
   const Outcome alone = run(
       "classify " + (folder / "deep.csg") +
       " --size 32x32 --view-all --shapes written --methods bit-parallel --coherences one-list -o " + (folder / "e"));
   CHECK(alone.code == 1);
-  CHECK(one_line(alone.err));
+  CHECK(is_one_line(alone.err));
 }
 
 TEST_CASE("gathering two shards of classify gives all points") {
   const Folder folder;
   const std::string common = few + " --no-plots --progress none -o ";
-  succeeded(run(classify(common + (folder / "s") + " --shard 1/2")));
-  succeeded(run(classify(common + (folder / "s") + " --shard 2/2")));
-  succeeded(run("gather " + (folder / "s")));
+  require_success(run(classify(common + (folder / "s") + " --shard 1/2")));
+  require_success(run(classify(common + (folder / "s") + " --shard 2/2")));
+  require_success(run("gather " + (folder / "s")));
   CHECK(json(folder / "s/classify.json")["points"].size() == 5);
 }
 
 TEST_CASE("classify rejects unknown names and suggests the nearest") {
-  misused("classify " + model("thesis_fig_2_3") + " --methods standrd", "did you mean standard");
-  misused("classify " + model("thesis_fig_2_3") + " --coherences onelist", "did you mean one-list");
-  misused("classify " + model("thesis_fig_2_3") + " --shapes round", "balanced");
-  misused("classify " + model("thesis_fig_2_3") + " --processors mc68001", "mc68000");
-  misused("compare " + model("thesis_fig_2_3") + " --with mc68000", "PROCESSOR:METHOD");
-  misused("compare " + model("thesis_fig_2_3") + " --with mc68000:weave/one-list", "no coherence");
+  check_misuse("classify " + model("thesis_fig_2_3") + " --methods standrd", "did you mean standard");
+  check_misuse("classify " + model("thesis_fig_2_3") + " --coherences onelist", "did you mean one-list");
+  check_misuse("classify " + model("thesis_fig_2_3") + " --shapes round", "balanced");
+  check_misuse("classify " + model("thesis_fig_2_3") + " --processors mc68001", "mc68000");
+  check_misuse("compare " + model("thesis_fig_2_3") + " --with mc68000", "PROCESSOR:METHOD");
+  check_misuse("compare " + model("thesis_fig_2_3") + " --with mc68000:weave/one-list", "no coherence");
 }
 
 TEST_CASE("compare lists software methods beside machines and all see equal surfaces") {
   const Folder folder;
   const Outcome outcome =
-      succeeded(run("compare " + model("thesis_fig_2_3") +
-                    " --camera 42,-38,41,10,5.5,2 --machines pixel-planes-4,scan-line --sides 24,48 "
-                    "--fragments none --with mc68000:status/one-list,this-computer:weave -o " +
-                    (folder / "c")));
+      require_success(run("compare " + model("thesis_fig_2_3") +
+                          " --camera 42,-38,41,10,5.5,2 --machines pixel-planes-4,scan-line --sides 24,48 "
+                          "--fragments none --with mc68000:status/one-list,this-computer:weave -o " +
+                          (folder / "c")));
   CHECK(outcome.out.find("are identical on all machines") != std::string::npos);
   const nlohmann::json points = json(folder / "c/compare.json")["points"];
   REQUIRE(points.size() == 4 * 3);
@@ -118,19 +118,19 @@ TEST_CASE("compare lists software methods beside machines and all see equal surf
 }
 
 TEST_CASE("the manual lists all processors or the named one and rejects unknown names") {
-  const Outcome all = succeeded(run("manual processors all"));
+  const Outcome all = require_success(run("manual processors all"));
   CHECK(all.out.find("mc68000\n") != std::string::npos);
   CHECK(all.out.find("i486dx2\n") != std::string::npos);
-  const Outcome one = succeeded(run("manual processors mc68000"));
+  const Outcome one = require_success(run("manual processors mc68000"));
   CHECK(one.out.find("price.load_long") != std::string::npos);
   CHECK(one.out.find("i486dx2") == std::string::npos);
-  misused("manual processors mc68001", "did you mean mc68000");
+  check_misuse("manual processors mc68001", "did you mean mc68000");
   CHECK(run("manual methods").out.find("csg-buffer") != std::string::npos);
 }
 
 TEST_CASE("the rays exported by classify reproduce its counts") {
   const Folder folder;
-  succeeded(run(classify(few + " --json " + (folder / "rays.json") + " -o " + (folder / "c"))));
+  require_success(run(classify(few + " --json " + (folder / "rays.json") + " -o " + (folder / "c"))));
   const nlohmann::json point = json(folder / "c/classify.json")["points"][0];
   const nlohmann::json rays = json(folder / "rays.json");
   CHECK(rays["width"] == 48);
@@ -164,5 +164,5 @@ TEST_CASE("the rays exported by classify reproduce its counts") {
   CHECK(sequences == point["sequences"]);
   CHECK(different.size() == point["different_sequences"]);
   CHECK(combinations.size() == point["combinations"]);
-  misused(classify(" --json " + model("thesis_fig_2_3")), "");
+  check_misuse(classify(" --json " + model("thesis_fig_2_3")), "");
 }

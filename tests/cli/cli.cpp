@@ -55,15 +55,15 @@ Outcome run_program(const std::string& program, const std::vector<std::string>& 
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(out), content(err)};
 }
 
-void stand_in(const Folder& folder, const std::string& name, const std::string& shell_commands) {
+void write_stand_in(const Folder& folder, const std::string& name, const std::string& shell_commands) {
   write(folder / name, "#!/bin/sh\n" + shell_commands + "\n");
   fs::permissions(folder / name, fs::perms::owner_all);
 }
 
-std::string path_with(const Folder& folder) { return "PATH=" + folder.path().string() + ":/usr/bin:/bin"; }
+std::string path_argument(const Folder& folder) { return "PATH=" + folder.path().string() + ":/usr/bin:/bin"; }
 
-Outcome run_beside(const Folder& folder, const std::vector<std::string>& words) {
-  std::vector<std::string> all{path_with(folder), std::string(CSGSIM_BINARY_DIR) + "/csgsim"};
+Outcome run_with_stand_ins(const Folder& folder, const std::vector<std::string>& words) {
+  std::vector<std::string> all{path_argument(folder), std::string(CSGSIM_BINARY_DIR) + "/csgsim"};
   all.insert(all.end(), words.begin(), words.end());
   return run_program("env", all, folder.path());
 }
@@ -72,9 +72,9 @@ std::string model(const std::string& name) { return std::string(CSGSIM_SOURCE_DI
 
 nlohmann::json json(const std::string& path) { return nlohmann::json::parse(std::ifstream(path)); }
 
-bool one_line(const std::string& text) { return !text.empty() && text.find('\n') == text.size() - 1; }
+bool is_one_line(const std::string& text) { return !text.empty() && text.find('\n') == text.size() - 1; }
 
-Outcome succeeded(Outcome outcome) {
+Outcome require_success(Outcome outcome) {
   CAPTURE(outcome.err.substr(0, 400));
   REQUIRE(outcome.code == 0);
   return outcome;
@@ -83,26 +83,26 @@ Outcome succeeded(Outcome outcome) {
 void fails(const Outcome& outcome, int exit_code, const std::vector<std::string>& error_texts) {
   CAPTURE(outcome.err.substr(0, 400));
   CHECK(outcome.code == exit_code);
-  CHECK(one_line(outcome.err));
+  CHECK(is_one_line(outcome.err));
   for (const std::string& text : error_texts) {
     CAPTURE(text);
     CHECK(outcome.err.find(text) != std::string::npos);
   }
 }
 
-void refuses(const std::string& path, const std::string& error_text) {
+void check_rejected(const std::string& path, const std::string& error_text) {
   const Folder folder;
   fails(run("render " + path + " --size 32x32 -o " + (folder / "p.png") + " --stats " + (folder / "s.json")), 1,
         {error_text});
   CHECK(folder.files() == 0);
 }
 
-void refuses_text(const std::string& csg, const std::string& error_text) {
+void check_text_rejected(const std::string& csg, const std::string& error_text) {
   const Folder folder;
   write(folder / "m.csg", csg);
-  refuses(folder / "m.csg", error_text);
+  check_rejected(folder / "m.csg", error_text);
 }
 
-void misused(const std::string& words, const std::string& error_text) { fails(run(words), 2, {error_text}); }
+void check_misuse(const std::string& words, const std::string& error_text) { fails(run(words), 2, {error_text}); }
 
 }  // namespace csgsim::testing::cli

@@ -48,26 +48,26 @@ Outcome run_words(const std::vector<std::string>& words, const fs::path& working
 Outcome run_program(const std::string& program, const std::vector<std::string>& words,
                     const fs::path& working_folder = ".");
 /// Writes an executable of that name into the folder; it runs the shell commands.
-void stand_in(const Folder& folder, const std::string& name, const std::string& shell_commands);
+void write_stand_in(const Folder& folder, const std::string& name, const std::string& shell_commands);
 /// Runs csgsim in the folder, whose programs come first in PATH.
-Outcome run_beside(const Folder& folder, const std::vector<std::string>& words);
+Outcome run_with_stand_ins(const Folder& folder, const std::vector<std::string>& words);
 /// The argument `PATH=...` of env, with the folder first.
-std::string path_with(const Folder& folder);
+std::string path_argument(const Folder& folder);
 /// Path of tests/models/NAME.csg in the source tree.
 std::string model(const std::string& name);
 /// The parsed content of a JSON file.
 nlohmann::json json(const std::string& path);
 /// Whether the text is exactly one line, including its line end.
-bool one_line(const std::string& text);
+bool is_one_line(const std::string& text);
 /// Returns the outcome after a check that its exit code is 0.
-Outcome succeeded(Outcome outcome);
+Outcome require_success(Outcome outcome);
 /// Checks that a run ended with this exit code and one line of error that contains the texts.
 void fails(const Outcome& outcome, int exit_code, const std::vector<std::string>& error_texts);
 /// Checks that a model is rejected: exit code 1, one line of error that contains the text, no file left behind.
-void refuses(const std::string& path, const std::string& error_text);
+void check_rejected(const std::string& path, const std::string& error_text);
 /// The same check for a model with this text, written to a file m.csg.
-void refuses_text(const std::string& csg, const std::string& error_text);
+void check_text_rejected(const std::string& csg, const std::string& error_text);
 /// Runs csgsim with these words and checks for exit code 2 and one line of error that contains the text.
-void misused(const std::string& words, const std::string& error_text);
+void check_misuse(const std::string& words, const std::string& error_text);
 
 }  // namespace csgsim::testing::cli

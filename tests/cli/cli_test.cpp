@@ -20,7 +20,7 @@ TEST_CASE("render writes pictures and stats and prints a summary") {
 
 TEST_CASE("the stats have the documented keys and their accounts add up") {
   const Folder folder;
-  succeeded(run("render " + model("carburettor") + " --size 64x64 --stats " + (folder / "s.json")));
+  require_success(run("render " + model("carburettor") + " --size 64x64 --stats " + (folder / "s.json")));
   const nlohmann::json stats = json(folder / "s.json");
   std::vector<std::string> keys;
   for (const auto& [key, value] : stats.items()) keys.push_back(key);
@@ -79,9 +79,9 @@ TEST_CASE("the stats have the documented keys and their accounts add up") {
 TEST_CASE("render gives the same pictures and counts at all levels") {
   const Folder folder;
   for (const std::string level : {"functional", "cycle", "reference"}) {
-    succeeded(run("render " + model("thesis_fig_2_3") + " --size 40x30 --projection perspective --level " + level +
-                  " -o " + (folder / (level + ".png")) + " --depth " + (folder / (level + "-z.exr")) + " --owner " +
-                  (folder / (level + "-id.exr")) + " --stats " + (folder / (level + ".json"))));
+    require_success(run("render " + model("thesis_fig_2_3") + " --size 40x30 --projection perspective --level " +
+                        level + " -o " + (folder / (level + ".png")) + " --depth " + (folder / (level + "-z.exr")) +
+                        " --owner " + (folder / (level + "-id.exr")) + " --stats " + (folder / (level + ".json"))));
   }
   nlohmann::json expected = json(folder / "functional.json");
   for (const std::string level : {"cycle", "reference"}) {
@@ -106,16 +106,16 @@ TEST_CASE("both levels draw the same frames of a sequence and report its frame r
   CHECK(content(folder / "f_000.png") != content(folder / "f_001.png"));
   CHECK(cycle.out.substr(0, cycle.out.find(';')) == functional.out.substr(0, functional.out.find(';')));
   CHECK(cycle.out.find(" frames per second") != std::string::npos);
-  succeeded(run("render " + model("thesis_fig_2_3") + " --size 40x30 --view-all -o " + (folder / "one.png")));
+  require_success(run("render " + model("thesis_fig_2_3") + " --size 40x30 --view-all -o " + (folder / "one.png")));
   CHECK(content(folder / "one.png") == content(folder / "f_000.png"));
 }
 
 TEST_CASE("running a compiled Program in either form reproduces render's picture and counts") {
   const Folder folder;
   const std::string options = model("old_example002") + " --size 60x50 --camera 65,-95,60,0,0,-2 ";
-  succeeded(run("render " + options + "-o " + (folder / "a.png") + " --stats " + (folder / "a.json")));
-  succeeded(run("compile " + options + "-o " + (folder / "p.csgt")));
-  succeeded(run("disasm " + (folder / "p.csgt") + " -o " + (folder / "p.txt")));
+  require_success(run("render " + options + "-o " + (folder / "a.png") + " --stats " + (folder / "a.json")));
+  require_success(run("compile " + options + "-o " + (folder / "p.csgt")));
+  require_success(run("disasm " + (folder / "p.csgt") + " -o " + (folder / "p.txt")));
   for (const std::string program : {"p.csgt", "p.txt"}) {
     REQUIRE(run("run " + (folder / program) + " -o " + (folder / "b.png") + " --stats " + (folder / "b.json")).code ==
             0);
@@ -133,7 +133,7 @@ TEST_CASE("running a compiled Program in either form reproduces render's picture
 TEST_CASE("wave records the requested window of clocks and writes a view for GTKWave") {
   const Folder folder;
   const std::string options = "wave " + model("old_example011") + " --size 16x16 --probe 8,8 --probe 0,15 ";
-  succeeded(run(options + "--window 50:80 -o " + (folder / "w.vcd")));
+  require_success(run(options + "--window 50:80 -o " + (folder / "w.vcd")));
   const std::string wave = content(folder / "w.vcd");
   for (const std::string name :
        {"pixel_8_8", "pixel_0_15", "tree_bit", "carry", "enable", "Z1 [19:0]", "text", "purpose"}) {
@@ -167,12 +167,12 @@ TEST_CASE("wave rejects an empty window or probe or a wrong name and leaves no f
 TEST_CASE("strategy and colouring and pruning change counts but not pictures") {
   const Folder folder;
   const std::string draw = "render " + model("old_example002") + " --size 90x70 --memory-bits 100 ";
-  succeeded(run(draw + "-o " + (folder / "p.png")));
+  require_success(run(draw + "-o " + (folder / "p.png")));
   for (const std::string options : {"--strategy list", "--strategy bits --stack-bits 3", "--strategy products",
                                     "--strategy parallel", "--strategy auto", "--colouring field", "--pruning none",
                                     "--pruning no-early-out", "--pruning no-space+no-hidden --threads 3"}) {
     CAPTURE(options);
-    succeeded(run(draw + options + " -o " + (folder / "q.png") + " --stats " + (folder / "s.json")));
+    require_success(run(draw + options + " -o " + (folder / "q.png") + " --stats " + (folder / "s.json")));
     CHECK(content(folder / "q.png") == content(folder / "p.png"));
     const nlohmann::json stats = json(folder / "s.json");
     CHECK(stats["strategy_used"] != "auto");
@@ -188,9 +188,9 @@ TEST_CASE("a Program with early out compiles and runs on machines with a global 
   text.replace(text.find(present) + present.size() - 1, 1, "0");
   write(folder / "deaf.toml", text);
   const std::string compile = "compile " + model("old_example002") + " --size 60x50 -o ";
-  succeeded(run(compile + (folder / "asks.csgt")));
-  succeeded(run(compile + (folder / "deaf.csgt") + " --pruning all --machine " + (folder / "deaf.toml")));
-  succeeded(run(compile + (folder / "mute.csgt") + " --pruning no-early-out"));
+  require_success(run(compile + (folder / "asks.csgt")));
+  require_success(run(compile + (folder / "deaf.csgt") + " --pruning all --machine " + (folder / "deaf.toml")));
+  require_success(run(compile + (folder / "mute.csgt") + " --pruning no-early-out"));
   CHECK(run("disasm " + (folder / "asks.csgt")).out.find("skip_if_none") != std::string::npos);
   CHECK(run("disasm " + (folder / "deaf.csgt")).out.find("skip_if_none") == std::string::npos);
   const auto without_machine = [&](const std::string& name) {
@@ -202,7 +202,7 @@ TEST_CASE("a Program with early out compiles and runs on machines with a global 
   CHECK(without_machine("deaf.csgt") == without_machine("mute.csgt"));
 
   const std::string on_deaf = " --machine " + (folder / "deaf.toml") + " -o " + (folder / "p.png");
-  succeeded(run("run " + (folder / "deaf.csgt") + on_deaf));
+  require_success(run("run " + (folder / "deaf.csgt") + on_deaf));
   fs::remove(folder / "p.png");
   for (const char* level : {"functional", "cycle", "reference"}) {
     const Outcome refused = run("run " + (folder / "asks.csgt") + on_deaf + " --level " + level);
@@ -215,8 +215,8 @@ TEST_CASE("a Program with early out compiles and runs on machines with a global 
 TEST_CASE("colours of 12 bits differ by at most half a step from those of 24 bits") {
   const Folder folder;
   const std::string draw = "render " + model("old_example003") + " --size 40x30 ";
-  succeeded(run(draw + "-o " + (folder / "fine.ppm")));
-  succeeded(run(draw + "--colour-bits 12 -o " + (folder / "coarse.ppm")));
+  require_success(run(draw + "-o " + (folder / "fine.ppm")));
+  require_success(run(draw + "--colour-bits 12 -o " + (folder / "coarse.ppm")));
   const std::string fine = content(folder / "fine.ppm");
   const std::string coarse = content(folder / "coarse.ppm");
   REQUIRE(fine.size() == coarse.size());
@@ -235,7 +235,7 @@ TEST_CASE("converts a tolerance in pixels to model units that are finer for larg
   CHECK(coarse.code == 0);
   CHECK(coarse.out.find("0.5 pixels at the nearest point of the model") != std::string::npos);
   CHECK(coarse.out.substr(0, 60) != fine.out.substr(0, 60));
-  misused("render x.csg --tolerance 3mm", "is not of the form 0.1, or 0.5px");
+  check_misuse("render x.csg --tolerance 3mm", "is not of the form 0.1, or 0.5px");
 }
 
 TEST_CASE("every command has help with an example") {
@@ -249,14 +249,14 @@ TEST_CASE("every command has help with an example") {
 }
 
 TEST_CASE("the manual lists the machines briefly and gives the source of each parameter") {
-  const Outcome list = succeeded(run("manual machines"));
+  const Outcome list = require_success(run("manual machines"));
   CHECK(std::ranges::count(list.out, '\n') < 14);
   for (const char* const name : {"pixel-planes-4 ", "scan-line ", "multi-processor "})
     CHECK(list.out.find(name) != std::string::npos);
   CHECK(run("manual").out.find("instructions") != std::string::npos);
-  misused("manual instruction", "did you mean instructions?");
-  misused("manual scenes pixel-planes-4", "NAME: csgsim manual scenes accepts no name");
-  const Outcome outcome = succeeded(run("manual machines pixel-planes-4"));
+  check_misuse("manual instruction", "did you mean instructions?");
+  check_misuse("manual scenes pixel-planes-4", "NAME: csgsim manual scenes accepts no name");
+  const Outcome outcome = require_success(run("manual machines pixel-planes-4"));
   CHECK(outcome.out.find("alu.bits") != std::string::npos);
   CHECK(outcome.out.find("published") != std::string::npos);
   CHECK(outcome.out.find("assumed") != std::string::npos);
@@ -271,32 +271,32 @@ TEST_CASE("the documentation of scene files equals the printed manual page") {
 }
 
 TEST_CASE("wrong usage ends with exit code 2 and one line of error") {
-  misused("", "name a command");
-  misused("rendr x.csg", "rendr");
-  misused("render", "MODEL");
-  misused("render m.csg --colour", "--colour");
-  misused("render m.csg --level gate", "gate");
-  misused("render m.csg --size 12", "WxH");
-  misused("render m.csg --size 12x-4", "WxH");
-  misused("render " + model("old_example003") + " --camera 1,2,3", "ex,ey,ez,cx,cy,cz");
-  misused("render m.csg --z-bits many", "--z-bits");
-  misused("compile m.csg", "--output");
+  check_misuse("", "name a command");
+  check_misuse("rendr x.csg", "rendr");
+  check_misuse("render", "MODEL");
+  check_misuse("render m.csg --colour", "--colour");
+  check_misuse("render m.csg --level gate", "gate");
+  check_misuse("render m.csg --size 12", "WxH");
+  check_misuse("render m.csg --size 12x-4", "WxH");
+  check_misuse("render " + model("old_example003") + " --camera 1,2,3", "ex,ey,ez,cx,cy,cz");
+  check_misuse("render m.csg --z-bits many", "--z-bits");
+  check_misuse("compile m.csg", "--output");
 }
 
 TEST_CASE("rejects missing and empty files and directories and syntax errors in one line") {
   const Folder folder;
-  refuses(folder / "none.csg", "none.csg");
+  check_rejected(folder / "none.csg", "none.csg");
   fs::create_directory(folder / "dir.csg");
-  refuses(folder / "dir.csg", "dir.csg");
-  refuses_text("", "m.csg");
-  refuses_text("cube(size = [1, 2, 3]", "m.csg:1:");
-  refuses_text("union() {\n cube(size = 1);\n", "m.csg:");
-  refuses_text("sphere(r = 1e999);", "m.csg:1:");
+  check_rejected(folder / "dir.csg", "dir.csg");
+  check_text_rejected("", "m.csg");
+  check_text_rejected("cube(size = [1, 2, 3]", "m.csg:1:");
+  check_text_rejected("union() {\n cube(size = 1);\n", "m.csg:");
+  check_text_rejected("sphere(r = 1e999);", "m.csg:1:");
 }
 
 TEST_CASE("the error for a node that cannot become half-spaces states its place") {
-  refuses_text("union() {\n  roof(method = \"voronoi\") { square(size = 2); }\n}", "m.csg:2:3: roof()");
-  refuses_text("union() {\n  fill() { square(size = 2); }\n}", "m.csg:2:3: fill()");
+  check_text_rejected("union() {\n  roof(method = \"voronoi\") { square(size = 2); }\n}", "m.csg:2:3: roof()");
+  check_text_rejected("union() {\n  fill() { square(size = 2); }\n}", "m.csg:2:3: fill()");
 }
 
 TEST_CASE("rejects a hundred megabytes of brackets quickly") {
@@ -306,14 +306,15 @@ TEST_CASE("rejects a hundred megabytes of brackets quickly") {
     const auto bytes = csgsim::testing::cases<std::size_t>(100'000'000, 5'000'000);
     while (text.size() < bytes) text += bracket;
     write(folder / "m.csg", text);
-    refuses(folder / "m.csg", "m.csg:");
+    check_rejected(folder / "m.csg", "m.csg:");
   }
 }
 
 TEST_CASE("an error states what a machine lacks to hold the picture") {
-  refuses(model("old_example002") + " --memory-bits 40", "--memory-bits");
-  misused("render " + model("old_example002") + " --z-bits 31", "--z-bits: '31' is not a whole number from 4 to 30");
-  misused("render " + model("old_example002") + " --machine pixel-plane-4", "pixel-planes-4");
+  check_rejected(model("old_example002") + " --memory-bits 40", "--memory-bits");
+  check_misuse("render " + model("old_example002") + " --z-bits 31",
+               "--z-bits: '31' is not a whole number from 4 to 30");
+  check_misuse("render " + model("old_example002") + " --machine pixel-plane-4", "pixel-planes-4");
 }
 
 TEST_CASE("rejects a broken Program file") {
@@ -327,7 +328,7 @@ TEST_CASE("rejects a broken Program file") {
 TEST_CASE("rendering an empty model gives an empty picture") {
   const Folder folder;
   write(folder / "m.csg", "cube(size = 0);");
-  succeeded(run("render " + (folder / "m.csg") + " --size 16x16 -o " + (folder / "p.png")));
+  require_success(run("render " + (folder / "m.csg") + " --size 16x16 -o " + (folder / "p.png")));
 }
 
 TEST_CASE("every level rejects a Program that overflows with the same count") {
@@ -357,10 +358,10 @@ TEST_CASE("csgsim distinguishes models and Programs by their file names") {
   const std::string program = std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt";
   CHECK(run("render " + program).err.find("use csgsim run") != std::string::npos);
   CHECK(run("run " + model("old_example011")).err.find("csgsim render draws it") != std::string::npos);
-  misused("wave " + program + " --probe 1,1 --size 16x16 -o " + (folder / "w.vcd"), "--size");
-  misused("wave " + program + " --probe 1,1 --view-all -o " + (folder / "w.vcd"), "--view-all");
+  check_misuse("wave " + program + " --probe 1,1 --size 16x16 -o " + (folder / "w.vcd"), "--size");
+  check_misuse("wave " + program + " --probe 1,1 --view-all -o " + (folder / "w.vcd"), "--view-all");
   fs::copy_file(model("old_example011"), folder / "M.CSG");
-  succeeded(run("wave " + (folder / "M.CSG") + " --size 16x16 --probe 1,1 -o " + (folder / "w.vcd")));
+  require_success(run("wave " + (folder / "M.CSG") + " --size 16x16 --probe 1,1 -o " + (folder / "w.vcd")));
 }
 
 TEST_CASE("rejects a folder as machine file and a clock that is too fast") {
@@ -375,7 +376,7 @@ TEST_CASE("rejects a folder as machine file and a clock that is too fast") {
 }
 
 TEST_CASE("an error suggests nothing for a word that resembles no known one") {
-  misused("rendr x.csg", "did you mean render?");
+  check_misuse("rendr x.csg", "did you mean render?");
   CHECK(run("xyzzy").err.find("did you mean") == std::string::npos);
   CHECK(run("render m.csg --xylophone").err.find("did you mean") == std::string::npos);
 }
@@ -386,7 +387,7 @@ TEST_CASE("the GTKWave view and the waveform give a field the same name") {
   for (std::size_t at = text.find("Z1"); at != std::string::npos; at = text.find("Z1", at))
     text.replace(at, 2, "\"Z-1\"");
   write(folder / "p.txt", text);
-  succeeded(run("wave " + (folder / "p.txt") + " --probe 1,1 --window 0:9 -o " + (folder / "w.vcd")));
+  require_success(run("wave " + (folder / "p.txt") + " --probe 1,1 --window 0:9 -o " + (folder / "w.vcd")));
   CHECK(content(folder / "w.vcd").find("Z_1") != std::string::npos);
   CHECK(content(folder / "w.gtkw").find(".Z_1[") != std::string::npos);
 }

@@ -10,7 +10,7 @@ namespace {
 class Shells {
  public:
   Shells() {
-    succeeded(run_words({"--describe", folder_.path().string()}));
+    require_success(run_words({"--describe", folder_.path().string()}));
     fs::create_directory(folder_ / "here");
     for (const std::string name : {"one.csg", "two.csg"}) write(folder_ / "here/" + name, "");
   }
@@ -98,9 +98,9 @@ std::vector<std::string> long_names(const std::string& command) {
 
 TEST_CASE("the shells accept the syntax of the completion files") {
   const Shells shells;
-  succeeded(run_program("bash", {"-n", shells.file("csgsim.bash")}));
-  succeeded(run_program("zsh", {"-n", shells.file("_csgsim")}));
-  succeeded(run_program("fish", {"-n", shells.file("csgsim.fish")}));
+  require_success(run_program("bash", {"-n", shells.file("csgsim.bash")}));
+  require_success(run_program("zsh", {"-n", shells.file("_csgsim")}));
+  require_success(run_program("fish", {"-n", shells.file("csgsim.fish")}));
 }
 
 TEST_CASE("bash completes commands and options and their values") {

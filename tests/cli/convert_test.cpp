@@ -38,11 +38,11 @@ TEST_CASE("a converted model has the volume and shape of its source when importe
 
 TEST_CASE("convert writes binary STL by default and text on request and reports both") {
   const Folder folder;
-  const Outcome outcome = succeeded(run("convert " + model("thesis_fig_2_3") + " -o " + (folder / "a.stl")));
+  const Outcome outcome = require_success(run("convert " + model("thesis_fig_2_3") + " -o " + (folder / "a.stl")));
   CHECK(outcome.out.find("3 primitives, 0 unions, 1 difference, 1 intersection") != std::string::npos);
   CHECK(outcome.out.find("1 shell, Euler number 2, genus 0") != std::string::npos);
   CHECK(content(folder / "a.stl").find("binary STL") == 0);
-  succeeded(run("convert " + model("thesis_fig_2_3") + " -o " + (folder / "b.stl") + " --ascii"));
+  require_success(run("convert " + model("thesis_fig_2_3") + " -o " + (folder / "b.stl") + " --ascii"));
   CHECK(content(folder / "b.stl").find("solid csgsim\nfacet normal ") == 0);
 }
 
@@ -51,7 +51,7 @@ TEST_CASE("convert writes each format to standard output and reads standard inpu
   for (const char* const format : {"stl", "off", "obj", "ply", "3mf", "amf", "bintree"}) {
     CAPTURE(format);
     const std::string file = folder / (std::string("a.") + format);
-    succeeded(run("convert " + model("thesis_fig_2_3") + " -o " + file));
+    require_success(run("convert " + model("thesis_fig_2_3") + " -o " + file));
     const std::string piped = folder / "piped";
     const Outcome outcome =
         run_program("sh", {"-c", std::string(CSGSIM_BINARY_DIR) + "/csgsim convert - -o - --format " + format + " < " +
@@ -64,7 +64,7 @@ TEST_CASE("convert writes each format to standard output and reads standard inpu
 
 TEST_CASE("--format selects the format whatever the name's ending") {
   const Folder folder;
-  succeeded(run("convert " + model("thesis_fig_2_3") + " --format off -o " + (folder / "a.stl")));
+  require_success(run("convert " + model("thesis_fig_2_3") + " --format off -o " + (folder / "a.stl")));
   CHECK(content(folder / "a.stl").starts_with("OFF\n"));
 }
 
@@ -92,14 +92,14 @@ TEST_CASE("every command that takes a model takes a mesh in each format") {
     // A block of 4 by 3 by 2 minus a corner of 2.5 by 1.75.
     CHECK(converted(folder, corner + ending, "a.off")["volume"].get<double>() ==
           doctest::Approx(2 * (4 * 3 - 2.5 * 1.75)));
-    const Outcome drawn = succeeded(run("render " + corner + ending + " --size 32x32"));
+    const Outcome drawn = require_success(run("render " + corner + ending + " --size 32x32"));
     CHECK(drawn.out.find("1 primitive, ") != std::string::npos);
   }
   const std::string small = " --size 16x16";
-  succeeded(run("explain " + corner + "ply --pixel 8,8" + small));
-  succeeded(run("levels " + corner + "stl" + small));
-  succeeded(run("diff " + corner + "obj " + corner + "ply" + small));
-  succeeded(run("subdivide " + corner + "amf" + small + " --no-plots -o " + (folder / "s")));
+  require_success(run("explain " + corner + "ply --pixel 8,8" + small));
+  require_success(run("levels " + corner + "stl" + small));
+  require_success(run("diff " + corner + "obj " + corner + "ply" + small));
+  require_success(run("subdivide " + corner + "amf" + small + " --no-plots -o " + (folder / "s")));
   fails(run("run " + corner + "stl"), 1, {"that is a model; csgsim render draws it"});
 }
 
@@ -124,8 +124,8 @@ TEST_CASE("an error in a mesh as a model names the file and the face") {
 TEST_CASE("convert reports a block model's blocks and its volume is near the mesh's") {
   const Folder folder;
   const double volume = converted(folder, model("thesis_fig_2_3"), "a.off")["volume"];
-  succeeded(run("convert " + model("thesis_fig_2_3") + " -o " + (folder / "a.bintree") + " --resolution 64 --stats " +
-                (folder / "s.json")));
+  require_success(run("convert " + model("thesis_fig_2_3") + " -o " + (folder / "a.bintree") +
+                      " --resolution 64 --stats " + (folder / "s.json")));
   CHECK(content(folder / "a.bintree").find("bintree 1\nresolution 64\ncube ") == 0);
   // Half a cell along the surface is 9 % of the volume.
   CHECK(json(folder / "s.json")["volume"].get<double>() == doctest::Approx(volume).epsilon(0.05));
@@ -143,17 +143,20 @@ TEST_CASE("convert reports what it cannot convert and writes nothing") {
   write(folder / "flat.csg",
         "difference() { cube(size = [1, 1, 1], center = false); cube(size = [1, 1, 1], center = false); }");
   CHECK(run("convert " + (folder / "flat.csg") + output).err.find("the model is empty") != std::string::npos);
-  misused("convert " + model("thesis_fig_2_3") + " -o " + (folder / "a.vrml"),
-          "unknown ending; end the name in one of .stl, .off, .obj, .ply, .3mf, .amf, .svg, .dxf, .bintree, or name a "
-          "format with --format");
-  misused("convert " + model("thesis_fig_2_3") + " -o -",
-          "--format: - has no ending that selects a format; name one, as in --format stl");
-  misused("convert " + model("thesis_fig_2_3") + " -o - --format vrml", "there is no format 'vrml'");
-  misused("convert " + model("thesis_fig_2_3") + " --ascii -o " + (folder / "a.off"), "a .off file has only one form");
-  misused("convert " + model("thesis_fig_2_3") + " --resolution 8 -o " + (folder / "a.off"),
-          "applies to .bintree files only");
-  misused("convert " + model("thesis_fig_2_3") + " --resolution 12 -o " + (folder / "a.bintree"), "a power of two");
-  misused("convert " + model("thesis_fig_2_3") + " --tolerance 1px" + output, "a tolerance in model units");
+  check_misuse(
+      "convert " + model("thesis_fig_2_3") + " -o " + (folder / "a.vrml"),
+      "unknown ending; end the name in one of .stl, .off, .obj, .ply, .3mf, .amf, .svg, .dxf, .bintree, or name a "
+      "format with --format");
+  check_misuse("convert " + model("thesis_fig_2_3") + " -o -",
+               "--format: - has no ending that selects a format; name one, as in --format stl");
+  check_misuse("convert " + model("thesis_fig_2_3") + " -o - --format vrml", "there is no format 'vrml'");
+  check_misuse("convert " + model("thesis_fig_2_3") + " --ascii -o " + (folder / "a.off"),
+               "a .off file has only one form");
+  check_misuse("convert " + model("thesis_fig_2_3") + " --resolution 8 -o " + (folder / "a.off"),
+               "applies to .bintree files only");
+  check_misuse("convert " + model("thesis_fig_2_3") + " --resolution 12 -o " + (folder / "a.bintree"),
+               "a power of two");
+  check_misuse("convert " + model("thesis_fig_2_3") + " --tolerance 1px" + output, "a tolerance in model units");
   CHECK(folder.files() == 1);
 }
 

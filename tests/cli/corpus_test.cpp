@@ -69,7 +69,7 @@ TEST_CASE("each point of a corpus study has the counts that render reports") {
   const nlohmann::json all = points(folder);
   for (const std::size_t i : {0U, 1U, 4U, 5U}) {
     const nlohmann::json& point = all[i];
-    succeeded(
+    require_success(
         run_words({"render", point["model"], "--machine", point["machine"], "--size", "24x24", "--stats", "s.json"},
                   folder.path()));
     const nlohmann::json stats = json(folder / "s.json");
@@ -113,7 +113,7 @@ TEST_CASE("corpus resumes after an interruption and retries failed models") {
   // Repairs the broken model, and replaces the empty one.
   write(folder / "models/b_broken.csg", cube);
   write(folder / "models/nothing.csg", cube);
-  const Outcome repaired = succeeded(run_words(words, folder.path()));
+  const Outcome repaired = require_success(run_words(words, folder.path()));
   CHECK(repaired.err.find("measured again") != std::string::npos);
   const nlohmann::json all = points(folder);
   CHECK(all[2]["clocks"] == all[0]["clocks"]);
@@ -129,8 +129,8 @@ TEST_CASE("corpus rejects a folder without models") {
 TEST_CASE("corpus plots clocks and frames as PNG and SVG") {
   const Folder folder;
   write(folder / "m.csg", cube);
-  succeeded(run_words({"corpus", "m.csg", "--machines", "pixel-planes-4,scan-line", "--size", "24x24", "-o", "out"},
-                      folder.path()));
+  require_success(run_words(
+      {"corpus", "m.csg", "--machines", "pixel-planes-4,scan-line", "--size", "24x24", "-o", "out"}, folder.path()));
   for (const std::string name : {"corpus_clocks", "corpus_frames"}) {
     CHECK(content(folder / ("out/" + name + ".png")).substr(1, 3) == "PNG");
     CHECK(content(folder / ("out/" + name + ".svg")).find("</svg>") != std::string::npos);
@@ -157,7 +157,7 @@ TEST_CASE("sweep skips an unreadable model with exit code 1 and retries it after
   CHECK(content(folder / "out/sweep.csv") == table);
   write(folder / "b.csg", cube);
   write(folder / "missing.csg", cube);
-  succeeded(run_words(sweep, folder.path()));
+  require_success(run_words(sweep, folder.path()));
   all = json(folder / "out/sweep.json")["points"];
   CHECK(all[2]["clocks"] == all[0]["clocks"]);
   CHECK(all[6]["clocks"] == all[0]["clocks"]);
@@ -194,7 +194,7 @@ TEST_CASE("a table separates cells by two blanks and lets a row of one cell over
                                                    {"a line that is alone in its row"},
                                                    {"\u00e4", "123,456,789,012,345,678", "x"},
                                                    {"b", "not drawn"}};
-  CHECK(csgsim::session::in_columns(rows, "<><") ==
+  CHECK(csgsim::session::format_columns(rows, "<><") ==
         "name                        n  why\n"
         "a line that is alone in its row\n"
         "\u00e4     123,456,789,012,345,678  x\n"

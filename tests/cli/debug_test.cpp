@@ -56,7 +56,7 @@ TEST_CASE("resuming a killed run from its checkpoint gives the same pictures and
            (folder / (name + "o.exr")) + " --stats " + (folder / (name + ".json"));
   };
   const std::string machine = " --machine scan-line ";
-  succeeded(run("run " + program + machine + outputs("whole")));
+  require_success(run("run " + program + machine + outputs("whole")));
   for (const int signal : {SIGINT, SIGKILL}) {
     const std::string file = folder / "c.csgs";
     fs::remove(file);
@@ -76,21 +76,21 @@ TEST_CASE("rejects impossible checkpoints in one line and leaves no file") {
   const Folder folder;
   const std::string run_it = "run " + trace("thesis_fig_2_3");
   const std::string file = folder / "c.csgs";
-  misused(run_it + " --checkpoint " + file + " --level cycle", "the cycle level cannot stop");
-  misused(run_it + " --resume " + file + " --level cycle", "the cycle level cannot stop");
-  misused(run_it + " --checkpoint-every 5", "--checkpoint FILE");
-  misused(run_it + " --checkpoint-every 0 --checkpoint " + file, "take at least 1");
-  misused(run_it + " --checkpoint " + (folder / "p.png") + " -o " + (folder / "p.png"), "same file");
+  check_misuse(run_it + " --checkpoint " + file + " --level cycle", "the cycle level cannot stop");
+  check_misuse(run_it + " --resume " + file + " --level cycle", "the cycle level cannot stop");
+  check_misuse(run_it + " --checkpoint-every 5", "--checkpoint FILE");
+  check_misuse(run_it + " --checkpoint-every 0 --checkpoint " + file, "take at least 1");
+  check_misuse(run_it + " --checkpoint " + (folder / "p.png") + " -o " + (folder / "p.png"), "same file");
   CHECK(run(run_it + " --checkpoint " + (folder / "none/c.csgs")).code == 1);
   CHECK(folder.files() == 0);
-  succeeded(run(run_it + " --checkpoint " + file));
+  require_success(run(run_it + " --checkpoint " + file));
   const auto refused = [&](const std::string& words, const std::string& text) {
     const Outcome outcome = run(words);
     CAPTURE(outcome.err);
     CHECK(outcome.code == 1);
     // The error may follow a warning that the Program was compiled for another machine.
     const std::size_t end = outcome.err.find(": warning: ") == std::string::npos ? 0 : outcome.err.find('\n') + 1;
-    CHECK(one_line(outcome.err.substr(end)));
+    CHECK(is_one_line(outcome.err.substr(end)));
     CHECK(outcome.err.find(text) != std::string::npos);
   };
   refused("run " + trace("old_example002") + " --resume " + file, "belongs to another Program");
@@ -134,13 +134,13 @@ TEST_CASE("diff finds the first differing instruction and pixel with the history
 
 TEST_CASE("diff finds levels and machines equal and rejects unequal sizes and options") {
   const std::string model_64 = "diff " + model("old_example011") + " --size 16x16 ";
-  const Outcome levels = succeeded(run(model_64 + "--level-b cycle"));
+  const Outcome levels = require_success(run(model_64 + "--level-b cycle"));
   CHECK(levels.out.find("the states are equal after 26 instructions\nthe pictures are equal\n") != std::string::npos);
-  succeeded(run(model_64 + "--level-a cycle --level-b reference"));
-  succeeded(run(model_64 + "--machine-b scan-line"));
-  misused(model_64 + "--level-a cycle --level-b cycle", "one machine per process");
-  misused("diff " + trace("thesis_fig_2_3") + " --strategy-b list", "for models");
-  misused("diff " + trace("thesis_fig_2_3") + " --size 8x8", "for models");
+  require_success(run(model_64 + "--level-a cycle --level-b reference"));
+  require_success(run(model_64 + "--machine-b scan-line"));
+  check_misuse(model_64 + "--level-a cycle --level-b cycle", "one machine per process");
+  check_misuse("diff " + trace("thesis_fig_2_3") + " --strategy-b list", "for models");
+  check_misuse("diff " + trace("thesis_fig_2_3") + " --size 8x8", "for models");
   fails(run("diff " + trace("thesis_fig_2_3") + " " + trace("old_example002")), 1,
         {"A draws 512 x 512 pixels and B 200 x 150"});
 }
@@ -157,9 +157,9 @@ TEST_CASE("a debugger script echoes each command with its output and stops at an
         "> print colour[6,1]\ncolour[6,1] = 48 (0x30), #ff0000\n> print color[6,1]\n");
   CHECK(outcome.err == (folder / "s") + ":5:7: there is no field 'color'; the nearest is 'colour'\n");
   write(folder / "s", "step\nquit\nstep\n");
-  const Outcome quit = succeeded(run("debug " + (folder / "p.txt") + " -x " + (folder / "s")));
+  const Outcome quit = require_success(run("debug " + (folder / "p.txt") + " -x " + (folder / "s")));
   CHECK(quit.out == "> step\ni1 of 5: set_constant Z2, 255\n> quit\n");
-  misused("debug " + (folder / "p.txt") + " --strategy list", "for models");
+  check_misuse("debug " + (folder / "p.txt") + " --strategy list", "for models");
   CHECK(run("debug " + model("old_example011") + " --size 16x16").code == 0);  // reads /dev/null
 }
 

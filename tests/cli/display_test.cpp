@@ -14,7 +14,7 @@ std::string display(const std::string& more) {
 
 TEST_CASE("display counts every method and all exact methods see the same surfaces") {
   const Folder folder;
-  const Outcome outcome = succeeded(run(display(" --fragments 12,24 -o " + (folder / "d"))));
+  const Outcome outcome = require_success(run(display(" --fragments 12,24 -o " + (folder / "d"))));
   CHECK(outcome.out.find("Exact methods see the same surfaces") != std::string::npos);
   const nlohmann::json points = json(folder / "d/display.json")["points"];
   REQUIRE(points.size() == 6 * 2);
@@ -40,7 +40,7 @@ TEST_CASE("display counts every method and all exact methods see the same surfac
 TEST_CASE("display measures each tolerance and bucket size once") {
   const Folder folder;
   const std::string few = " --methods list-priority,scan-line --tolerances 2,0.5 --no-plots -o " + (folder / "d");
-  succeeded(run(display(few + " --bucket-sizes 6,24")));
+  require_success(run(display(few + " --bucket-sizes 6,24")));
   const nlohmann::json points = json(folder / "d/display.json")["points"];
   REQUIRE(points.size() == 6);
   CHECK(points[0]["tolerance"] == 2);
@@ -48,7 +48,7 @@ TEST_CASE("display measures each tolerance and bucket size once") {
   CHECK(points[0]["cells"] > points[2]["cells"]);
   CHECK(points[4]["bucket_size"] == 0);
   const std::string table = content(folder / "d/display.csv");
-  succeeded(run(display(few + " --bucket-sizes 6,24 --processors mc68000")));
+  require_success(run(display(few + " --bucket-sizes 6,24 --processors mc68000")));
   CHECK(content(folder / "d/display.csv") == table);
 }
 
@@ -60,7 +60,7 @@ TEST_CASE("display counts the wrong pixels of list priority for coincident faces
                               " --size 64x48 --view-all --methods list-priority,list-priority/depth-buffer,scan-line "
                               "--processors mc68000 --no-plots -o " +
                               (folder / "d");
-  const Outcome outcome = succeeded(run(command));
+  const Outcome outcome = require_success(run(command));
   const nlohmann::json points = json(folder / "d/display.json")["points"];
   CHECK(points[0]["wrong"] > 0);
   CHECK(points[0]["wrong"] == points[0]["wrong_coincident"]);
@@ -72,13 +72,13 @@ TEST_CASE("display counts the wrong pixels of list priority for coincident faces
 TEST_CASE("gathering two shards of display gives all points and bad options are rejected") {
   const Folder folder;
   const std::string common = " --methods scan-line,depth-lists --no-plots --progress none -o " + (folder / "s");
-  succeeded(run(display(common + " --shard 1/2")));
-  succeeded(run(display(common + " --shard 2/2")));
-  succeeded(run("gather " + (folder / "s")));
+  require_success(run(display(common + " --shard 1/2")));
+  require_success(run(display(common + " --shard 2/2")));
+  require_success(run("gather " + (folder / "s")));
   CHECK(json(folder / "s/display.json")["points"].size() == 2);
-  misused(display(" --methods scanline"), "did you mean scan-line");
-  misused(display(" --bucket-sizes 0"), "--bucket-sizes");
-  misused(display(" --fragments 2"), "--fragments");
-  misused(display(" --curves exact --machine pixel-powers"), "--curves: this command supports facets only");
-  succeeded(run(display(" --machine pixel-powers --methods scan-line --no-plots -o " + (folder / "p"))));
+  check_misuse(display(" --methods scanline"), "did you mean scan-line");
+  check_misuse(display(" --bucket-sizes 0"), "--bucket-sizes");
+  check_misuse(display(" --fragments 2"), "--fragments");
+  check_misuse(display(" --curves exact --machine pixel-powers"), "--curves: this command supports facets only");
+  require_success(run(display(" --machine pixel-powers --methods scan-line --no-plots -o " + (folder / "p"))));
 }

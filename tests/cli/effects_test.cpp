@@ -14,8 +14,8 @@ std::string two_effects(const Folder& folder) {
 
 bool draws_the_same(const Folder& folder, const std::string& with) {
   const std::string options = model("old_example002") + small + two_effects(folder);
-  succeeded(run("render " + options + "-o " + (folder / "plain.ppm")));
-  const Outcome other = succeeded(run("render " + options + with + " -o " + (folder / "other.ppm")));
+  require_success(run("render " + options + "-o " + (folder / "plain.ppm")));
+  const Outcome other = require_success(run("render " + options + with + " -o " + (folder / "other.ppm")));
   return content(folder / "plain.ppm") == content(folder / "other.ppm");
 }
 
@@ -45,9 +45,9 @@ TEST_CASE("the cost table of effects adds up to the clocks of the frame") {
 TEST_CASE("effects draws a frame without an effect as render does with the effect off") {
   const Folder folder;
   const std::string options = model("old_example002") + small + two_effects(folder);
-  succeeded(run("effects " + options + "-o " + (folder / "bill")));
-  succeeded(run("render " + options + "--set effects.shadows.on=false --stats " + (folder / "s.json") + " -o " +
-                (folder / "p.png")));
+  require_success(run("effects " + options + "-o " + (folder / "bill")));
+  require_success(run("render " + options + "--set effects.shadows.on=false --stats " + (folder / "s.json") + " -o " +
+                      (folder / "p.png")));
   const nlohmann::json bill = json(folder / "bill/effects.json");
   CHECK(bill["clocks"].get<std::uint64_t>() - bill["effects"][2]["together_clocks"].get<std::uint64_t>() ==
         json(folder / "s.json")["clocks"]);
@@ -71,8 +71,8 @@ TEST_CASE("a wrong key has exit code 1 and a place in a scene file and code 2 in
   fails(run(render + "--scene " + (folder / "scene.toml")), 1,
         {"scene.toml:1:", "there is no effect 'shadow'; did you mean shadows?"});
   CHECK(run(render + "--scene " + (folder / "none.toml")).code == 1);
-  misused(render + "--set effects.shadow.on=true", "did you mean shadows?");
-  misused(render + "--set ambient.intensity=7", "ambient.intensity");
+  check_misuse(render + "--set effects.shadow.on=true", "did you mean shadows?");
+  check_misuse(render + "--set ambient.intensity=7", "ambient.intensity");
 }
 
 TEST_CASE("an error names what a machine lacks for an effect") {
@@ -90,10 +90,10 @@ TEST_CASE("alpha in a model enables transparency unless the scene switches it of
   write(folder / "m.csg", "color([1,0,0,0.5]){cube(size=[4,4,4],center=true);}cube(size=[9,1,9],center=true);");
   const std::string render = "render " + (folder / "m.csg") + " --size 32x32 --memory-bits 256 --stats " +
                              (folder / "s.json") + " -o " + (folder / "p.png") + " ";
-  succeeded(run(render));
+  require_success(run(render));
   CHECK(json(folder / "s.json")["effects"] == nlohmann::json::array({"flat", "transparency"}));
   fails(run(render + "--check"), 1, {"--set effects.transparency.on=false"});
-  succeeded(run(render + "--check --set effects.transparency.on=false"));
+  require_success(run(render + "--check --set effects.transparency.on=false"));
   CHECK(json(folder / "s.json")["effects"] == nlohmann::json::array({"flat"}));
 }
 
@@ -121,18 +121,18 @@ TEST_CASE("transparency falls back to a screen door with a warning if memory is 
   const Folder folder;
   write(folder / "m.csg", panes);
   const std::string render = "render " + (folder / "m.csg") + from_front;
-  const Outcome spared = succeeded(run(render + "-o " + (folder / "spared.ppm")));
-  CHECK(one_line(spared.err));
+  const Outcome spared = require_success(run(render + "-o " + (folder / "spared.ppm")));
+  CHECK(is_one_line(spared.err));
   CHECK(spared.err.find("m.csg: warning: ") != std::string::npos);
   CHECK(spared.err.find("the machine has 72") != std::string::npos);
   const std::string method = "--set effects.transparency.method=";
   CHECK(spared.err.find(method + "screen-door") != std::string::npos);
-  const Outcome asked = succeeded(run(render + method + "screen-door -o " + (folder / "asked.ppm")));
+  const Outcome asked = require_success(run(render + method + "screen-door -o " + (folder / "asked.ppm")));
   CHECK(asked.err.empty());
   CHECK(content(folder / "spared.ppm") == content(folder / "asked.ppm"));
 
   const std::string bits = bits_in(spared.err);
-  const Outcome layers = succeeded(run(render + "--memory-bits " + bits + " -o " + (folder / "layers.ppm")));
+  const Outcome layers = require_success(run(render + "--memory-bits " + bits + " -o " + (folder / "layers.ppm")));
   CHECK(layers.err.empty());
   CHECK(content(folder / "layers.ppm") != content(folder / "asked.ppm"));
   CHECK(run(render + "--memory-bits " + std::to_string(std::stoi(bits) - 1)).err.find("screen-door") !=
@@ -157,8 +157,8 @@ TEST_CASE("--depth and --owner show the nearest surface or the opaque one with -
   const Folder folder;
   write(folder / "m.csg", panes);
   const auto draw = [&](const std::string& name, const std::string& options) {
-    succeeded(run("render " + (folder / "m.csg") + from_front + "--depth " + (folder / (name + ".exr")) + " --owner " +
-                  (folder / (name + ".png")) + " " + options));
+    require_success(run("render " + (folder / "m.csg") + from_front + "--depth " + (folder / (name + ".exr")) +
+                        " --owner " + (folder / (name + ".png")) + " " + options));
     return json(folder / (name + ".json"));
   };
   const nlohmann::json solid = draw("solid", "--set effects.transparency.on=false");
@@ -173,13 +173,13 @@ TEST_CASE("--depth and --owner show the nearest surface or the opaque one with -
   CHECK(opaque["primitives"][1]["pixels"] > 0);
   CHECK(opaque["primitives"][2]["pixels"] == 0);
   CHECK(content(folder / "opaque.exr") != content(folder / "glass.exr"));
-  misused("render " + (folder / "m.csg") + " --surface near", "nearest");
+  check_misuse("render " + (folder / "m.csg") + " --surface near", "nearest");
 
   const std::string program = (folder / "m.csgt");
-  succeeded(run("compile " + (folder / "m.csg") + from_front + "--memory-bits 256 -o " + program));
+  require_success(run("compile " + (folder / "m.csg") + from_front + "--memory-bits 256 -o " + program));
   for (const std::string level : {"functional", "reference", "cycle"}) {
-    succeeded(run("run " + program + " --level " + level + " --depth " + (folder / "run.exr") + " --owner " +
-                  (folder / "run.png")));
+    require_success(run("run " + program + " --level " + level + " --depth " + (folder / "run.exr") + " --owner " +
+                        (folder / "run.png")));
     CHECK(content(folder / "run.exr") == content(folder / "glass.exr"));
     CHECK(json(folder / "run.json") == glass);
   }
@@ -189,10 +189,10 @@ TEST_CASE("a resumed run with transparent surfaces gives the same depth and owne
   const Folder folder;
   write(folder / "m.csg", panes);
   const std::string program = (folder / "m.csgt");
-  succeeded(run("compile " + (folder / "m.csg") + from_front + "--memory-bits 256 -o " + program));
-  succeeded(run("run " + program + " --depth " + (folder / "whole.exr") + " --checkpoint " + (folder / "c.csgs") +
-                " --checkpoint-every 150"));
-  const Outcome resumed = succeeded(run("run " + program + " --depth " + (folder / "resumed.exr") + " --owner " +
-                                        (folder / "resumed.png") + " --resume " + (folder / "c.csgs")));
+  require_success(run("compile " + (folder / "m.csg") + from_front + "--memory-bits 256 -o " + program));
+  require_success(run("run " + program + " --depth " + (folder / "whole.exr") + " --checkpoint " + (folder / "c.csgs") +
+                      " --checkpoint-every 150"));
+  const Outcome resumed = require_success(run("run " + program + " --depth " + (folder / "resumed.exr") + " --owner " +
+                                              (folder / "resumed.png") + " --resume " + (folder / "c.csgs")));
   CHECK(content(folder / "whole.exr") == content(folder / "resumed.exr"));
 }

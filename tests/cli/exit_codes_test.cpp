@@ -37,16 +37,18 @@ TEST_CASE("every command ends with exit code 2 for wrong arguments") {
           "--camera 1,2,3,1,2,3", "--projection x", "--projection p --near=-3", "--limit 0", "--imgsize x",
           "one too many"}) {
       if (command.starts_with("explore") && mistake == "one too many") continue;  // it takes any number of models
-      misused(command + " " + mistake, "see csgsim ");
+      check_misuse(command + " " + mistake, "see csgsim ");
     }
   }
 }
 
 TEST_CASE("an unexpected argument and a missing value are named with the help to read") {
   const std::string render = "render " + model("sphere");
-  misused(render + " more", "unexpected argument 'more'; csgsim render takes only MODEL; see csgsim render --help");
-  misused(render + " one more", "unexpected argument 'one'; csgsim render takes only MODEL; see csgsim render --help");
-  misused(render + " --size", "--size: needs a value; see csgsim render --help");
+  check_misuse(render + " more",
+               "unexpected argument 'more'; csgsim render takes only MODEL; see csgsim render --help");
+  check_misuse(render + " one more",
+               "unexpected argument 'one'; csgsim render takes only MODEL; see csgsim render --help");
+  check_misuse(render + " --size", "--size: needs a value; see csgsim render --help");
 }
 
 TEST_CASE("every command ends with exit code 1 for a wrong or missing file") {
@@ -65,7 +67,7 @@ TEST_CASE("every command ends with exit code 1 for a wrong or missing file") {
       CAPTURE(command);
       CAPTURE(mistake);
       CHECK(outcome.code == 1);
-      CHECK(one_line(outcome.err));
+      CHECK(is_one_line(outcome.err));
     }
   }
 }
@@ -74,13 +76,13 @@ TEST_CASE("a wrong list of machines is a usage error but a list of numbers may b
   const Folder folder;
   const std::string out = " -o " + (folder / "out");
   for (const std::string study : {"compare ", "sweep ", "corpus "}) {
-    misused(study + model("sphere") + out + " --machines pixel-plane", "did you mean pixel-planes-4?");
-    misused(study + model("sphere") + out + " --machines ''", "empty element in list");
+    check_misuse(study + model("sphere") + out + " --machines pixel-plane", "did you mean pixel-planes-4?");
+    check_misuse(study + model("sphere") + out + " --machines ''", "empty element in list");
   }
-  misused("corpus " + model("sphere") + out + " --z-bits 31", "is not a whole number from 4 to 30");
+  check_misuse("corpus " + model("sphere") + out + " --z-bits 31", "is not a whole number from 4 to 30");
   const std::string small = "compare " + model("sphere") + " --machines pixel-planes-4 --size 16x16 --no-plots";
-  succeeded(run(small + " --fragments none --sides none -o " + (folder / "none")));
-  succeeded(run(small + " --fragments '' --sides '' -o " + (folder / "empty")));
+  require_success(run(small + " --fragments none --sides none -o " + (folder / "none")));
+  require_success(run(small + " --fragments '' --sides '' -o " + (folder / "empty")));
   CHECK(content(folder / "none/compare.csv") == content(folder / "empty/compare.csv"));
 }
 
@@ -94,7 +96,7 @@ TEST_CASE("help shows -o FOLDER for each command that writes several files") {
 TEST_CASE("the text output has percentages and grouped digits and the JSON output neither") {
   const Folder folder;
   const std::string of = " " + model("sphere") + " --size 64x64";
-  const Outcome drawn = succeeded(run("render" + of + " --check --verbose --stats " + (folder / "s.json")));
+  const Outcome drawn = require_success(run("render" + of + " --check --verbose --stats " + (folder / "s.json")));
   const double busy = json(folder / "s.json")["account"]["controller_utilisation"];
   CHECK(busy < 1);
   CHECK(drawn.out.find(fmt::format("controller utilisation{:>20.2f} %", 100 * busy)) != std::string::npos);

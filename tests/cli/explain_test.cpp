@@ -15,7 +15,7 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 struct Subject {
   Subject() {
     write(folder / "m.csg", two_boxes);
-    succeeded(run("compile " + model + front + "-o " + program));
+    require_success(run("compile " + model + front + "-o " + program));
   }
   Folder folder;
   std::string model = folder / "m.csg";
@@ -26,11 +26,11 @@ struct Subject {
 
 TEST_CASE("explain names the owner and its line for a Program as for its model") {
   const Subject subject;
-  const Outcome of_model = succeeded(run("explain " + subject.model + front + "--pixel 4,2"));
+  const Outcome of_model = require_success(run("explain " + subject.model + front + "--pixel 4,2"));
   CHECK(of_model.out.starts_with("pixel 4,2 shows p1 cube@2:56, line 2 of "));
   CHECK(contains(of_model.out, "normal (0, -1, 0), distance 0"));
   CHECK(contains(of_model.out, "over p0 cube@1:64"));
-  const Outcome of_program = succeeded(run("explain " + subject.program + " --pixel 4,2"));
+  const Outcome of_program = require_success(run("explain " + subject.program + " --pixel 4,2"));
   CHECK(of_program.out.starts_with("pixel 4,2 shows p1 cube@2:56, line 2 of "));
   CHECK_FALSE(contains(of_program.out, "normal"));
   const Outcome nothing = run("explain " + subject.program + " --pixel 0,0");
@@ -39,7 +39,7 @@ TEST_CASE("explain names the owner and its line for a Program as for its model")
 
 TEST_CASE("explain accepts a point of the model in place of its pixel") {
   const Subject subject;
-  const Outcome outcome = succeeded(run("explain " + subject.model + front + "--point 4.4,0,-2.6"));
+  const Outcome outcome = require_success(run("explain " + subject.model + front + "--point 4.4,0,-2.6"));
   CHECK(outcome.out.starts_with(
       "point 4.4,0,-2.6 is 15.082 model units in front of the eye, along the view axis\npixel 4,2 shows p1 "));
 }
@@ -48,14 +48,14 @@ TEST_CASE("explain says why a primitive is hidden that is named by index or name
   const Subject subject;
   for (const std::string name : {"0", "p0", "cube@1:64", "cube@1", "@1"}) {
     CAPTURE(name);
-    const Outcome outcome = succeeded(run("explain " + subject.program + " --pixel 4,2 --why-not " + name));
+    const Outcome outcome = require_success(run("explain " + subject.program + " --pixel 4,2 --why-not " + name));
     CHECK(outcome.out.starts_with("why not p0 cube@1:64\n  merged, but p1 cube@2:56 was merged over it at i"));
   }
 }
 
 TEST_CASE("explain numbers instructions as disasm does") {
   const Subject subject;
-  succeeded(run("explain " + subject.program + " --pixel 4,2 --json " + (subject.folder / "s.json")));
+  require_success(run("explain " + subject.program + " --pixel 4,2 --json " + (subject.folder / "s.json")));
   const nlohmann::json story = json(subject.folder / "s.json");
   const std::string text = run("disasm " + subject.program).out;
   unsigned decisions = 0;
@@ -74,7 +74,7 @@ TEST_CASE("explain numbers instructions as disasm does") {
 TEST_CASE("explain writes JSON to standard output with the reason why a primitive is hidden") {
   const Subject subject;
   const Outcome outcome =
-      succeeded(run("explain " + subject.model + front + "--pixel 2,2 --why-not 1 --json /dev/stdout"));
+      require_success(run("explain " + subject.model + front + "--pixel 2,2 --why-not 1 --json /dev/stdout"));
   const nlohmann::json story = nlohmann::json::parse(outcome.out);
   CHECK(story["owner"]["index"] == 0);
   CHECK(story["why_not"]["primitive"]["index"] == 1);
@@ -86,27 +86,27 @@ TEST_CASE("explain rejects nonexistent pixels or points or primitives and states
   const Subject subject;
   const std::string program = "explain " + subject.program + " ";
   const std::string model = "explain " + subject.model + front;
-  misused(program + "--pixel 8,2", "there is no pixel 8,2 in a picture of 8 x 6");
-  misused(program + "--pixel 8", "x,y");
-  misused(program, "--pixel");
-  misused(program + "--point 1,2,3", "take --pixel");
-  misused(program + "--pixel 1,1 --strategy list", "--strategy");
-  misused(model + "--point 40,0,-3", "outside the picture");
-  misused(model + "--projection perspective --point 4,-20,-3", "behind the eye");
-  misused(model + "--pixel 1,1 --point 4,0,-3", "--pixel");
-  misused(program + "--pixel 1,1 --why-not cub@2:56", "the nearest is 'cube@2:56'");
-  misused(program + "--pixel 1,1 --why-not 2", "the Program has 2");
-  misused(program + "--pixel 1,1 --why-not @3", "there is no primitive '@3'");
+  check_misuse(program + "--pixel 8,2", "there is no pixel 8,2 in a picture of 8 x 6");
+  check_misuse(program + "--pixel 8", "x,y");
+  check_misuse(program, "--pixel");
+  check_misuse(program + "--point 1,2,3", "take --pixel");
+  check_misuse(program + "--pixel 1,1 --strategy list", "--strategy");
+  check_misuse(model + "--point 40,0,-3", "outside the picture");
+  check_misuse(model + "--projection perspective --point 4,-20,-3", "behind the eye");
+  check_misuse(model + "--pixel 1,1 --point 4,0,-3", "--pixel");
+  check_misuse(program + "--pixel 1,1 --why-not cub@2:56", "the nearest is 'cube@2:56'");
+  check_misuse(program + "--pixel 1,1 --why-not 2", "the Program has 2");
+  check_misuse(program + "--pixel 1,1 --why-not @3", "there is no primitive '@3'");
   write(subject.folder / "l.csg", "union(){cube(size=[4,3,4],center=false);sphere($fn=5,r=1);}");
-  misused("explain " + (subject.folder / "l.csg") + " --size 8x6 --pixel 1,1 --why-not @1",
-          "is ambiguous: p0 cube@1:9, p1");
-  misused(program + "--pixel 1,1 --json " + subject.program, "the same file");
+  check_misuse("explain " + (subject.folder / "l.csg") + " --size 8x6 --pixel 1,1 --why-not @1",
+               "is ambiguous: p0 cube@1:9, p1");
+  check_misuse(program + "--pixel 1,1 --json " + subject.program, "the same file");
 }
 
 TEST_CASE("an owner picture is written together with its legend or not at all") {
   const Subject subject;
   const Folder& folder = subject.folder;
-  succeeded(run("run " + subject.program + " --owner " + (folder / "o.png")));
+  require_success(run("run " + subject.program + " --owner " + (folder / "o.png")));
   const nlohmann::json legend = json(folder / "o.json");
   // 4 x 4 pixels of the first box without 2 x 2 hidden by the second; 4 x 2 of the second.
   CHECK(legend["primitives"][0]["pixels"] == 12);
@@ -114,6 +114,6 @@ TEST_CASE("an owner picture is written together with its legend or not at all") 
   CHECK(legend["nothing"]["pixels"] == 48 - 20);
   CHECK(legend["primitives"][1]["name"] == "cube@2:56");
   CHECK(content(folder / "o.png").starts_with("\x89PNG"));
-  misused("run " + subject.program + " --owner " + (folder / "o.png") + " --stats " + (folder / "o.json"),
-          "two outputs");
+  check_misuse("run " + subject.program + " --owner " + (folder / "o.png") + " --stats " + (folder / "o.json"),
+               "two outputs");
 }

@@ -28,8 +28,9 @@ std::string without_line(const std::string& table, std::size_t number) {
 
 TEST_CASE("explore measures every design on every model and plots the Pareto front") {
   const Folder folder;
-  const Outcome outcome = succeeded(run("explore " + model("old_example011") + " " + model("thesis_fig_2_3") + small +
-                                        vary + " --report " + (folder / "p.html") + " -o " + (folder / "e")));
+  const Outcome outcome =
+      require_success(run("explore " + model("old_example011") + " " + model("thesis_fig_2_3") + small + vary +
+                          " --report " + (folder / "p.html") + " -o " + (folder / "e")));
   CHECK(outcome.err.empty());
   const nlohmann::json file = json(folder / "e/explore.json");
   REQUIRE(file["points"].size() == 2 * 8);
@@ -52,8 +53,8 @@ TEST_CASE("explore measures every design on every model and plots the Pareto fro
 TEST_CASE("a design's row equals the counts of render and the wrong pixels of accuracy") {
   const Folder folder;
   const std::string of = model("rietveld_house") + " --size 64x64 --camera 3430,-2900,1950,590,230,220";
-  succeeded(run("explore " + of + " --vary memory.reads=1,2 --vary z-bits=8,20 --no-plots --progress none -o " +
-                (folder / "e")));
+  require_success(run("explore " + of + " --vary memory.reads=1,2 --vary z-bits=8,20 --no-plots --progress none -o " +
+                      (folder / "e")));
   REQUIRE(run("accuracy " + of + " --knobs z-bits --views 1 --no-plots --progress none -o " + (folder / "a")).code ==
           0);
   std::map<unsigned, std::uint64_t> wrong;
@@ -64,9 +65,9 @@ TEST_CASE("a design's row equals the counts of render and the wrong pixels of ac
   REQUIRE(points.size() == 4);
   for (const nlohmann::json& point : points) {
     CHECK(point["wrong"] == wrong.at(point["z_bits"]));
-    succeeded(run("render " + of + " --machine " + point["machine"].get<std::string>() + " --memory-bits " +
-                  std::to_string(point["used_bits"].get<unsigned>()) + " --z-bits " +
-                  std::to_string(point["z_bits"].get<unsigned>()) + " --stats " + (folder / "s.json")));
+    require_success(run("render " + of + " --machine " + point["machine"].get<std::string>() + " --memory-bits " +
+                        std::to_string(point["used_bits"].get<unsigned>()) + " --z-bits " +
+                        std::to_string(point["z_bits"].get<unsigned>()) + " --stats " + (folder / "s.json")));
     const nlohmann::json stats = json(folder / "s.json");
     CHECK(point["clocks"] == stats["clocks"]);
     CHECK(point["interval_clocks"] == stats["interval_clocks"]);
@@ -86,7 +87,7 @@ TEST_CASE("the command printed for the knee reproduces the counts of its row") {
   const std::string command = commands[0];
   CHECK(command.find("--camera") != std::string::npos);
   const std::string words = words_of(command.substr(0, command.find(" --output")));
-  succeeded(run(words + " --stats " + (folder / "s.json")));
+  require_success(run(words + " --stats " + (folder / "s.json")));
   std::size_t knees = 0;
   for (const nlohmann::json& point : file["points"]) {
     if (point["knee"] != true) continue;
@@ -100,7 +101,7 @@ TEST_CASE("the knee's commands reserve enough memory for several models in any o
   const Folder folder;
   const std::string words = small + " --vary z-bits=16 --vary strategy=stack --no-plots -o ";
   const auto bits_of = [&](const std::string& models, const std::string& output) {
-    succeeded(run("explore " + models + words + (folder / output)));
+    require_success(run("explore " + models + words + (folder / output)));
     const nlohmann::json file = json(folder / output + "/explore.json");
     unsigned most = 0;
     for (const nlohmann::json& point : file["points"]) most = std::max(most, point["used_bits"].get<unsigned>());
@@ -124,7 +125,7 @@ TEST_CASE("explore remeasures after an edit of any parameter in a process file")
   const std::string command = "explore " + (folder / "c.csg") + " --size 16x16 --progress none --process " +
                               (folder / "p.toml") + " --vary alu.bits=1,2 --no-plots -o ";
   const auto measured = [&](const std::string& output) {
-    succeeded(run(command + (folder / output)));
+    require_success(run(command + (folder / output)));
     return json(folder / output + "/explore.json")["points"];
   };
   write(folder / "p.toml", process);
@@ -155,7 +156,7 @@ TEST_CASE("explore resumes an interrupted run and measures only new values") {
   const Folder folder;
   const std::string command =
       "explore " + model("old_example011") + small + " --no-plots -o " + (folder / "e") + " --vary z-bits=";
-  succeeded(run(command + "8,12,16"));
+  require_success(run(command + "8,12,16"));
   const std::string table = content(folder / "e/explore.csv");
   // Simulates an interruption; the marked line must stay unchanged.
   std::string marked = table;
@@ -164,9 +165,9 @@ TEST_CASE("explore resumes an interrupted run and measures only new values") {
   const std::size_t halfspaces = marked.find(measured) + measured.size();
   marked.insert(halfspaces, "1");
   write(folder / "e/explore.csv", without_line(marked, 3));
-  succeeded(run(command + "8,12,16"));
+  require_success(run(command + "8,12,16"));
   CHECK(content(folder / "e/explore.csv") == marked);
-  succeeded(run(command + "8,10,12,16 --axes time,wrong"));
+  require_success(run(command + "8,10,12,16 --axes time,wrong"));
   CHECK(json(folder / "e/explore.json")["points"].size() == 4);
   CHECK(json(folder / "e/explore.json")["fronts"][0]["axes"] == nlohmann::json{"time", "wrong"});
   CHECK(run(command + "8 --projection perspective").code == 1);
@@ -176,10 +177,10 @@ TEST_CASE("gathering shards of explore gives the results of one process") {
   const Folder folder;
   const std::string command =
       "explore " + model("old_example011") + " " + model("sphere") + small + vary + " --no-plots";
-  succeeded(run(command + " -o " + (folder / "whole")));
+  require_success(run(command + " -o " + (folder / "whole")));
   const std::string in_parts = command + " -o " + (folder / "parts") + " --shard ";
   for (const char* const shard : {"1/3", "2/3", "3/3"}) REQUIRE(run(in_parts + shard).code == 0);
-  succeeded(run("gather " + (folder / "parts") + " --no-plots"));
+  require_success(run("gather " + (folder / "parts") + " --no-plots"));
   for (const char* const file : {"explore.csv", "explore.json"})
     CHECK(content(folder.path() / "parts" / file) == content(folder.path() / "whole" / file));
 }
@@ -189,11 +190,11 @@ TEST_CASE("explore samples the requested number of designs and can extend the sa
   const std::string command = "explore " + model("sphere") + small + " --no-plots -o " + (folder / "e") +
                               " --vary z-bits=4..30 --vary fraction-bits=0..16 --vary link.width=8,16,32 "
                               "--vary clock.frequency=1000000..1000900";
-  misused(command, "use --points N");
-  succeeded(run(command + " --points 5"));
+  check_misuse(command, "use --points N");
+  require_success(run(command + " --points 5"));
   const nlohmann::json few = json(folder / "e/explore.json")["points"];
   REQUIRE(few.size() == 5);
-  succeeded(run(command + " --points 8"));
+  require_success(run(command + " --points 8"));
   const nlohmann::json more = json(folder / "e/explore.json")["points"];
   REQUIRE(more.size() == 8);
   for (std::size_t i = 0; i < few.size(); ++i) CHECK(more[i]["design"] == few[i]["design"]);
@@ -201,8 +202,8 @@ TEST_CASE("explore samples the requested number of designs and can extend the sa
 
 TEST_CASE("designs that cannot draw the model give a reason and do not stop the others") {
   const Folder folder;
-  const Outcome outcome = succeeded(run("explore " + model("carburettor") + small + " --no-plots -o " + (folder / "e") +
-                                        " --vary array.memory_bits=20,72"));
+  const Outcome outcome = require_success(run("explore " + model("carburettor") + small + " --no-plots -o " +
+                                              (folder / "e") + " --vary array.memory_bits=20,72"));
   const nlohmann::json file = json(folder / "e/explore.json");
   CHECK(file["points"][0]["reason"] != "");
   CHECK(file["points"][0].contains("pareto") == false);
@@ -216,7 +217,7 @@ TEST_CASE("designs that cannot draw the model give a reason and do not stop the 
   const Outcome none = run("explore " + model("carburettor") + small + " --no-plots -o " + (folder / "n") +
                            " --vary array.memory_bits=20,21");
   CHECK(none.code == 1);
-  CHECK(one_line(none.err));
+  CHECK(is_one_line(none.err));
 }
 
 TEST_CASE("explore writes nothing if no model can be read") {
@@ -228,8 +229,8 @@ TEST_CASE("explore writes nothing if no model can be read") {
 
 TEST_CASE("explore omits the area axis for machines without transistor counts") {
   const Folder folder;
-  succeeded(run("explore " + model("thesis_fig_2_3") + small +
-                " --machine scan-line --vary chains.count=1,4 --no-plots -o " + (folder / "e")));
+  require_success(run("explore " + model("thesis_fig_2_3") + small +
+                      " --machine scan-line --vary chains.count=1,4 --no-plots -o " + (folder / "e")));
   const nlohmann::json file = json(folder / "e/explore.json");
   CHECK(file["points"][0]["machine_transistors"].is_null());
   CHECK(file["fronts"][0]["axes"] == nlohmann::json{"time", "memory", "wrong"});
@@ -237,8 +238,8 @@ TEST_CASE("explore omits the area axis for machines without transistor counts") 
 
 TEST_CASE("explore varies dependent parameters together and explains invalid combinations") {
   const Folder folder;
-  succeeded(run("explore " + model("thesis_fig_2_3") + small +
-                " --vary evaluator.bits=1,4 --vary alu.bits=1,4 --no-plots -o " + (folder / "e")));
+  require_success(run("explore " + model("thesis_fig_2_3") + small +
+                      " --vary evaluator.bits=1,4 --vary alu.bits=1,4 --no-plots -o " + (folder / "e")));
   std::size_t refused = 0;
   std::map<std::string, std::uint64_t> clocks;
   const nlohmann::json points = json(folder / "e/explore.json")["points"];
@@ -260,25 +261,26 @@ TEST_CASE("explore varies dependent parameters together and explains invalid com
 TEST_CASE("explore reports an error in --vary or --axes in one line with a suggestion") {
   const Folder folder;
   const std::string command = "explore " + model("sphere") + small + " -o " + (folder / "e");
-  misused(command, "--vary");
-  misused(command + " --vary alu.bits", "use KEY=a,b,c");
-  misused(command + " --vary alu.bit=1", "did you mean 'alu.bits'?");
-  misused(command + " --vary alu.bits=1,999", "--vary alu.bits");
-  misused(command + " --vary evaluator.bits=1,4", "the ALU must process all bits that the trees deliver");
-  misused(command + " --vary strategy=auto", "strategy");
-  misused(command + " --vary alu.bits=1,2 --set alu.bits=4", "is both varied and fixed");
-  misused(command + " --vary alu.bits=1,2 --vary alu.bits=4", "is given twice");
-  misused(command + " --vary array.width=48,64", "an option overrides array.width=64");
-  misused(command + " --vary array.memory_bits=72,96 --vary memory-bits=80", "an option overrides");
-  misused(command + " --vary alu.bits=1,2 --axes tim", "did you mean time");
-  misused(command + " --vary alu.bits=1,2 --points 100000", "--points");
+  check_misuse(command, "--vary");
+  check_misuse(command + " --vary alu.bits", "use KEY=a,b,c");
+  check_misuse(command + " --vary alu.bit=1", "did you mean 'alu.bits'?");
+  check_misuse(command + " --vary alu.bits=1,999", "--vary alu.bits");
+  check_misuse(command + " --vary evaluator.bits=1,4", "the ALU must process all bits that the trees deliver");
+  check_misuse(command + " --vary strategy=auto", "strategy");
+  check_misuse(command + " --vary alu.bits=1,2 --set alu.bits=4", "is both varied and fixed");
+  check_misuse(command + " --vary alu.bits=1,2 --vary alu.bits=4", "is given twice");
+  check_misuse(command + " --vary array.width=48,64", "an option overrides array.width=64");
+  check_misuse(command + " --vary array.memory_bits=72,96 --vary memory-bits=80", "an option overrides");
+  check_misuse(command + " --vary alu.bits=1,2 --axes tim", "did you mean time");
+  check_misuse(command + " --vary alu.bits=1,2 --points 100000", "--points");
   CHECK(folder.files() == 0);
 }
 
 TEST_CASE("explore --process sets the machine's clock and the knee's command states it") {
   const Folder folder;
-  succeeded(run("explore " + model("thesis_fig_2_3") + small +
-                " --process cmos-45nm --vary alu.bits=1,8 --vary z-bits=8,20" + " --no-plots -o " + (folder / "e")));
+  require_success(run("explore " + model("thesis_fig_2_3") + small +
+                      " --process cmos-45nm --vary alu.bits=1,8 --vary z-bits=8,20" + " --no-plots -o " +
+                      (folder / "e")));
   const nlohmann::json file = json(folder / "e/explore.json");
   CHECK(file["fronts"][0]["axes"] == nlohmann::json{"time", "silicon", "energy", "memory", "wrong"});
   for (const nlohmann::json& point : file["points"]) {
@@ -291,7 +293,7 @@ TEST_CASE("explore --process sets the machine's clock and the knee's command sta
     CHECK(command.find("+clock.frequency=" + std::to_string(point["clock_hz"].get<std::uint64_t>())) !=
           std::string::npos);
     const std::string words = words_of(command.substr(0, command.find(" --output")));
-    succeeded(run(words + " --stats " + (folder / "s.json")));
+    require_success(run(words + " --stats " + (folder / "s.json")));
     CHECK(json(folder / "s.json")["frames_per_second"].get<double>() ==
           doctest::Approx(point["frames_per_second"].get<double>()));
   }
@@ -301,24 +303,24 @@ TEST_CASE("explore --process sets the machine's clock and the knee's command sta
 TEST_CASE("an unsynthesized machine has no area and a changed process is measured again") {
   const Folder folder;
   const std::string command = "explore " + model("thesis_fig_2_3") + small + " --no-plots -o " + (folder / "e");
-  succeeded(run(command + " --machine scan-line --process nmos-3um --vary chains.count=1,4"));
+  require_success(run(command + " --machine scan-line --process nmos-3um --vary chains.count=1,4"));
   nlohmann::json points = json(folder / "e/explore.json")["points"];
   CHECK(points[0]["machine_mm2"].is_null());
   CHECK(points[0]["frame_joules"].is_null());
   CHECK(points[0]["clock_path"] == "");
   CHECK(points[0]["clock_hz"] == 10'000'000);
-  succeeded(run("manual processes nmos-3um"));
-  succeeded(run(command + " --process nmos-3um --vary alu.bits=1"));
+  require_success(run("manual processes nmos-3um"));
+  require_success(run(command + " --process nmos-3um --vary alu.bits=1"));
   const nlohmann::json slow = json(folder / "e/explore.json")["points"][0];
-  succeeded(run(command + " --process nmos-3um+gate.delay=1000 --vary alu.bits=1"));
+  require_success(run(command + " --process nmos-3um+gate.delay=1000 --vary alu.bits=1"));
   points = json(folder / "e/explore.json")["points"];
   CHECK(points[0]["process"] == "nmos-3um+gate.delay=1000");
   CHECK(points[0]["clock_hz"] > slow["clock_hz"]);
-  misused("explore " + model("sphere") + small + " -o " + (folder / "n") + " --vary alu.bits=1 --process nmos-3",
-          "did you mean nmos-3um");
-  misused("explore " + model("sphere") + small + " -o " + (folder / "n") +
-              " --vary clock.frequency=1000,2000 --process nmos-3um",
-          "the process determines the clock");
+  check_misuse("explore " + model("sphere") + small + " -o " + (folder / "n") + " --vary alu.bits=1 --process nmos-3",
+               "did you mean nmos-3um");
+  check_misuse("explore " + model("sphere") + small + " -o " + (folder / "n") +
+                   " --vary clock.frequency=1000,2000 --process nmos-3um",
+               "the process determines the clock");
 }
 
 TEST_CASE("a search tries every neighbour of the front and resumes but cannot be sharded") {
@@ -326,7 +328,7 @@ TEST_CASE("a search tries every neighbour of the front and resumes but cannot be
   const std::string search = "explore " + model("old_example011") + small +
                              " --vary z-bits=8..20 --vary fraction-bits=0..12 --axes memory,wrong --no-plots -o " +
                              (folder / "e") + " --points 4 --search ";
-  succeeded(run(search + "500"));
+  require_success(run(search + "500"));
   const std::string table = content(folder / "e/explore.csv");
   std::map<std::pair<int, int>, bool> on_front;
   const nlohmann::json points = json(folder / "e/explore.json")["points"];
@@ -342,9 +344,9 @@ TEST_CASE("a search tries every neighbour of the front and resumes but cannot be
     }
   }
   std::ofstream(folder / "e/explore.csv") << without_line(without_line(table, 20), 9);
-  succeeded(run(search + "500"));
+  require_success(run(search + "500"));
   CHECK(content(folder / "e/explore.csv") == table);
-  succeeded(run(search + "10"));
+  require_success(run(search + "10"));
   CHECK(json(folder / "e/explore.json")["points"].size() == 14);
   fails(run(search + "10 --shard 1/2"), 2, {"a search depends on earlier results"});
 }

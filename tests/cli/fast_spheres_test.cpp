@@ -13,7 +13,7 @@ std::string written(const Folder& folder, const std::string& csg) {
 }
 
 std::uint64_t clocks_of(const Folder& folder, const std::string& options) {
-  succeeded(run("render " + options + " --stats " + (folder / "s.json") + " -o " + (folder / "p.png")));
+  require_success(run("render " + options + " --stats " + (folder / "s.json") + " -o " + (folder / "p.png")));
   return json(folder / "s.json")["clocks"];
 }
 
@@ -41,7 +41,7 @@ TEST_CASE("solids other than orthographic spheres stay facets with a single warn
   const std::string three = ball + "multmatrix([[2,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) {\n" + ball + "}\n" +
                             "cylinder($fn=0,$fa=12,$fs=2,h=30,r1=4,r2=4,center=true);\n";
   const std::string three_warnings = warnings(three, "");
-  CHECK(one_line(three_warnings));
+  CHECK(is_one_line(three_warnings));
   CHECK(three_warnings.find("model.csg:3:1: warning: ") != std::string::npos);
   CHECK(three_warnings.find("this solid is an ellipsoid and is drawn as facets, as is 1 more curved solid") !=
         std::string::npos);
@@ -53,8 +53,8 @@ TEST_CASE("solids other than orthographic spheres stay facets with a single warn
 TEST_CASE("--curves fast without a fast sphere compiles the Program of --curves facets") {
   const Folder folder;
   const auto program = [&](const std::string& curves, const std::string& csg, const std::string& options) {
-    succeeded(run("compile " + written(folder, csg) + small + options + " --curves " + curves + " -o " +
-                  (folder / "p.csgt")));
+    require_success(run("compile " + written(folder, csg) + small + options + " --curves " + curves + " -o " +
+                        (folder / "p.csgt")));
     return content(folder / "p.csgt");
   };
   const std::string pocket = content(model("thesis_fig_2_3"));
@@ -66,8 +66,8 @@ TEST_CASE("--curves fast without a fast sphere compiles the Program of --curves 
 TEST_CASE("fast spheres and facets are seen by the same camera") {
   const Folder folder;
   const auto box = [&](const std::string& curves) {
-    succeeded(run("render " + written(folder, ball) + " --size 256x256 --view-all --memory-bits 128 --curves " +
-                  curves + " --stats " + (folder / "s.json") + " -o " + (folder / "p.png")));
+    require_success(run("render " + written(folder, ball) + " --size 256x256 --view-all --memory-bits 128 --curves " +
+                        curves + " --stats " + (folder / "s.json") + " -o " + (folder / "p.png")));
     return json(folder / "s.json")["camera"];
   };
   CHECK(box("fast") == box("facets"));
@@ -77,7 +77,7 @@ TEST_CASE("joined fast spheres fit 72 bits with 18 bits of depth and 18 of colou
   const Folder folder;
   const std::string options = "render " + model("molecule") + " --view-all --curves fast --z-bits 18 -o " +
                               (folder / "p.png") + " --colour-bits ";
-  succeeded(run(options + "18"));
+  require_success(run(options + "18"));
   CHECK(run(options + "19").code == 1);
 }
 

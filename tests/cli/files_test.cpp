@@ -14,7 +14,7 @@ const std::string small_cube = "cube(size = [8, 6, 4]);\n";
 /// Writes a model, m.csg, and its Program, p.csgt, into the folder.
 void fill(const Folder& folder) {
   write(folder / "m.csg", small_cube);
-  succeeded(run_words({"compile", "m.csg", "--size", "16x16", "-o", "p.csgt", "-q"}, folder.path()));
+  require_success(run_words({"compile", "m.csg", "--size", "16x16", "-o", "p.csgt", "-q"}, folder.path()));
 }
 
 /// Runs csgsim and terminates it after some seconds, with code 124.
@@ -69,7 +69,7 @@ TEST_CASE("the debugger may overwrite a checkpoint and a picture that it wrote")
   fill(folder);
   write(folder / "commands",
         "checkpoint c\nstep\ncheckpoint c\nresume c\ncheckpoint c\npicture E e.png\npicture E e.png\n");
-  succeeded(run_words({"debug", "p.csgt", "-x", "commands"}, folder.path()));
+  require_success(run_words({"debug", "p.csgt", "-x", "commands"}, folder.path()));
 }
 
 TEST_CASE("no command overwrites a file that the model imports") {
@@ -119,7 +119,7 @@ TEST_CASE("a study follows no symbolic link and opens no pipe in its folder") {
                                        folder.path());
       CAPTURE(outcome.err);
       CHECK(outcome.code == 1);
-      CHECK(one_line(outcome.err));
+      CHECK(is_one_line(outcome.err));
       CHECK(contains(outcome.err, name));
       CHECK(contains(outcome.err, "delete it, or choose another"));
       CHECK(content(folder / "precious") == "precious\n");
@@ -191,9 +191,9 @@ TEST_CASE("a missing import causes a warning with its place and the rest is draw
         "rotate_extrude(file = \"none.dxf\");"}) {
     CAPTURE(node);
     write(folder / "m.csg", small_cube + node + "\n");
-    const Outcome outcome = succeeded(run_words({"render", "m.csg", "--size", "16x16"}, folder.path()));
+    const Outcome outcome = require_success(run_words({"render", "m.csg", "--size", "16x16"}, folder.path()));
     CHECK(contains(outcome.out, ", 6 half-spaces"));
-    CHECK(one_line(outcome.err));
+    CHECK(is_one_line(outcome.err));
     CHECK(outcome.err.starts_with("m.csg:2:1: warning: "));
     CHECK(contains(outcome.err, "does not exist"));
   }
@@ -237,7 +237,7 @@ TEST_CASE("imports are found in the model's folder or else in the --imports-from
   const auto compiled = [&](Words words) {
     words.insert(words.end(), {"--size", "16x16", "-o", folder / "p.csgt"});
     words.insert(words.begin(), "compile");
-    const Outcome outcome = succeeded(run_words(words, folder.path()));
+    const Outcome outcome = require_success(run_words(words, folder.path()));
     return std::pair(content(folder / "p.csgt"), outcome.err);
   };
   const auto [there, warnings] = compiled({"models/m.csg", "--imports-from", "parts"});

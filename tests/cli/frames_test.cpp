@@ -61,8 +61,8 @@ TEST_CASE("both levels draw and count the same frames of an orbit on each kind o
     const std::string options =
         fmt::format("render {} --machine {} --size 64x64 --memory-bits 256 --view-all --frames 4 --orbit 360 ",
                     model("thesis_fig_2_3"), machine);
-    succeeded(run(options + "-o " + (folder / "f.png") + " --stats " + (folder / "f.json")));
-    succeeded(run(options + "--level cycle -o " + (folder / "c.png") + " --stats " + (folder / "c.json")));
+    require_success(run(options + "-o " + (folder / "f.png") + " --stats " + (folder / "f.json")));
+    require_success(run(options + "--level cycle -o " + (folder / "c.png") + " --stats " + (folder / "c.json")));
     for (const char* const number : {"_000.png", "_001.png", "_002.png", "_003.png"})
       CHECK(content(folder / (std::string("c") + number)) == content(folder / (std::string("f") + number)));
     CHECK(content(folder / "f_000.png") != content(folder / "f_001.png"));
@@ -74,8 +74,8 @@ TEST_CASE("frames of a file of cameras equal pictures drawn alone and their coun
   const Folder folder;
   const std::string options = "render " + model("old_example003") + " --size 40x30 --machine scan-line ";
   write(folder / "path.txt", "# two cameras\n75,-100,65,0,0,0\n\n0,0,5,70,30,210,100 # gimbal\n");
-  succeeded(run(options + "--cameras " + (folder / "path.txt") + " -o " + (folder / "f%d.png") + " --stats " +
-                (folder / "f.json")));
+  require_success(run(options + "--cameras " + (folder / "path.txt") + " -o " + (folder / "f%d.png") + " --stats " +
+                      (folder / "f.json")));
   const std::vector<std::string> alone{"75,-100,65,0,0,0", "0,0,5,70,30,210,100"};
   const nlohmann::json stats = json(folder / "f.json");
   REQUIRE(stats["frames"].size() == alone.size());
@@ -83,7 +83,8 @@ TEST_CASE("frames of a file of cameras equal pictures drawn alone and their coun
   std::uint64_t host_clocks = 0;
   for (std::size_t i = 0; i < alone.size(); ++i) {
     const std::string picture = folder / fmt::format("f{}.png", i);
-    succeeded(run(options + "--camera=" + alone[i] + " -o " + (folder / "p.png") + " --stats " + (folder / "p.json")));
+    require_success(
+        run(options + "--camera=" + alone[i] + " -o " + (folder / "p.png") + " --stats " + (folder / "p.json")));
     CHECK(content(picture) == content(folder / "p.png"));
     const nlohmann::json& frame = stats["frames"][i];
     const nlohmann::json one = json(folder / "p.json");
@@ -104,8 +105,9 @@ TEST_CASE("frames of a file of cameras equal pictures drawn alone and their coun
 
 TEST_CASE("an orbit into one .gif shows each frame and repeats") {
   const Folder folder;
-  const Outcome drawn = succeeded(run("render " + model("thesis_fig_2_3") +
-                                      " --size 40x30 --view-all --frames 5 --orbit 360 -o " + (folder / "f.gif")));
+  const Outcome drawn =
+      require_success(run("render " + model("thesis_fig_2_3") + " --size 40x30 --view-all --frames 5 --orbit 360 -o " +
+                          (folder / "f.gif")));
   const Animated animated = animated_in(content(folder / "f.gif"));
   CHECK(animated.pictures == 5);
   CHECK(animated.delay == 5);
@@ -122,7 +124,7 @@ TEST_CASE("frames that were finished before a fault are complete and later ones 
   const Outcome outcome = run("render " + model("thesis_fig_2_3") + " --size 40x30 --cameras " + (folder / "path.txt") +
                               " -o " + (folder / "f.png"));
   CHECK(outcome.code == 1);
-  CHECK(one_line(outcome.err));
+  CHECK(is_one_line(outcome.err));
   CHECK(outcome.err.find("f_001.png") != std::string::npos);
   CHECK(content(folder / "f_000.png").size() > 100);
   CHECK(folder.files() == 3);
@@ -130,17 +132,17 @@ TEST_CASE("frames that were finished before a fault are complete and later ones 
 
 TEST_CASE("rejects options that do not suit several frames") {
   const std::string part = "render " + model("old_example003") + " --size 20x20 ";
-  misused(part + "--orbit 90 -o x.png", "--orbit: needs several frames");
-  misused(part + "--frames 3 --cameras c.txt -o x.png", "--cameras");
-  misused(part + "--camera 1,2,3,0,0,0 --cameras c.txt -o x.png", "--camera");
-  misused(part + "--frames 3 --owner o.png", "--owner: is for one frame; leave out --frames");
-  misused(part + "--frames 3 -o f%s.png", "out_%03d.png");
-  misused(part + "--frames 3 -o f_%d.xyz", "--output");
+  check_misuse(part + "--orbit 90 -o x.png", "--orbit: needs several frames");
+  check_misuse(part + "--frames 3 --cameras c.txt -o x.png", "--cameras");
+  check_misuse(part + "--camera 1,2,3,0,0,0 --cameras c.txt -o x.png", "--camera");
+  check_misuse(part + "--frames 3 --owner o.png", "--owner: is for one frame; leave out --frames");
+  check_misuse(part + "--frames 3 -o f%s.png", "out_%03d.png");
+  check_misuse(part + "--frames 3 -o f_%d.xyz", "--output");
   const Folder folder;
   write(folder / "c.txt", "1,2,3,0,0,0\n");
-  misused(part + "--check --cameras " + (folder / "c.txt"), "--check: is for one frame; leave out --cameras");
-  misused(part + "--cameras " + (folder / "c.txt") + " --stats " + (folder / "c.txt"),
-          "it is the same file as the input");
+  check_misuse(part + "--check --cameras " + (folder / "c.txt"), "--check: is for one frame; leave out --cameras");
+  check_misuse(part + "--cameras " + (folder / "c.txt") + " --stats " + (folder / "c.txt"),
+               "it is the same file as the input");
   write(folder / "c.txt", "1,2,3,0,0,0\n1,2,three,0,0,0\n");
   const Outcome wrong = run(part + "--cameras " + (folder / "c.txt"));
   CHECK(wrong.code == 1);

@@ -121,11 +121,11 @@ TEST_CASE("a wrong word of any option is reported with the nearest and all valid
 TEST_CASE("errors for unknown machines and effects and settings and fields have one form") {
   const Outcome machine = run("render " + model("old_example003") + " --machine scanline");
   fails(machine, 2, {"there is no machine 'scanline'; did you mean scan-line? The machines are pixel-planes-4, "});
-  misused("manual machines foo", "there is no machine 'foo'; the machines are pixel-planes-4, ");
-  misused("render " + model("old_example003") + " --set effects.shadow.on=true",
-          "there is no effect 'shadow'; did you mean shadows? The effects are ");
-  misused("render " + model("old_example003") + " --set effects.transparency.method=screendor",
-          "did you mean screen-door? it must be one of layers, screen-door");
+  check_misuse("manual machines foo", "there is no machine 'foo'; the machines are pixel-planes-4, ");
+  check_misuse("render " + model("old_example003") + " --set effects.shadow.on=true",
+               "there is no effect 'shadow'; did you mean shadows? The effects are ");
+  check_misuse("render " + model("old_example003") + " --set effects.transparency.method=screendor",
+               "did you mean screen-door? it must be one of layers, screen-door");
   const Outcome field = run("wave " + std::string(CSGSIM_SOURCE_DIR) +
                             "/traces/thesis_fig_2_3.csgt --pixel 1,1 --at Z3 -o " + (Folder() / "w.vcd"));
   CHECK(field.code == 2);

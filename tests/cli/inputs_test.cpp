@@ -16,7 +16,7 @@ TEST_CASE("no command overwrites its own input under any name") {
   const Folder folder;
   write(folder / "m.csg", cube);
   write(folder / "mine.toml", machine_text());
-  succeeded(run_words({"compile", "m.csg", "--size", "16x16", "-o", "p.csgt"}, folder.path()));
+  require_success(run_words({"compile", "m.csg", "--size", "16x16", "-o", "p.csgt"}, folder.path()));
   const std::string program = content(folder / "p.csgt");
   fs::create_symlink("m.csg", folder / "link.json");
   fs::create_hard_link(folder / "mine.toml", folder / "hard.json");
@@ -98,7 +98,7 @@ TEST_CASE("rejects empty file names and negative counts") {
     CAPTURE(words[2]);
     CAPTURE(outcome.err);
     CHECK(outcome.code == 2);
-    CHECK(one_line(outcome.err));
+    CHECK(is_one_line(outcome.err));
   }
   CHECK(folder.files() == 1);
 }
@@ -112,8 +112,8 @@ TEST_CASE("rejects a near plane that leaves no depths and suggests a valid one")
     fails(outcome, 1, {"set --near to "});
     CHECK((outcome.out + outcome.err).find("nan") == std::string::npos);
   }
-  succeeded(run_words({"render", "m.csg", "--size", "16x16", "--projection", "perspective", "--near", "1e-9"},
-                      folder.path()));
+  require_success(run_words({"render", "m.csg", "--size", "16x16", "--projection", "perspective", "--near", "1e-9"},
+                            folder.path()));
 }
 
 TEST_CASE("every command that reads a model rejects one that exceeds --limit with its place") {
@@ -134,7 +134,7 @@ TEST_CASE("every command that reads a model rejects one that exceeds --limit wit
     fails(run_words(words, folder.path()), 1,
           {"twisted.csg:2:1: linear_extrude(): ", "more work than the limit of 1 million steps", "--limit"});
   }
-  succeeded(run_words({"compile", "twisted.csg", "-o", "t.csgt", "--size", "16x16"}, folder.path()));
+  require_success(run_words({"compile", "twisted.csg", "-o", "t.csgt", "--size", "16x16"}, folder.path()));
   CHECK(run_words({"compile", "twisted.csg", "-o", "t.csgt", "--limit", "0"}, folder.path()).code == 2);
 }
 

@@ -30,9 +30,9 @@ struct Drawn {
 };
 
 Drawn draw(const Folder& folder, const std::string& options) {
-  succeeded(run("render " + model("carburettor") + " --camera 220,-255,135,2,0,5 --size 75x50 -o " +
-                (folder / "p.ppm") + " --depth " + (folder / "d.exr") + " --owner " + (folder / "o.exr") + " --stats " +
-                (folder / "s.json") + " " + options));
+  require_success(run("render " + model("carburettor") + " --camera 220,-255,135,2,0,5 --size 75x50 -o " +
+                      (folder / "p.ppm") + " --depth " + (folder / "d.exr") + " --owner " + (folder / "o.exr") +
+                      " --stats " + (folder / "s.json") + " " + options));
   return {content(folder / "p.ppm"), content(folder / "d.exr"), content(folder / "o.exr"), json(folder / "s.json")};
 }
 
@@ -79,9 +79,9 @@ TEST_CASE("a multi-processor draws lists that exceed its nodes' memory in severa
   for (const char* const part : {"bolt_and_nut", "vase"}) {
     CAPTURE(part);
     const auto drawn = [&](const std::string& machine) {
-      succeeded(run("render " + std::string(CSGSIM_SOURCE_DIR) + "/tests/corpus/parts/" + part +
-                    ".csg --size 128x128 --machine " + machine + " -o " + (folder / "p.ppm") + " --stats " +
-                    (folder / "s.json")));
+      require_success(run("render " + std::string(CSGSIM_SOURCE_DIR) + "/tests/corpus/parts/" + part +
+                          ".csg --size 128x128 --machine " + machine + " -o " + (folder / "p.ppm") + " --stats " +
+                          (folder / "s.json")));
       return content(folder / "p.ppm");
     };
     const std::string whole = drawn("pixel-planes-4");
@@ -107,8 +107,8 @@ TEST_CASE("each unit of the pixel-square machine accounts for all clocks of the 
 TEST_CASE("rejects a Program for another kind of machine and suggests a fix") {
   const Folder folder;
   const std::string program = folder / "p.csgt";
-  succeeded(run("compile " + model("carburettor") + " --size 64x48 --machine pixel-square -o " + program));
-  succeeded(run("run " + program + " --machine pixel-square --level cycle"));
+  require_success(run("compile " + model("carburettor") + " --size 64x48 --machine pixel-square -o " + program));
+  require_success(run("run " + program + " --machine pixel-square --level cycle"));
   fails(run("run " + program + " --machine scan-line"), 1, {"compile the model for this one"});
   fails(run("render " + model("carburettor") + " --machine scan-line --size 600x20"), 1,
         {"600 pixels exceeds the 512 cells"});
@@ -118,7 +118,7 @@ TEST_CASE("compare draws a model on several machines and resumes after an interr
   const Folder folder;
   const std::string command = "compare " + model("carburettor") + " --camera 220,-255,135,2,0,5 --size 48x40 -o " +
                               (folder / "c") + " --fragments 6,12 --sides 24,32";
-  const Outcome first = succeeded(run(command + " --machines pixel-planes-4,pixel-square"));
+  const Outcome first = require_success(run(command + " --machines pixel-planes-4,pixel-square"));
   CHECK(first.out.find("identical on all machines") != std::string::npos);
   const nlohmann::json points = json(folder / "c/compare.json")["points"];
   REQUIRE(points.size() == 2 * 5);
@@ -135,9 +135,9 @@ TEST_CASE("compare draws a model on several machines and resumes after an interr
     CHECK(fs::file_size(folder / ("c/compare_" + std::string(plot))) > 1000);
   const std::string table = content(folder / "c/compare.csv");
   write(folder / "c/compare.csv", table.substr(0, table.size() - 40));
-  succeeded(run(command + " --machines pixel-planes-4,pixel-square --no-plots"));
+  require_success(run(command + " --machines pixel-planes-4,pixel-square --no-plots"));
   CHECK(content(folder / "c/compare.csv") == table);
-  succeeded(run(command + " --machines scan-line --no-plots"));
+  require_success(run(command + " --machines scan-line --no-plots"));
   CHECK(json(folder / "c/compare.json")["points"].size() == 5);
   CHECK(json(folder / "c/compare.json")["points"][0]["machine_transistors"].is_null());
   CHECK(run(command + " --machines nothing").code == 2);
@@ -164,8 +164,8 @@ TEST_CASE("compare names the parameter whose ideal value helps a machine most") 
 
 TEST_CASE("subdivide reports fewer remaining half-spaces at each smaller square") {
   const Folder folder;
-  succeeded(run("subdivide " + model("carburettor") + " --camera 220,-255,135,2,0,5 --size 128x128 -o " +
-                (folder / "s") + " --subdivisions 2,4,6 --no-plots"));
+  require_success(run("subdivide " + model("carburettor") + " --camera 220,-255,135,2,0,5 --size 128x128 -o " +
+                      (folder / "s") + " --subdivisions 2,4,6 --no-plots"));
   const nlohmann::json columns = json(folder / "s/subdivide.json")["points"];
   REQUIRE(columns.size() == 3);
   for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -190,15 +190,15 @@ TEST_CASE("subdivide reports fewer remaining half-spaces at each smaller square"
 TEST_CASE("subdivide resumes and adds levels and tolerances and writes plots and a page") {
   const Folder folder;
   const std::string subdivide = "subdivide " + model("carburettor") + " --size 64x64 -o " + (folder / "s");
-  succeeded(run(subdivide + " --subdivisions 2 --tolerances 1,0.5 --no-plots"));
+  require_success(run(subdivide + " --subdivisions 2 --tolerances 1,0.5 --no-plots"));
   const std::string table = content(folder / "s/subdivide.csv");
   CHECK(
       table.starts_with("subdivisions,tolerance,model_hash,machine_hash,csgsim,primitives,halfspaces,segments_count,"));
   const std::string csv = folder / "s/subdivide.csv";
   write(csv, table.substr(0, table.size() - 40));
-  succeeded(run(subdivide + " --subdivisions 2 --tolerances 1,0.5 --no-plots"));
+  require_success(run(subdivide + " --subdivisions 2 --tolerances 1,0.5 --no-plots"));
   CHECK(content(csv) == table);
-  succeeded(run(subdivide + " --subdivisions 2,3 --report " + (folder / "p.html")));
+  require_success(run(subdivide + " --subdivisions 2,3 --report " + (folder / "p.html")));
   CHECK(json(folder / "s/subdivide.json")["points"].size() == 2);
   CHECK(content(csv).ends_with(table.substr(table.find('\n') + 1)));
   for (const char* const file : {"s/subdivide.png", "s/subdivide.svg"}) CHECK(content(folder / file).size() > 1000);
@@ -215,7 +215,7 @@ TEST_CASE("subdivide's stage times of a multi-processor add up except for waitin
   REQUIRE(outcome.code == 0);
   CHECK(outcome.out.find("89.7       102.5       139.7") != std::string::npos);
   const nlohmann::json columns = json(folder / "m/subdivide.json")["points"];
-  succeeded(run("subdivide " + options + " --subdivisions 4,6 --no-plots -o " + (folder / "s")));
+  require_success(run("subdivide " + options + " --subdivisions 4,6 --no-plots -o " + (folder / "s")));
   const nlohmann::json squares = json(folder / "s/subdivide.json")["points"];
   for (std::size_t i = 0; i < 2; ++i) {
     const nlohmann::json& stages = columns[i]["stages"];

@@ -11,7 +11,7 @@ namespace {
 std::string shown(const std::string& page) {
   ::setenv("MANWIDTH", "150", 1);
   ::setenv("LC_ALL", "C.UTF-8", 1);
-  const Outcome outcome = succeeded(run_program("man", {"--warnings", "-P", "cat", "-l", page}));
+  const Outcome outcome = require_success(run_program("man", {"--warnings", "-P", "cat", "-l", page}));
   CHECK(outcome.err == "");
   return outcome.out;
 }
@@ -26,7 +26,7 @@ std::vector<std::string> pages() {
 
 TEST_CASE("groff and mandoc accept the manual pages of the program and each command") {
   const Folder folder;
-  succeeded(run_words({"--describe", folder.path().string()}));
+  require_success(run_words({"--describe", folder.path().string()}));
   REQUIRE(pages().size() >= 20);
   for (const std::string& page : pages()) {
     CAPTURE(page);
@@ -41,7 +41,7 @@ TEST_CASE("groff and mandoc accept the manual pages of the program and each comm
 
 TEST_CASE("a command's page has every option of its help with the same value") {
   const Folder folder;
-  succeeded(run_words({"--describe", folder.path().string()}));
+  require_success(run_words({"--describe", folder.path().string()}));
   const std::string all = shown(folder / "csgsim.1");
   for (const std::string& command : commands()) {
     CAPTURE(command);
@@ -60,9 +60,9 @@ TEST_CASE("a command's page has every option of its help with the same value") {
 TEST_CASE("manual pages are reproducible and an unwritable folder is reported") {
   const Folder folder;
   for (const std::string name : {"a", "b"}) REQUIRE(run_words({"--describe", folder / name}).code == 0);
-  succeeded(run_program("diff", {"-r", folder / "a", folder / "b"}));
+  require_success(run_program("diff", {"-r", folder / "a", folder / "b"}));
   write(folder / "file", "");
   const Outcome outcome = run_words({"--describe", folder / "file/below"});
   CHECK(outcome.code == 1);
-  CHECK(one_line(outcome.err));
+  CHECK(is_one_line(outcome.err));
 }

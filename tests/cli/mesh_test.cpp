@@ -14,7 +14,7 @@ std::string commands(const std::string& name) {
 TEST_CASE("mesh compares filter and quadtree on one mesh and reuses its measurements") {
   const Folder folder;
   const std::string words = "mesh " + commands("thesis_fig_3_9") + " -o " + (folder / "m");
-  const Outcome first = succeeded(run(words + " --tolerances 0.1,0.05"));
+  const Outcome first = require_success(run(words + " --tolerances 0.1,0.05"));
   CHECK(first.out.find("maximum elements held") != std::string::npos);
   const nlohmann::json points = json(folder / "m/mesh.json")["points"];
   REQUIRE(points.size() == 4);
@@ -30,7 +30,7 @@ TEST_CASE("mesh compares filter and quadtree on one mesh and reuses its measurem
   CHECK(filter["seconds"]["mc68000"]["subdividing"] == quadtree["seconds"]["mc68000"]["subdividing"]);
   CHECK(fs::file_size(folder / "m/mesh_Patch_plane.svg") > 1000);
   const std::string table = content(folder / "m/mesh.csv");
-  succeeded(run(words + " --tolerances 0.1,0.05,0.02"));
+  require_success(run(words + " --tolerances 0.1,0.05,0.02"));
   CHECK(content(folder / "m/mesh.csv").starts_with(table.substr(0, 200)));
   CHECK(json(folder / "m/mesh.json")["points"].size() == 6);
 }
@@ -38,16 +38,16 @@ TEST_CASE("mesh compares filter and quadtree on one mesh and reuses its measurem
 TEST_CASE("a tolerance too fine for a surface gives a reason and alone it is an error") {
   const Folder folder;
   const std::string words = "mesh " + commands("jug") + " --repairs filter --flatness sides ";
-  const Outcome both = succeeded(run(words + "--tolerances 1,1e-12 -o " + (folder / "m")));
+  const Outcome both = require_success(run(words + "--tolerances 1,1e-12 -o " + (folder / "m")));
   CHECK(both.out.find("use a coarser tolerance") != std::string::npos);
   fails(run(words + "--tolerances 1e-12 -o " + (folder / "n")), 1, {"use a coarser tolerance"});
 }
 
 TEST_CASE("mesh rejects unknown names and files without a surface") {
-  misused("mesh " + commands("jug") + " --flatness flat", "the flatness tests are");
-  misused("mesh " + commands("jug") + " --repairs filtre", "did you mean filter");
-  misused("mesh " + commands("jug") + " --tolerances 0", "is not a tolerance");
-  misused("mesh " + commands("jug") + " --processors this-computer", "has no prices");
+  check_misuse("mesh " + commands("jug") + " --flatness flat", "the flatness tests are");
+  check_misuse("mesh " + commands("jug") + " --repairs filtre", "did you mean filter");
+  check_misuse("mesh " + commands("jug") + " --tolerances 0", "is not a tolerance");
+  check_misuse("mesh " + commands("jug") + " --processors this-computer", "has no prices");
   fails(run("mesh " + commands("thesis_fig_2_3")), 1, {"contains no sweep and no patch"});
   fails(run("mesh " + model("sphere")), 1,
         {"sphere.csg: only sweeps and patches of command files (.jan) can be meshed"});
@@ -56,8 +56,8 @@ TEST_CASE("mesh rejects unknown names and files without a surface") {
 TEST_CASE("a .jan command file draws the picture of its .csg and its errors have a place") {
   const Folder folder;
   const std::string view = " --camera 42,-38,41,10,5.5,2 --size 96x96 -o ";
-  succeeded(run("render " + commands("thesis_fig_2_3") + view + (folder / "one.png")));
-  succeeded(run("render " + model("thesis_fig_2_3") + view + (folder / "other.png")));
+  require_success(run("render " + commands("thesis_fig_2_3") + view + (folder / "one.png")));
+  require_success(run("render " + model("thesis_fig_2_3") + view + (folder / "other.png")));
   CHECK(content(folder / "one.png") == content(folder / "other.png"));
   std::ofstream(folder / "bad.jan") << "A = block 1 2\n";
   fails(run("render " + (folder / "bad.jan") + " -o " + (folder / "bad.png")), 1,
@@ -66,8 +66,8 @@ TEST_CASE("a .jan command file draws the picture of its .csg and its errors have
 
 TEST_CASE("an exported mesh has the counted vertices and elements and no edge used 3 times") {
   const Folder folder;
-  succeeded(run("mesh " + commands("thesis_fig_3_9") + " --tolerances 0.1 --repairs filter --json " +
-                (folder / "m.json") + " -o " + (folder / "m")));
+  require_success(run("mesh " + commands("thesis_fig_3_9") + " --tolerances 0.1 --repairs filter --json " +
+                      (folder / "m.json") + " -o " + (folder / "m")));
   const nlohmann::json point = json(folder / "m/mesh.json")["points"][0];
   const nlohmann::json mesh = json(folder / "m.json")["meshes"][0];
   CHECK(mesh["tolerance"] == 0.1);

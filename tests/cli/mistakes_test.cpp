@@ -83,8 +83,8 @@ std::set<std::string> names_in(const Folder& folder) {
 void fill(const Folder& folder, const Table& table) {
   for (const std::string& name : table.folders) fs::create_directory(folder / name);
   for (const auto& [name, text] : table.files) write(folder / name, text);
-  succeeded(run_words({"compile", "cube.csg", "--size", "16x16", "-o", "good.csgt", "-q"}, folder.path()));
-  succeeded(run_words({"render", "cube.csg", "--size", "16x16", "--stats", "stats.json", "-q"}, folder.path()));
+  require_success(run_words({"compile", "cube.csg", "--size", "16x16", "-o", "good.csgt", "-q"}, folder.path()));
+  require_success(run_words({"render", "cube.csg", "--size", "16x16", "--stats", "stats.json", "-q"}, folder.path()));
 }
 
 /// Runs the command as a shell would; csgsim is found through PATH.
@@ -109,7 +109,7 @@ void check_section(const std::string& section) {
     CAPTURE(outcome.err);
     CHECK(outcome.code == mistake.code);
     const std::string& text = mistake.code == 0 ? outcome.out : outcome.err;
-    if (mistake.code != 0) CHECK(one_line(text));
+    if (mistake.code != 0) CHECK(is_one_line(text));
     CHECK(matches(text.substr(0, text.find('\n')), mistake.answer));
     CHECK(names_in(folder) == before);
   }

@@ -21,8 +21,8 @@ std::vector<std::string> study(const std::string& command, const std::string& mo
 }
 
 bool is_plain_line(const std::string& text) {
-  return one_line(text) && std::none_of(text.begin(), text.end() - 1,
-                                        [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; });
+  return is_one_line(text) && std::none_of(text.begin(), text.end() - 1,
+                                           [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; });
 }
 
 bool is_there(const fs::path& folder, const std::string& name) {
@@ -41,10 +41,10 @@ TEST_CASE("no name of a model or a folder runs a shell command") {
     const std::string model = name + ".csg";
     write(folder / model, cube);
     for (const std::string command : {"compare", "sweep"}) {
-      succeeded(run_words(study(command, model, name + command), folder.path()));
+      require_success(run_words(study(command, model, name + command), folder.path()));
       CHECK(fs::exists(folder / (name + command + "/" + command + ".csv")));
     }
-    succeeded(run_words(study("compare", model, ""), folder.path()));
+    require_success(run_words(study("compare", model, ""), folder.path()));
     CHECK_FALSE(is_there(folder.path(), "PWNED"));
   }
 }
@@ -53,7 +53,7 @@ TEST_CASE("accuracy draws plots for a model whose name has quotes and line break
   const Folder folder;
   const std::string name = "a'\"\n`touch PWNED`\n%d {}_^ <b>.csg";
   write(folder / name, cube);
-  succeeded(run_words(study("accuracy", name, "out"), folder.path()));
+  require_success(run_words(study("accuracy", name, "out"), folder.path()));
   CHECK(fs::file_size(folder / "out/pareto.png") > 1000);
   CHECK(content(folder / "out/pareto.svg").find("<b>") == std::string::npos);
   CHECK_FALSE(is_there(folder.path(), "PWNED"));
@@ -71,8 +71,8 @@ TEST_CASE("file names that are not UTF-8 are read and are stored escaped") {
     CHECK(render.code == 0);
     CHECK(content(folder / "\xe4.png").substr(1, 3) == "PNG");
     CHECK(json(folder / "\xe4.json")["model"]["primitives"] == 1);
-    succeeded(run_words({"compile", name, "--size", "16x16", "-o", "p.csgt"}, folder.path()));
-    succeeded(run_words({"run", "p.csgt", "--stats", "s.json"}, folder.path()));
+    require_success(run_words({"compile", name, "--size", "16x16", "-o", "p.csgt"}, folder.path()));
+    require_success(run_words({"run", "p.csgt", "--stats", "s.json"}, folder.path()));
     CHECK(json(folder / "s.json")["model"] == json(folder / "\xe4.json")["model"]);
     for (const std::string command : {"compare", "sweep"}) {
       const Outcome outcome = run_words(study(command, name, ""), folder.path());
@@ -84,7 +84,7 @@ TEST_CASE("file names that are not UTF-8 are read and are stored escaped") {
     CHECK(sweep.code == 0);
     CHECK(json(folder / "o\xe4/sweep.json")["points"].size() == 2);
     const std::string table = content(folder / "o\xe4/sweep.csv");
-    succeeded(run_words(study("sweep", name, "o\xe4"), folder.path()));
+    require_success(run_words(study("sweep", name, "o\xe4"), folder.path()));
     CHECK(content(folder / "o\xe4/sweep.csv") == table);
     fs::remove_all(folder / "o\xe4");
   }
@@ -103,7 +103,7 @@ TEST_CASE("rejects a picture's name that is too long before it simulates") {
 TEST_CASE("a table opened in a spreadsheet contains no formulas") {
   const Folder folder;
   write(folder / "=1+1.csg", cube);
-  succeeded(run_words(study("sweep", "=1+1.csg", "out"), folder.path()));
+  require_success(run_words(study("sweep", "=1+1.csg", "out"), folder.path()));
   const std::string table = content(folder / "out/sweep.csv");
   CHECK(table.find("\n\\x3d1+1.csg,") != std::string::npos);
   CHECK(table.find("\n=") == std::string::npos);
@@ -142,7 +142,7 @@ TEST_CASE("control characters in the description of a machine file are printed e
   std::string text = content(std::string(CSGSIM_SOURCE_DIR) + "/hw/machines/pixel-planes-4.toml");
   text.replace(text.find("description = \""), 15, "description = \"\\u001b[2J\\u202e");
   write(folder / "m.toml", text);
-  const Outcome outcome = succeeded(run_words({"manual", "machines", "m.toml"}, folder.path()));
+  const Outcome outcome = require_success(run_words({"manual", "machines", "m.toml"}, folder.path()));
   CHECK(outcome.out.find('\x1b') == std::string::npos);
   CHECK(outcome.out.find("\\x1b[2J\\xe2\\x80\\xae") != std::string::npos);
 }
@@ -155,7 +155,7 @@ TEST_CASE("a waveform's name cannot inject lines into the file for GTKWave") {
       run_words({"wave", "m.csg", "--size", "16x16", "--probe", "1,1", "--window", "0:10", "-o", name}, folder.path());
   CAPTURE(outcome.err);
   CHECK(outcome.code == 0);
-  CHECK(one_line(outcome.out));
+  CHECK(is_one_line(outcome.out));
   CHECK(content(folder / name).find("$enddefinitions") != std::string::npos);
   CHECK(content(folder / "w\"\n@200\n-x.gtkw").find("-x.vcd") == std::string::npos);
 }

@@ -70,7 +70,7 @@ bool is_installed() { return run_program("openscad", {"--version"}).code == 0; }
 /// The extent of OpenSCAD's evaluation of a source text; its polyhedra must be manifolds.
 Extent evaluated(const Folder& folder, const std::string& scad) {
   write(folder / "judge.scad", scad);
-  const Outcome outcome = succeeded(run_program("openscad", {"-o", "judge.off", "judge.scad"}, folder.path()));
+  const Outcome outcome = require_success(run_program("openscad", {"-o", "judge.off", "judge.scad"}, folder.path()));
   CHECK_MESSAGE(outcome.err.find("WARNING") == std::string::npos, outcome.err);
   CHECK_MESSAGE(outcome.err.find("ERROR") == std::string::npos, outcome.err);
   const std::size_t simple = outcome.err.find("Simple:");
@@ -102,12 +102,12 @@ TEST_CASE("OpenSCAD imports our meshes as manifolds of the volume and extent it 
     CAPTURE(name);
     const std::string path = std::string(CSGSIM_SOURCE_DIR "/tests/corpus/") + name + ".csg";
     const Folder folder;
-    succeeded(run_program("openscad", {"-o", folder / "own.off", path}, folder.path()));
+    require_success(run_program("openscad", {"-o", folder / "own.off", path}, folder.path()));
     const Extent theirs = extent_of(folder / "own.off");
     for (const char* const ending : {"stl", "off", "3mf", "amf"}) {
       CAPTURE(ending);
       const std::string file = std::string("mesh.") + ending;
-      succeeded(run("convert " + path + " --imports-from " CSGSIM_SOURCE_DIR "/tests -o " + (folder / file)));
+      require_success(run("convert " + path + " --imports-from " CSGSIM_SOURCE_DIR "/tests -o " + (folder / file)));
       compare(evaluated(folder, "intersection() { import(\"" + file + "\"); cube(10000, center = true); }"), theirs);
     }
     // OpenSCAD 2021.01 reads neither of these.
@@ -116,7 +116,7 @@ TEST_CASE("OpenSCAD imports our meshes as manifolds of the volume and extent it 
       const std::string file = folder / (std::string("mesh.") + ending);
       std::vector<std::string> words{"convert", path, "--imports-from", CSGSIM_SOURCE_DIR "/tests", "-o", file};
       if (ending == std::string("ply")) words.emplace_back("--ascii");
-      succeeded(run_words(words));
+      require_success(run_words(words));
       write(folder / "copy.off", off_of(content(file)));
       compare(evaluated(folder, "intersection() { import(\"copy.off\"); cube(10000, center = true); }"), theirs);
     }
@@ -141,9 +141,9 @@ TEST_CASE("OpenSCAD imports our drawings with the area and extent of OpenSCAD's"
   const double volume = extruded(flat).volume;
   for (const std::string ending : {".svg", ".dxf"}) {
     CAPTURE(ending);
-    succeeded(run_words({"convert", "flat.scad", "-o", "ours" + ending, "--stats", "flat.json"}, folder.path()));
+    require_success(run_words({"convert", "flat.scad", "-o", "ours" + ending, "--stats", "flat.json"}, folder.path()));
     CHECK(3 * json(folder / "flat.json")["area"].get<double>() == doctest::Approx(volume).epsilon(2e-5));
-    succeeded(run_program("openscad", {"-o", "theirs" + ending, "flat.scad"}, folder.path()));
+    require_success(run_program("openscad", {"-o", "theirs" + ending, "flat.scad"}, folder.path()));
     compare(extruded("import(\"ours" + ending + "\");"), extruded("import(\"theirs" + ending + "\");"));
   }
 }

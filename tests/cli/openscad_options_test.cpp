@@ -51,7 +51,7 @@ std::vector<Colour> pixels_of(const std::string& ppm) {
 
 std::vector<Colour> drawn(const std::string& words) {
   const Folder folder;
-  succeeded(run("render " + words + " -o " + (folder / "p.ppm")));
+  require_success(run("render " + words + " -o " + (folder / "p.ppm")));
   return pixels_of(content(folder / "p.ppm"));
 }
 
@@ -91,15 +91,15 @@ TEST_CASE("render accepts OpenSCAD's forms of --projection and --size and --view
   CHECK(drawn(part + "--size 40x30 --projection o") == drawn(part + "--size 40x30"));
   CHECK(drawn(part + "--size 40x30 --projection o") != drawn(part + "--size 40x30 --projection p"));
   CHECK(drawn(part + "--size 40x30 --viewall") == drawn(part + "--size 40x30 --view-all"));
-  misused("render " + part + "--camera 1,2,3,4,5", "ex,ey,ez,cx,cy,cz or x,y,z,rx,ry,rz,d");
-  misused("render " + part + "--camera 1,2,3,4,5,6,7,8", "ex,ey,ez,cx,cy,cz or x,y,z,rx,ry,rz,d");
+  check_misuse("render " + part + "--camera 1,2,3,4,5", "ex,ey,ez,cx,cy,cz or x,y,z,rx,ry,rz,d");
+  check_misuse("render " + part + "--camera 1,2,3,4,5,6,7,8", "ex,ey,ez,cx,cy,cz or x,y,z,rx,ry,rz,d");
 }
 
 TEST_CASE("a turned camera of seven numbers keeps its roll from frame to frame") {
   const Folder folder;
   const std::string part = "render " + cameras + "part.csg --size 40x30 --camera=";
-  succeeded(run(part + "0,0,5,70,30,210,100 --frames 2 --orbit 50 -o " + (folder / "f.png")));
-  succeeded(run(part + "0,0,5,70,30,235,100 -o " + (folder / "p.png")));
+  require_success(run(part + "0,0,5,70,30,210,100 --frames 2 --orbit 50 -o " + (folder / "f.png")));
+  require_success(run(part + "0,0,5,70,30,235,100 -o " + (folder / "p.png")));
   CHECK(content(folder / "f_001.png") == content(folder / "p.png"));
 }
 

@@ -28,7 +28,7 @@ TEST_CASE("csgsim without its picture module writes PNG and names the missing pa
         run_program(folder / "csgsim",
                     {"render", fs::absolute(model("old_example011")), "--size", "16x16", "-o", picture}, folder.path());
     CAPTURE(outcome.err);
-    if (outcome.code != 0) CHECK(one_line(outcome.err));
+    if (outcome.code != 0) CHECK(is_one_line(outcome.err));
     return outcome;
   };
   const std::string needed = "p.tif: csgsim_pictures.so, the part of csgsim that writes this format, was not found";
@@ -54,8 +54,8 @@ TEST_CASE("an output that is a symbolic link stays a link to the written file") 
   write(folder / "real/old.png", "old");
   fs::create_symlink("real/old.png", folder / "old.png");
   fs::create_symlink("real/new.json", folder / "new.json");
-  succeeded(run("render " + model("old_example011") + " --size 16x16 -o " + (folder / "old.png") + " --stats " +
-                (folder / "new.json")));
+  require_success(run("render " + model("old_example011") + " --size 16x16 -o " + (folder / "old.png") + " --stats " +
+                      (folder / "new.json")));
   CHECK(fs::is_symlink(folder / "old.png"));
   CHECK(fs::is_symlink(folder / "new.json"));
   CHECK(content(folder / "real/old.png").substr(1, 3) == "PNG");
@@ -81,7 +81,8 @@ TEST_CASE("writes the whole file into an output that is a pipe") {
 }
 
 TEST_CASE("writes an output to standard output without the summary") {
-  const Outcome outcome = succeeded(run("render " + model("old_example011") + " --size 16x16 --stats /dev/stdout"));
+  const Outcome outcome =
+      require_success(run("render " + model("old_example011") + " --size 16x16 --stats /dev/stdout"));
   CHECK(outcome.out.find("\"by_purpose\"") != std::string::npos);
   CHECK(nlohmann::json::accept(outcome.out));
   CHECK(outcome.err.find("\ndrawn ") != std::string::npos);
@@ -92,7 +93,7 @@ TEST_CASE("rejects a folder as output") {
   fs::create_directory(folder / "d.png");
   const Outcome outcome = run("render " + model("old_example011") + " --size 16x16 -o " + (folder / "d.png"));
   CHECK(outcome.code == 1);
-  CHECK(one_line(outcome.err));
+  CHECK(is_one_line(outcome.err));
   CHECK(folder.files() == 1);
 }
 
@@ -101,13 +102,13 @@ TEST_CASE("reports impossible outputs before it simulates and leaves no file") {
   const std::string wave = "wave " + model("old_example011") + " --size 16x16 --probe 1,1 -o ";
   const Outcome no_folder = run(wave + (folder / "none/w.vcd"));
   CHECK(no_folder.code == 1);
-  CHECK(one_line(no_folder.err));
+  CHECK(is_one_line(no_folder.err));
   const std::string render = "render " + model("old_example011") + " --size 16x16 ";
   CHECK(run(render + "-o " + (folder / "p.png") + " --stats " + (folder / "none/s.json")).code == 1);
-  misused(render + "--depth " + (folder / "z.png"), ".exr");
-  misused(render + "--owner " + (folder / "o.jpg"), ".exr");
+  check_misuse(render + "--depth " + (folder / "z.png"), ".exr");
+  check_misuse(render + "--owner " + (folder / "o.jpg"), ".exr");
   fs::create_directory(folder / "d");
-  misused(render + "-o " + (folder / "p.exr") + " --depth " + (folder / "d/../p.exr"), "same file");
+  check_misuse(render + "-o " + (folder / "p.exr") + " --depth " + (folder / "d/../p.exr"), "same file");
   fs::remove(folder / "d");
   CHECK(folder.files() == 0);
 }
@@ -121,7 +122,7 @@ TEST_CASE("reports a standard output that cannot be written") {
        {"disasm " + program, std::string("manual instructions"), std::string("manual machines all")}) {
     const int status = std::system((binary + words + " >/dev/full 2>" + (folder / "err")).c_str());
     CHECK(WEXITSTATUS(status) == 1);
-    CHECK(one_line(content(folder / "err")));
+    CHECK(is_one_line(content(folder / "err")));
   }
 }
 
@@ -149,7 +150,7 @@ TEST_CASE("the error for a picture that exceeds the memory states its size") {
       said_within(600000, "render " + model("old_example011") + " --size 12000x11000 -o " + (folder / "p.png"));
   CHECK(text.starts_with("12000 x 11000 pixels at the functional level take about 3.7 GB of memory\n"));
   const std::string last = text.substr(text.find('\n') + 1);
-  CHECK(one_line(last));
+  CHECK(is_one_line(last));
   CHECK(last.find("memory for a picture of 12000 x 11000") != std::string::npos);
   CHECK(folder.files() == 0);
 }
@@ -166,7 +167,7 @@ TEST_CASE("the error for half-spaces that exceed the memory states their number"
   }
   const std::string text =
       said_within(150000, "render " + (folder / "many.csg") + " --size 64x64 -o " + (folder / "p.png"));
-  CHECK(one_line(text));
+  CHECK(is_one_line(text));
   CHECK(text.find(" half-spaces of ") != std::string::npos);
   CHECK(text.find("picture") == std::string::npos);
   CHECK(folder.files() == 1);

@@ -14,8 +14,8 @@ std::string trace(const std::string& name) { return std::string(CSGSIM_SOURCE_DI
 
 std::string compiled(const Folder& folder, const std::string& name, const std::string& options) {
   const std::string program = folder / name;
-  succeeded(run("compile " + testing::cli::model("old_example002") + " --view-all --size 40x30 " + options + " -o " +
-                program));
+  require_success(run("compile " + testing::cli::model("old_example002") + " --view-all --size 40x30 " + options +
+                      " -o " + program));
   return program;
 }
 
@@ -63,7 +63,7 @@ TEST_CASE("stepped and computed trees give the picture and counts of a golden Pr
 }
 
 TEST_CASE("rejects stepped trees at other levels and on machines without trees") {
-  misused("run " + trace("thesis_fig_2_3") + " --evaluator stepped", "add --level cycle");
+  check_misuse("run " + trace("thesis_fig_2_3") + " --evaluator stepped", "add --level cycle");
   fails(run("run " + trace("thesis_fig_2_3_nodes") + " --level cycle --evaluator stepped"), 1,
         {"a machine of kind multi-processor has no multiplier trees that can be stepped"});
 }
@@ -80,8 +80,8 @@ TEST_CASE("run draws a Program on its recorded machine in the clocks of render")
                                     "pixel-planes-4+alu.bits=4+array.memory_bits=96"}) {
     CAPTURE(machine);
     const std::string program = compiled(folder, "p.csgt", "--machine " + machine);
-    succeeded(run("render " + testing::cli::model("old_example002") + " --view-all --size 40x30 --machine " + machine +
-                  " -o " + (folder / "render.png") + " --stats " + (folder / "render.json")));
+    require_success(run("render " + testing::cli::model("old_example002") + " --view-all --size 40x30 --machine " +
+                        machine + " -o " + (folder / "render.png") + " --stats " + (folder / "render.json")));
     const nlohmann::json rendered = json(folder / "render.json");
     const nlohmann::json ran = stats_of(folder, program + " -o " + (folder / "run.png"));
     CHECK(ran["machine"] == rendered["machine"]);
@@ -128,8 +128,8 @@ TEST_CASE("rejects a Program on another kind or smaller machine and names the di
   refused("run " + wide + " --machine pixel-planes-4+alu.bits=4" + output,
           "needs 96 memory bits per pixel, and pixel-planes-4+alu.bits=4 has 72");
   const Outcome warned =
-      succeeded(run("run " + wide + " --machine pixel-planes-4+alu.bits=4+array.memory_bits=100" + output));
-  CHECK(one_line(warned.err));
+      require_success(run("run " + wide + " --machine pixel-planes-4+alu.bits=4+array.memory_bits=100" + output));
+  CHECK(is_one_line(warned.err));
   CHECK(warned.err.find("was compiled for pixel-planes-4; ") != std::string::npos);
   CHECK(warned.err.find("alu.bits 4 instead of 1") != std::string::npos);
   CHECK(warned.err.find("array.memory_bits 100 instead of 72") != std::string::npos);
@@ -141,8 +141,8 @@ TEST_CASE("a warning names the machine that is assumed for a Program without one
   program.machine = {};
   isa::save_program(program, folder / "p.csgt", isa::ProgramForm::binary);
   const std::string output = " -o " + (folder / "out.png");
-  const Outcome assumed = succeeded(run("run " + (folder / "p.csgt") + output));
-  CHECK(one_line(assumed.err));
+  const Outcome assumed = require_success(run("run " + (folder / "p.csgt") + output));
+  CHECK(is_one_line(assumed.err));
   CHECK(assumed.err.find(
             "warning: the Program does not name the machine it was compiled for; pixel-planes-4 is assumed;") !=
         std::string::npos);
@@ -160,10 +160,10 @@ TEST_CASE("a warning names the machine that is assumed for a Program without one
 TEST_CASE("disasm --row-commands lists row commands of memories and rejects other machines") {
   const Folder folder;
   const std::string rows = compiled(folder, "rows.csgt", "--machine simdram-ddr4");
-  const Outcome text = succeeded(run("disasm " + rows + " --row-commands"));
+  const Outcome text = require_success(run("disasm " + rows + " --row-commands"));
   CHECK(text.out.starts_with("# simdram-ddr4: 40 x 30 pixels"));
   CHECK(text.out.find("\nAAP ") != std::string::npos);
-  succeeded(run("disasm " + rows + " --row-commands -o " + (folder / "rows.txt")));
+  require_success(run("disasm " + rows + " --row-commands -o " + (folder / "rows.txt")));
   CHECK(content(folder / "rows.txt") == text.out);
   const Outcome other = run("disasm " + compiled(folder, "other.csgt", "") + " --row-commands");
   CHECK(other.code == 1);
@@ -179,18 +179,18 @@ TEST_CASE("disasm --row-commands lists row commands of memories and rejects othe
 TEST_CASE("rows writes the row commands of a run, to a file or to standard output") {
   const Folder folder;
   const std::string options = "rows " + model("old_example011") + " --machine simdram-ddr4 --size 8x6";
-  const Outcome written = succeeded(run(options + " -o " + (folder / "trace.rows")));
+  const Outcome written = require_success(run(options + " -o " + (folder / "trace.rows")));
   CHECK(written.out.find(" row commands in ") != std::string::npos);
   CHECK(written.out.find("cannot express") == std::string::npos);
   const std::string trace = content(folder / "trace.rows");
   CHECK(trace.starts_with("csgsim-rows 1\nmachine simdram-ddr4\n"));
-  const Outcome streamed = succeeded(run(options + " -o -"));
+  const Outcome streamed = require_success(run(options + " -o -"));
   CHECK(streamed.out == trace);
   CHECK(streamed.err.find(" row commands in ") != std::string::npos);
   CHECK(run(options + " -q -o " + (folder / "again.rows")).out == "");
   CHECK(content(folder / "again.rows") == trace);
   const std::string program = compiled(folder, "p.csgt", "--machine simdram-ddr4");
-  const Outcome replaced = succeeded(run("rows " + program + " --form drampower -o " + (folder / "trace.csv")));
+  const Outcome replaced = require_success(run("rows " + program + " --form drampower -o " + (folder / "trace.csv")));
   CHECK(replaced.out.find("drampower cannot express") != std::string::npos);
   CHECK(replaced.out.find("AAP; it contains ACT, ACT and PRE instead\n") != std::string::npos);
 }
@@ -201,8 +201,8 @@ TEST_CASE("rows rejects machines without row commands and unknown forms") {
   fails(run("rows " + model("old_example011") + " --size 8x6" + out), 1,
         {"pixel-planes-4 has no row commands; choose a machine of kind bit-serial-memory, as --machine simdram-ddr4"});
   fails(run("rows " + compiled(folder, "p.csgt", "") + out), 1, {"pixel-planes-4 has no row commands"});
-  misused("rows " + model("old_example011") + " --form drampowr" + out, "did you mean drampower?");
-  misused("rows " + (folder / "p.csgt") + " --size 8x6" + out, "--size");
+  check_misuse("rows " + model("old_example011") + " --form drampowr" + out, "did you mean drampower?");
+  check_misuse("rows " + (folder / "p.csgt") + " --size 8x6" + out, "--size");
   fails(
       run("rows " + model("old_example011") + " --size 8x6 --machine simdram-ddr4+chips.count=4 --form dramsim3" + out),
       1, {"addresses of dramsim3 are those of eight chips"});
@@ -216,8 +216,8 @@ TEST_CASE("rows replaces the gates of a memory by those of a command set") {
   const std::string options = "rows " + model("old_example011") + " --size 8x6 -o " + (folder / "trace.rows");
   const std::string set =
       " --command-set " + std::string(CSGSIM_SOURCE_DIR) + "/hw/bit_serial_memory/command_sets/nand.toml";
-  const Outcome usual = succeeded(run(options + " --machine digital-bit-serial-ddr4"));
-  const Outcome replaced = succeeded(run(options + " --machine digital-bit-serial-ddr4" + set));
+  const Outcome usual = require_success(run(options + " --machine digital-bit-serial-ddr4"));
+  const Outcome replaced = require_success(run(options + " --machine digital-bit-serial-ddr4" + set));
   CHECK(replaced.out != usual.out);
   const std::string trace = content(folder / "trace.rows");
   CHECK(trace.find("\ngate NAND 1110 4 23\n") != std::string::npos);

@@ -32,8 +32,8 @@ TEST_CASE("every machine draws the same picture with --pruning all, none and aut
                                     "scan-line", "pixel-square+divider.kind=host", "pixel-powers"}) {
     const Folder folder;
     const auto drawn = [&](const std::string& pruning) {
-      succeeded(run("render " + model("old_example002") + " --size 48x48 --machine " + machine + " --pruning " +
-                    pruning + " -o " + (folder / "p.ppm")));
+      require_success(run("render " + model("old_example002") + " --size 48x48 --machine " + machine + " --pruning " +
+                          pruning + " -o " + (folder / "p.ppm")));
       return content(folder / "p.ppm");
     };
     const std::string all = drawn("all");
@@ -47,7 +47,7 @@ TEST_CASE("render reports the tried and the omitted prunings and their cost") {
   const std::string render = "render " + model("old_example002") + " --size 48x48 --verbose -o " + (folder / "p.ppm") +
                              " --stats " + (folder / "p.json");
   const Outcome paying = run(render);
-  succeeded(paying);
+  require_success(paying);
   CHECK(paying.out.find("pruning separation") != std::string::npos);
   CHECK(paying.out.find("whose test would take the host more than half of the time that its success saves") !=
         std::string::npos);
@@ -55,7 +55,7 @@ TEST_CASE("render reports the tried and the omitted prunings and their cost") {
   CHECK(prunings["separation"]["left"] > 0);
   CHECK(prunings["separation"]["tried"] == 0);
   CHECK(prunings["space"]["host_nanoseconds"] > 0);
-  succeeded(run(render + " --pruning all"));
+  require_success(run(render + " --pruning all"));
   const nlohmann::json all = json(folder / "p.json");
   CHECK(all["prunings"]["separation"]["tried"] > 0);
   CHECK(all["prunings"]["separation"]["left"] == 0);
@@ -63,16 +63,16 @@ TEST_CASE("render reports the tried and the omitted prunings and their cost") {
 }
 
 TEST_CASE("rejects contradictory and unknown prunings") {
-  misused("render m.csg --pruning space+no-sets", "mixes prunings to apply and prunings to leave out");
-  misused("render m.csg --pruning space+", "there is no pruning ''");
-  misused("render m.csg --pruning no-spice", "did you mean no-space?");
+  check_misuse("render m.csg --pruning space+no-sets", "mixes prunings to apply and prunings to leave out");
+  check_misuse("render m.csg --pruning space+", "there is no pruning ''");
+  check_misuse("render m.csg --pruning no-spice", "did you mean no-space?");
 }
 
 TEST_CASE("sweep and diff accept the same names of prunings as render") {
   const Folder folder;
   const std::string part = model("old_example011") + " --size 16x16 ";
-  succeeded(run("sweep " + part + "--strategy stack --pruning all,none,no-sets+no-hidden,space --no-plots -o " +
-                (folder / "s")));
+  require_success(run("sweep " + part + "--strategy stack --pruning all,none,no-sets+no-hidden,space --no-plots -o " +
+                      (folder / "s")));
   const nlohmann::json points = json(folder / "s/sweep.json")["points"];
   REQUIRE(points.size() == 4);
   CHECK(points[2]["pruning"] == "no-sets+no-hidden");

@@ -67,7 +67,7 @@ TEST_CASE("the report of a render shows the numbers of its stats and is reproduc
   const Folder folder;
   const std::string command = "render " + model("old_example011") + " --size 64x48 --view-all --stats " +
                               (folder / "s.json") + " --report " + (folder / "r.html");
-  succeeded(run(command));
+  require_success(run(command));
   const std::string html = content(folder / "r.html");
   const Json stats = json(folder / "s.json");
   CHECK(data_of(html) == without_wall_times(stats));
@@ -77,14 +77,14 @@ TEST_CASE("the report of a render shows the numbers of its stats and is reproduc
   CHECK(html.find("--size 64x48") != std::string::npos);
   CHECK(html.find("id=\"drawing-0\"") != std::string::npos);
   CHECK(html.find("id=\"owners-data\"") != std::string::npos);
-  succeeded(run(command));
+  require_success(run(command));
   CHECK(content(folder / "r.html") == html);
 }
 
 TEST_CASE("the report of an ordinary render is smaller than 2 MB") {
   const Folder folder;
-  succeeded(run("render " + model("terrain_vehicle") +
-                " --camera 560,-590,420,-5,0,68 --projection perspective --report " + (folder / "r.html")));
+  require_success(run("render " + model("terrain_vehicle") +
+                      " --camera 560,-590,420,-5,0,68 --projection perspective --report " + (folder / "r.html")));
   CHECK(fs::file_size(folder / "r.html") < 2'000'000);
 }
 
@@ -105,7 +105,7 @@ TEST_CASE("the report of each study has the numbers of its JSON file") {
     CAPTURE(command);
     const std::string out = folder / std::to_string(i);
     const std::string page = out + ".html";
-    succeeded(run(command + " -o " + out + " --report " + page));
+    require_success(run(command + " -o " + out + " --report " + page));
     const std::string html = content(page);
     const auto expected = json(out + "/" + file);
     CHECK(data_of(html) == without_wall_times(expected));
@@ -148,9 +148,9 @@ TEST_CASE("writing a report changes neither a study's title nor its stored point
   const Folder folder;
   const std::string command =
       "sweep " + model("old_example011") + " --size 16x16 --strategy stack --no-plots -o " + (folder / "s");
-  succeeded(run(command));
+  require_success(run(command));
   const std::string table = content(folder / "s/sweep.csv");
-  succeeded(run(command + " --report " + (folder / "r.html")));
+  require_success(run(command + " --report " + (folder / "r.html")));
   CHECK(content(folder / "s/sweep.csv") == table);
 }
 
@@ -162,10 +162,10 @@ TEST_CASE("rejects a report that is an input or another output or not .html") {
   for (const std::string& command : {std::string("render "), "effects -o " + (folder / "e") + " "})
     CHECK(run(command + of + (folder / "m.html")).code == 2);
   CHECK(run("render " + of + (folder / "a.html") + " --stats " + (folder / "a.html")).code == 2);
-  misused("render " + of + (folder / "a.txt"), "must end in .html");
-  misused("render " + of + (folder / "a.html") + " --frames 2", "--report: is for one frame");
-  misused("levels " + of + (folder / "a.html"), "no option --report");
-  misused("render " + (folder / "m.csg") + " --raport a.html", "did you mean --report?");
+  check_misuse("render " + of + (folder / "a.txt"), "must end in .html");
+  check_misuse("render " + of + (folder / "a.html") + " --frames 2", "--report: is for one frame");
+  check_misuse("levels " + of + (folder / "a.html"), "no option --report");
+  check_misuse("render " + (folder / "m.csg") + " --raport a.html", "did you mean --report?");
   CHECK(run("render " + of + (folder / "a.html") + " --memory-bits 8").code == 1);
   CHECK_FALSE(fs::exists(folder / "a.html"));
 }
@@ -176,7 +176,7 @@ TEST_CASE("the report of a model with a hostile name contains no injected markup
   // A folder's name cannot contain the slash of a closing tag.
   fs::create_directory(folder / "<");
   fs::copy_file(model("old_example011"), folder / name);
-  succeeded(run_words({"render", name, "--size", "16x16", "--report", "r.html"}, folder.path()));
+  require_success(run_words({"render", name, "--size", "16x16", "--report", "r.html"}, folder.path()));
   const std::string html = content(folder / "r.html");
   CHECK(html.find("<img src=x") == std::string::npos);
   CHECK(html.find("&lt;/script&gt;&lt;img src=x") != std::string::npos);

@@ -15,7 +15,7 @@ nlohmann::json counts(const std::string& path) {
 /// Runs the words with a picture and stats, then repeats the run from the stats: both files must be identical.
 void runs_again(const Folder& folder, std::vector<std::string> words) {
   words.insert(words.end(), {"-o", "a.png", "--depth", "a.exr", "--stats", "a.json"});
-  succeeded(run_words(words, folder.path()));
+  require_success(run_words(words, folder.path()));
   const std::string stats = content(folder / "a.json");
   const Outcome again =
       run_words({"rerun", "a.json", "-o", "b.png", "--depth", "b.exr", "--stats", "b.json"}, folder.path());
@@ -31,7 +31,7 @@ void runs_again(const Folder& folder, std::vector<std::string> words) {
   const nlohmann::json other = json(folder / "b.json")["configuration"];
   for (const std::string key : {"machine", "camera", "model", "inputs", "picture", "version"})
     CHECK(one[key] == other[key]);
-  succeeded(run_words({"rerun", "b.json"}, folder.path()));
+  require_success(run_words({"rerun", "b.json"}, folder.path()));
 }
 
 void refused(const Outcome& outcome, const std::string& message) { fails(outcome, 1, {message}); }
@@ -85,7 +85,7 @@ TEST_CASE("rerun repeats a render whose options come from several sources") {
   CHECK(configuration["camera"]["near"] == 1.25);
   // The options include the settings, so their file is no longer needed.
   fs::remove(folder / "s.toml");
-  succeeded(run_words({"rerun", "a.json"}, folder.path()));
+  require_success(run_words({"rerun", "a.json"}, folder.path()));
 }
 
 TEST_CASE("rerun repeats the settings that render chose for a wrong-pixel limit") {
@@ -99,7 +99,7 @@ TEST_CASE("rerun repeats the run of a Program and one resumed from a checkpoint"
   runs_again(folder, {"run", program, "--machine", "scan-line", "--set", "cells.words=6"});
   runs_again(folder, {"run", program, "--machine", "scan-line", "--checkpoint", "c.csgs", "--checkpoint-every", "200"});
   fs::remove(folder / "c.csgs");
-  succeeded(run_words({"rerun", "a.json"}, folder.path()));
+  require_success(run_words({"rerun", "a.json"}, folder.path()));
   CHECK(!fs::exists(folder / "c.csgs"));
 }
 
@@ -121,7 +121,7 @@ TEST_CASE("rerun resolves relative names in the folder of the original run") {
       run_words({"render", "m.csg", "--size", "16x16", "-o", "a.png", "--stats", "a.json"}, folder / "there").code ==
       0);
   refused(run_words({"rerun", "../there/a.json"}, folder / "here"), "m.csg: cannot be read");
-  succeeded(run_words({"rerun", "../there/a.json", "--from", "../there", "-o", "b.png"}, folder / "here"));
+  require_success(run_words({"rerun", "../there/a.json", "--from", "../there", "-o", "b.png"}, folder / "here"));
   CHECK(content(folder / "here/b.png") == content(folder / "there/a.png"));
 }
 
@@ -130,7 +130,7 @@ TEST_CASE("rerun detects a changed input before it runs or writes") {
   write_imported(folder, 9);
   write(folder / "look.toml", "[ambient]\nintensity = 0.6\n");
   fs::copy(std::string(CSGSIM_SOURCE_DIR) + "/hw/machines/pixel-planes-4.toml", folder / "mine.toml");
-  succeeded(run_words(
+  require_success(run_words(
       {"render", "m.csg", "--size", "16x16", "--scene", "look.toml", "--machine", "mine.toml", "--stats", "a.json"},
       folder.path()));
   for (const std::string name : {"m.csg", "part.off", "look.toml", "mine.toml"}) {
@@ -154,20 +154,20 @@ TEST_CASE("rerun detects a changed input before it runs or writes") {
 
 TEST_CASE("rerun detects a change in a file that OpenSCAD source includes") {
   const Folder folder;
-  stand_in(folder, "openscad", "cat part.scad");
+  write_stand_in(folder, "openscad", "cat part.scad");
   write(folder / "m.scad", "include <part.scad>\n");
   write(folder / "part.scad", "cube(size = [9, 9, 9]);\n");
-  succeeded(run_beside(folder, {"render", "m.scad", "--size", "16x16", "--stats", "a.json"}));
-  succeeded(run_beside(folder, {"rerun", "a.json"}));
+  require_success(run_with_stand_ins(folder, {"render", "m.scad", "--size", "16x16", "--stats", "a.json"}));
+  require_success(run_with_stand_ins(folder, {"rerun", "a.json"}));
   write(folder / "part.scad", "cube(size = [8, 8, 8]);\n");
-  refused(run_beside(folder, {"rerun", "a.json", "-o", "b.png"}),
+  refused(run_with_stand_ins(folder, {"rerun", "a.json", "-o", "b.png"}),
           "a.json: m.scad, or a file that it includes, has changed; add --anyway to continue");
   CHECK(!fs::exists(folder / "b.png"));
 }
 
 TEST_CASE("rerun reports another version and each differing count with both values") {
   const Folder folder;
-  succeeded(run("render " + model("old_example002") + " --size 16x16 --stats " + (folder / "a.json")));
+  require_success(run("render " + model("old_example002") + " --size 16x16 --stats " + (folder / "a.json")));
   nlohmann::ordered_json stats = nlohmann::ordered_json::parse(content(folder / "a.json"));
   const std::uint64_t clocks = stats["clocks"];
   stats["configuration"]["version"] = "0.0.1 of yore";
@@ -195,6 +195,6 @@ TEST_CASE("rerun rejects a file that is not a stats file with the place of the e
   refused(run_words({"rerun", "a.json"}, folder.path()), "its configuration has 7 where a string should be");
   write(folder / "a.json", R"({"configuration": {"command": ["csgsim", "run"], "options": {"program": "p", "-": 7}}})");
   CHECK(run_words({"rerun", "a.json"}, folder.path()).code == 1);
-  succeeded(run("render " + model("old_example002") + " --size 16x16 --stats " + (folder / "a.json")));
+  require_success(run("render " + model("old_example002") + " --size 16x16 --stats " + (folder / "a.json")));
   CHECK(run_words({"rerun", "a.json", "--stats", "a.json"}, folder.path()).code == 2);
 }

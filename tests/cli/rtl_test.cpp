@@ -22,7 +22,7 @@ void refused(const Words& words, int code, const std::string& what, const std::s
   const Outcome outcome = rtl(folder, words);
   CAPTURE(outcome.err);
   CHECK(outcome.code == code);
-  CHECK(one_line(outcome.err));
+  CHECK(is_one_line(outcome.err));
   CHECK(outcome.err.find(what) != std::string::npos);
   CHECK(outcome.err.find(fix) != std::string::npos);
   CHECK(outcome.out.empty());
@@ -60,7 +60,7 @@ void check_filled(const fs::path& folder) {
 TEST_CASE("rtl writes a complete design with a Program and can overwrite it") {
   const Folder folder;
   for (int i = 0; i < 2; ++i) {
-    const Outcome outcome = succeeded(rtl(folder, {"pixel-planes-4", "m.csg", "--size", "8x4", "-o", "d"}));
+    const Outcome outcome = require_success(rtl(folder, {"pixel-planes-4", "m.csg", "--size", "8x4", "-o", "d"}));
     CHECK(outcome.err.empty());
     CHECK(outcome.out.find("pixel-planes-4, 8 x 4 pixels with a Program; make -C d icarus") != std::string::npos);
   }
@@ -75,7 +75,7 @@ TEST_CASE("rtl writes a complete design with a Program and can overwrite it") {
 
 TEST_CASE("rtl without a model writes a design with a serial line and no testbench") {
   const Folder folder;
-  succeeded(rtl(folder, {"pixel-planes-4", "--size", "8x4", "--set", "alu.bits=2", "-o", "d"}));
+  require_success(rtl(folder, {"pixel-planes-4", "--size", "8x4", "--set", "alu.bits=2", "-o", "d"}));
   CHECK(files_below(folder.path() / "d") ==
         with_modules({".csgsim-files", "Makefile", "README.md", "board.v", "hx8k.pcf", "system.v", "up5k.pcf"}));
   check_filled(folder.path() / "d");

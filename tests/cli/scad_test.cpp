@@ -8,11 +8,11 @@ namespace {
 /// Draws source with a stand-in for `openscad` on the PATH that runs the shell commands.
 Outcome draw_source(const std::string& commands, const std::vector<std::string>& words = {"render", "part.scad"}) {
   const Folder folder;
-  stand_in(folder, "openscad", commands);
+  write_stand_in(folder, "openscad", commands);
   write(folder / "part.scad", "// whatever\n");
   std::vector<std::string> all = words;
   all.insert(all.end(), {"--size", "16x16"});
-  return run_beside(folder, all);
+  return run_with_stand_ins(folder, all);
 }
 
 }  // namespace
@@ -66,7 +66,8 @@ TEST_CASE("the first of several OpenSCAD errors is reported last and with its pl
 
 TEST_CASE("every command that reads a model passes variables on to OpenSCAD") {
   const Folder folder;
-  stand_in(folder, "openscad", "for word; do echo \"WARNING: <$word>\" >&2; done; echo 'cube(size = [8, 6, 4]);'");
+  write_stand_in(folder, "openscad",
+                 "for word; do echo \"WARNING: <$word>\" >&2; done; echo 'cube(size = [8, 6, 4]);'");
   write(folder / "part.scad", "// whatever\n");
   write(folder / "sets.json", R"({"parameterSets": {"small": {"x": "1"}, "-very big": {}}})");
   const std::string end = "openscad: WARNING: <part.scad>\n";
@@ -86,17 +87,17 @@ TEST_CASE("every command that reads a model passes variables on to OpenSCAD") {
     CAPTURE(command[0]);
     std::vector<std::string> words = command;
     words.insert(words.begin() + 1, {"-D", "text=\"a b\"", "-D$fn=9", "part.scad"});
-    CHECK(succeeded(run_beside(folder, words)).err == begin + given + end);
+    CHECK(require_success(run_with_stand_ins(folder, words)).err == begin + given + end);
   }
-  const Outcome sets =
-      succeeded(run_beside(folder, {"render", "part.scad", "-p", "sets.json", "-P", "-very big", "--size", "16x16"}));
+  const Outcome sets = require_success(
+      run_with_stand_ins(folder, {"render", "part.scad", "-p", "sets.json", "-P", "-very big", "--size", "16x16"}));
   CHECK(sets.err == begin + "openscad: WARNING: <-p>\nopenscad: WARNING: <" +
                         fs::absolute(folder / "sets.json").string() + ">\nopenscad: WARNING: <-P-very big>\n" + end);
 }
 
 TEST_CASE("variables and parameter sets that cannot be passed on are rejected") {
   const Folder folder;
-  stand_in(folder, "openscad", "echo 'cube(size = [8, 6, 4]);'");
+  write_stand_in(folder, "openscad", "echo 'cube(size = [8, 6, 4]);'");
   write(folder / "part.scad", "// whatever\n");
   write(folder / "part.csg", "cube(size = [8, 6, 4]);\n");
   write(folder / "sets.json", R"({"parameterSets": {"small": {"x": "1"}, "big": {}}})");
@@ -106,7 +107,7 @@ TEST_CASE("variables and parameter sets that cannot be passed on are rejected") 
   const auto drawn = [&](std::vector<std::string> words) {
     words.insert(words.begin(), "render");
     words.insert(words.end(), {"--size", "16x16"});
-    return run_beside(folder, words);
+    return run_with_stand_ins(folder, words);
   };
   fails(drawn({"part.csg", "-D", "n=3"}), 2, {"--define: part.csg has no variables to set, only a .scad source has"});
   fails(drawn({"part.csg", "-p", "sets.json", "-P", "small"}), 2, {"--parameters: part.csg has no variables"});
@@ -125,11 +126,13 @@ TEST_CASE("variables and parameter sets that cannot be passed on are rejected") 
 
 TEST_CASE("stats record variables and rerun repeats them") {
   const Folder folder;
-  stand_in(folder, "openscad", "for word; do case $word in n=*) n=${word#n=};; esac; done; echo \"cube(size = $n);\"");
+  write_stand_in(folder, "openscad",
+                 "for word; do case $word in n=*) n=${word#n=};; esac; done; echo \"cube(size = $n);\"");
   write(folder / "part.scad", "// whatever\n");
-  succeeded(run_beside(folder, {"render", "-D", "n=7", "part.scad", "--size", "16x16", "--stats", "s.json"}));
+  require_success(
+      run_with_stand_ins(folder, {"render", "-D", "n=7", "part.scad", "--size", "16x16", "--stats", "s.json"}));
   CHECK(json(folder / "s.json")["configuration"]["options"]["define"] == nlohmann::json::array({"n=7"}));
-  CHECK(succeeded(run_beside(folder, {"rerun", "s.json"})).out.find("rerun ") != std::string::npos);
+  CHECK(require_success(run_with_stand_ins(folder, {"rerun", "s.json"})).out.find("rerun ") != std::string::npos);
 }
 
 TEST_CASE("a missing OpenSCAD is reported with how to install it") {
@@ -169,8 +172,8 @@ TEST_CASE("every command that takes models accepts OpenSCAD source") {
 TEST_CASE("a Program is recognized by its first bytes under any file name") {
   const Folder folder;
   write(folder / "model.csg", "cube(size = [8, 6, 4]);\n");
-  succeeded(run_words({"compile", "model.csg", "--size", "16x16", "-o", "program.csgt"}, folder.path()));
+  require_success(run_words({"compile", "model.csg", "--size", "16x16", "-o", "program.csgt"}, folder.path()));
   fs::copy_file(folder / "program.csgt", folder / "program.csg");
-  succeeded(run_words({"run", "program.csg"}, folder.path()));
+  require_success(run_words({"run", "program.csg"}, folder.path()));
   fails(run_words({"render", "program.csg"}, folder.path()), 1, {"that is a Program; use csgsim run"});
 }

@@ -67,17 +67,17 @@ TEST_CASE("a machine file that changes a built-in machine is named after its cha
 
 TEST_CASE("reports a wrong --set in one line with the nearest parameter or key") {
   const std::string render = "render " + model("old_example002") + " --size 16x16 ";
-  misused(render + "--set alu.bit=4",
-          "'alu.bit' is neither a machine parameter nor a scene key; did you mean alu.bits?");
-  misused(render + "--set ambience.intensity=1", "did you mean ambient.intensity?");
-  misused(render + "--set ambient.intensty=1", "ambient.intensity");
-  misused(render + "--set alu.bits=99", "alu.bits is 99; it must be");
-  misused(render + "--set alu.bits=wide", "alu.bits is 'wide'; write a whole number of bits");
-  misused(render + "--set alu.bits", "'alu.bits' is not of the form KEY=VALUE");
-  misused(render + "--set divider.kind=host",
-          "pixel-planes-4 has no such parameter, but machines of the kind pixel-square");
-  misused("run x.csgt --set ambient.intensity=1", "'ambient.intensity=1' is a key of a scene");
-  misused("manual machines --set ambient.intensity=1", "'ambient.intensity=1' is a key of a scene");
+  check_misuse(render + "--set alu.bit=4",
+               "'alu.bit' is neither a machine parameter nor a scene key; did you mean alu.bits?");
+  check_misuse(render + "--set ambience.intensity=1", "did you mean ambient.intensity?");
+  check_misuse(render + "--set ambient.intensty=1", "ambient.intensity");
+  check_misuse(render + "--set alu.bits=99", "alu.bits is 99; it must be");
+  check_misuse(render + "--set alu.bits=wide", "alu.bits is 'wide'; write a whole number of bits");
+  check_misuse(render + "--set alu.bits", "'alu.bits' is not of the form KEY=VALUE");
+  check_misuse(render + "--set divider.kind=host",
+               "pixel-planes-4 has no such parameter, but machines of the kind pixel-square");
+  check_misuse("run x.csgt --set ambient.intensity=1", "'ambient.intensity=1' is a key of a scene");
+  check_misuse("manual machines --set ambient.intensity=1", "'ambient.intensity=1' is a key of a scene");
 }
 
 TEST_CASE("--set applies to each machine with the parameter and fails if there is none") {
@@ -85,14 +85,14 @@ TEST_CASE("--set applies to each machine with the parameter and fails if there i
   const std::string compare = "compare " + model("thesis_fig_2_3") +
                               " --size 16x16 --sides '' --fragments '' --no-plots -o " + (folder / "out") +
                               " --machines ";
-  const Outcome outcome = succeeded(run(compare + "pixel-planes-4,multi-processor --set alu.bits=4"));
+  const Outcome outcome = require_success(run(compare + "pixel-planes-4,multi-processor --set alu.bits=4"));
   CHECK(outcome.out.find("pixel-planes-4+alu.bits=4 ") != std::string::npos);
   CHECK(outcome.out.find("multi-processor ") != std::string::npos);
   CHECK(content(folder / "out/compare.csv").find("pixel-planes-4+alu.bits=4") != std::string::npos);
-  misused(compare + "scan-line,multi-processor --set alu.bits=4",
-          "none of scan-line, multi-processor has that parameter");
-  misused(compare + "pixel-planes-4 --set alu.bits=99", "alu.bits is 99");
-  const Outcome listed = succeeded(run("manual machines --set alu.bits=4"));
+  check_misuse(compare + "scan-line,multi-processor --set alu.bits=4",
+               "none of scan-line, multi-processor has that parameter");
+  check_misuse(compare + "pixel-planes-4 --set alu.bits=99", "alu.bits is 99");
+  const Outcome listed = require_success(run("manual machines --set alu.bits=4"));
   CHECK(listed.out.find("pixel-planes-4+alu.bits=4\n") != std::string::npos);
   CHECK(listed.out.find("\nscan-line\n") != std::string::npos);
 }
@@ -101,14 +101,14 @@ TEST_CASE("sweep and diff and debug and wave accept --set and print the machine'
   const Folder folder;
   const std::string sweep = "sweep " + model("thesis_fig_2_3") +
                             " --size 16x16 --strategy stack --no-plots --set alu.bits=4 -o " + (folder / "out");
-  succeeded(run(sweep));
+  require_success(run(sweep));
   CHECK(content(folder / "out/sweep.csv").find("pixel-planes-4+alu.bits=4") != std::string::npos);
   const std::string trace = std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt";
   const Outcome diff = run("diff " + trace + " --set-b alu.bits=4 --no-stories");
   CHECK(diff.out.find("B  " + trace + ": pixel-planes-4+alu.bits=4, ") != std::string::npos);
   CHECK(run("diff " + trace + " --set-b ambient.intensity=1").code == 2);
-  succeeded(run("debug " + trace + " --set alu.bits=4"));
-  succeeded(run("explain " + trace + " --pixel 5,5 --set alu.bits=4"));
-  succeeded(run("wave " + trace + " --pixel 5,5 --window 0:20 --set alu.bits=4 -o " + (folder / "w.vcd")));
+  require_success(run("debug " + trace + " --set alu.bits=4"));
+  require_success(run("explain " + trace + " --pixel 5,5 --set alu.bits=4"));
+  require_success(run("wave " + trace + " --pixel 5,5 --window 0:20 --set alu.bits=4 -o " + (folder / "w.vcd")));
   CHECK(content(folder / "w.gtkw").find("pixel-planes-4+alu.bits=4") != std::string::npos);
 }

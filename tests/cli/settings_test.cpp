@@ -256,7 +256,7 @@ TEST_CASE("an option on the command line replaces a setting that excludes it") {
   const Folder folder;
   write(folder / "s.toml", "point = '0,0,0'\n");
   const std::string program = std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt";
-  succeeded(run_words({"explain", program, "--pixel", "5,5", "--config", "s.toml"}, folder.path()));
+  require_success(run_words({"explain", program, "--pixel", "5,5", "--config", "s.toml"}, folder.path()));
   refused("explain", "point = '0,0,0'\npixel = '1,1'\n", "s.toml:2:1: pixel excludes another option");
 }
 
@@ -302,11 +302,11 @@ TEST_CASE("a settings file that names files of its folder draws like the command
   write(folder / "job/run.toml",
         "model = 'm.csg'\nmachine = 'mine.toml'\nscene = 'look.toml'\noutput = 'p.png'\nstats = 's.json'\n"
         "size = '40x30'\ncamera = [65, -95, 60, 0, 0, -2.5]\npruning = 'no-hidden+no-sets'\nset = ['cells.words=6']\n");
-  succeeded(run_words({"render", "--config", "job/run.toml"}, folder.path()));
-  succeeded(run_words({"render", "job/m.csg", "--machine", "job/mine.toml", "--scene", "job/look.toml", "-o", "q.png",
-                       "--stats", "q.json", "--size", "40x30", "--camera", "65,-95,60,0,0,-2.5", "--pruning",
-                       "no-hidden+no-sets", "--set", "cells.words=6"},
-                      folder.path()));
+  require_success(run_words({"render", "--config", "job/run.toml"}, folder.path()));
+  require_success(run_words({"render", "job/m.csg", "--machine", "job/mine.toml", "--scene", "job/look.toml", "-o",
+                             "q.png", "--stats", "q.json", "--size", "40x30", "--camera", "65,-95,60,0,0,-2.5",
+                             "--pruning", "no-hidden+no-sets", "--set", "cells.words=6"},
+                            folder.path()));
   CHECK(content(folder / "job/p.png") == content(folder / "q.png"));
   nlohmann::json by_file = json(folder / "job/s.json");
   nlohmann::json by_words = json(folder / "q.json");
@@ -322,7 +322,7 @@ TEST_CASE("operands on the command line replace those of a settings file") {
   const Folder folder;
   write(folder / "s.toml", "program = 'no.csgt'\noutput = 'text'\n");
   const std::string program = std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt";
-  succeeded(run_words({"disasm", program, "--config", "s.toml"}, folder.path()));
+  require_success(run_words({"disasm", program, "--config", "s.toml"}, folder.path()));
   CHECK(run_words({"disasm", "--config", "s.toml"}, folder.path()).err.find("no.csgt") != std::string::npos);
 }
 
@@ -334,8 +334,8 @@ TEST_CASE("a sweep's table is equal with options in a file or on the command lin
   by_words.insert(by_words.end(), {"--size", "16x16", "--strategy", "stack,list", "--no-plots", "--no-draw"});
   std::vector<std::string> by_file = words;
   by_file.insert(by_file.end(), {"--config", "s.toml"});
-  succeeded(run_words(by_words, folder.path()));
+  require_success(run_words(by_words, folder.path()));
   const std::string table = content(folder / "out/sweep.csv");
-  succeeded(run_words(by_file, folder.path()));
+  require_success(run_words(by_file, folder.path()));
   CHECK(content(folder / "out/sweep.csv") == table);
 }

@@ -22,8 +22,8 @@ TEST_CASE("warns about faces that six-digit rounding moved apart and --snap rest
   write(folder / "nothing.csg", nothing);
   write(folder / "empty.csg", "cube(0);");
   const auto drawn = [&](const std::string& model, const std::string& more) {
-    const Outcome outcome = succeeded(run("render " + (folder / model) + " --size 64x64 --camera 30,-40,30,0,0,0 -o " +
-                                          (folder / "picture.png") + more));
+    const Outcome outcome = require_success(run(
+        "render " + (folder / model) + " --size 64x64 --camera 30,-40,30,0,0,0 -o " + (folder / "picture.png") + more));
     return outcome.err;
   };
   const std::string warned = drawn("nothing.csg", "");
@@ -45,7 +45,7 @@ TEST_CASE("warns once about a font that is not installed and names its place and
   const auto warnings = [&](const std::string& csg) {
     write(folder / "m.csg", csg);
     const Outcome outcome =
-        succeeded(run("render " + (folder / "m.csg") + " --size 16x16 --view-all -o " + (folder / "p.png")));
+        require_success(run("render " + (folder / "m.csg") + " --size 16x16 --view-all -o " + (folder / "p.png")));
     return outcome.err;
   };
   const std::string warned = warnings(
@@ -53,7 +53,7 @@ TEST_CASE("warns once about a font that is not installed and names its place and
       "linear_extrude(height = 1) { text(text = \"b\", font = \"Nowhere:style=Bold\"); }\n");
   CHECK(warned.find("m.csg:2:31: warning: the font Nowhere:style=Bold of text() is not installed, and DejaVu Sans is "
                     "drawn instead") != std::string::npos);
-  CHECK(one_line(warned));
+  CHECK(is_one_line(warned));
   CHECK(warnings("linear_extrude(height = 1) { text(text = \"a\", font = \"DejaVu Sans\"); text(text = \"b\"); }")
             .empty());
   CHECK(warnings("cube(1); linear_extrude(height = 1) { text(text = \"\", font = \"Nowhere\"); }").empty());
@@ -74,9 +74,9 @@ TEST_CASE("files from the --imports-from folder are inputs of a study") {
   fs::create_directory(folder / "parts");
   write(folder / "parts/plate.svg", "<svg><rect width=\"10\" height=\"20\"/></svg>");
   write(folder / "models/m.csg", "linear_extrude(height = 2) { import(file = \"../parts/plate.svg\"); }\n");
-  refuses(folder / "models/m.csg", "name its folder: --imports-from FOLDER");
+  check_rejected(folder / "models/m.csg", "name its folder: --imports-from FOLDER");
   const std::string words = "compile " + (folder / "models/m.csg") + " --size 16x16 -o " + (folder / "p.csgt");
-  succeeded(run(words + " --imports-from " + (folder / "parts")));
+  require_success(run(words + " --imports-from " + (folder / "parts")));
   CHECK(run(words + " --imports-from " + (folder / "models")).code == 1);
   fails(run(words + " --imports-from " + (folder / "part")), 1, {"part is not a folder"});
 }

@@ -94,7 +94,7 @@ int code_of(pid_t process) {
 
 void run_shards(const Words& words, unsigned count, const fs::path& where) {
   for (unsigned number = 1; number <= count; ++number) {
-    const Outcome outcome = succeeded(run_words(words + shard(number, count), where));
+    const Outcome outcome = require_success(run_words(words + shard(number, count), where));
     CHECK(outcome.err.empty());
   }
 }
@@ -112,7 +112,7 @@ TEST_CASE("gather without the models equals a run of one process") {
     CAPTURE(command);
     const Folder folder;
     write_models(folder);
-    const Outcome one = succeeded(run_words(study(command) + Words{"--no-plots", "-o", "out"}, folder.path()));
+    const Outcome one = require_success(run_words(study(command) + Words{"--no-plots", "-o", "out"}, folder.path()));
     const std::map<std::string, std::string> wanted = results(folder / "out");
     REQUIRE(wanted.size() == 3);
     for (const unsigned count : {1U, 2U, 3U, 7U}) {
@@ -123,12 +123,12 @@ TEST_CASE("gather without the models equals a run of one process") {
       CHECK(results(folder / "out").empty());
       fs::remove(folder / "a.csg");
       fs::remove(folder / "b.csg");
-      const Outcome gathered = succeeded(run_words({"gather", "out", "--no-plots"}, folder.path()));
+      const Outcome gathered = require_success(run_words({"gather", "out", "--no-plots"}, folder.path()));
       CHECK(gathered.err.empty());
       CHECK(gathered.out == one.out);
       CHECK(results(folder / "out") == wanted);
       // Repeats it over the existing files.
-      succeeded(run_words({"gather", "out", "--no-plots"}, folder.path()));
+      require_success(run_words({"gather", "out", "--no-plots"}, folder.path()));
       CHECK(results(folder / "out") == wanted);
     }
   }
@@ -139,9 +139,9 @@ TEST_CASE("plots of gathered shards equal those of one process") {
     CAPTURE(command);
     const Folder folder;
     write_models(folder);
-    succeeded(run_words(study(command) + Words{"-o", "one"}, folder.path()));
+    require_success(run_words(study(command) + Words{"-o", "one"}, folder.path()));
     run_shards(study(command) + Words{"-o", "out"}, 2, folder.path());
-    succeeded(run_words({"gather", "out"}, folder.path()));
+    require_success(run_words({"gather", "out"}, folder.path()));
     CHECK(results(folder / "one").size() > 4);
     CHECK(results(folder / "out") == results(folder / "one"));
   }
@@ -151,16 +151,16 @@ TEST_CASE("gather merges shards from several folders into one that the study can
   const Folder folder;
   write_models(folder);
   const Words sweep = study("sweep") + Words{"--no-plots"};
-  succeeded(run_words(sweep + Words{"-o", "one"}, folder.path()));
-  succeeded(run_words(sweep + Words{"-o", "here"} + shard(1, 2), folder.path()));
-  succeeded(run_words(sweep + Words{"-o", "there"} + shard(2, 2), folder.path()));
+  require_success(run_words(sweep + Words{"-o", "one"}, folder.path()));
+  require_success(run_words(sweep + Words{"-o", "here"} + shard(1, 2), folder.path()));
+  require_success(run_words(sweep + Words{"-o", "there"} + shard(2, 2), folder.path()));
   refuses_to_gather({"here", "--no-plots"}, folder.path(),
                     {"shard 2 of 2 is not complete; complete it by: csgsim sweep --shard 2/2 -o here a.csg b.csg"});
   CHECK(run_words({"gather", "here", "there"}, folder.path()).code == 2);
-  succeeded(run_words({"gather", "here", "there", "-o", "out", "--no-plots"}, folder.path()));
+  require_success(run_words({"gather", "here", "there", "-o", "out", "--no-plots"}, folder.path()));
   CHECK(results(folder / "out") == results(folder / "one"));
   // A single process finds all points in its table.
-  succeeded(run_words(sweep + Words{"-o", "out"}, folder.path()));
+  require_success(run_words(sweep + Words{"-o", "out"}, folder.path()));
   CHECK(results(folder / "out") == results(folder / "one"));
 }
 
@@ -168,14 +168,14 @@ TEST_CASE("gather names each missing shard with the command that measures it") {
   const Folder folder;
   write_models(folder);
   const Words sweep = study("sweep") + Words{"-o", "out"};
-  succeeded(run_words(sweep + Words{"--no-plots"}, folder.path()));
+  require_success(run_words(sweep + Words{"--no-plots"}, folder.path()));
   const std::map<std::string, std::string> wanted = results(folder / "out");
   fs::remove_all(folder / "out");
   for (const unsigned number : {2U, 5U}) REQUIRE(run_words(sweep + shard(number, 6), folder.path()).code == 0);
   refuses_to_gather(
       {"out"}, folder.path(),
       {"out: ", "shards 1,3-4,6 of 6 are not complete; print the command of each by: csgsim gather --missing out\n"});
-  const Outcome missing = succeeded(run_words({"gather", "out", "--missing"}, folder.path()));
+  const Outcome missing = require_success(run_words({"gather", "out", "--missing"}, folder.path()));
   std::istringstream commands(missing.out);
   std::size_t count = 0;
   for (std::string command; std::getline(commands, command); ++count) {
@@ -188,7 +188,7 @@ TEST_CASE("gather names each missing shard with the command that measures it") {
   }
   CHECK(count == 4);
   CHECK(run_words({"gather", "out", "--missing"}, folder.path()).out.empty());
-  succeeded(run_words({"gather", "out", "--no-plots"}, folder.path()));
+  require_success(run_words({"gather", "out", "--no-plots"}, folder.path()));
   CHECK(results(folder / "out") == wanted);
 }
 
@@ -196,17 +196,17 @@ TEST_CASE("the printed command of a shard has all options of the shard, and is c
   const Folder folder;
   write_models(folder);
   const Words sweep{"sweep", "a.csg", "--size", "24x20", "--strategy", "stack,list"};
-  succeeded(run_words(sweep + Words{"--threads", "3", "--progress", "none", "--no-plots", "-o", "out"} + shard(1, 2),
-                      folder.path()));
-  const std::string command = succeeded(run_words({"gather", "out", "--missing"}, folder.path())).out;
+  require_success(run_words(
+      sweep + Words{"--threads", "3", "--progress", "none", "--no-plots", "-o", "out"} + shard(1, 2), folder.path()));
+  const std::string command = require_success(run_words({"gather", "out", "--missing"}, folder.path())).out;
   CHECK(command.starts_with("csgsim sweep --shard 2/2 -o out a.csg "));
   for (const std::string option : {"--threads 3", "--progress none", "--no-plots", "--size 24x20"}) {
     CAPTURE(option);
     CHECK(command.find(" " + option) != std::string::npos);
   }
   // Shards that differ only in such options are of one study.
-  succeeded(run_words(sweep + Words{"--threads", "1", "-o", "out"} + shard(2, 2), folder.path()));
-  succeeded(run_words({"gather", "out", "--no-plots"}, folder.path()));
+  require_success(run_words(sweep + Words{"--threads", "1", "-o", "out"} + shard(2, 2), folder.path()));
+  require_success(run_words({"gather", "out", "--no-plots"}, folder.path()));
   // A shard's file is untrusted: its command may name no output and no other study.
   const std::string file = shard_files(folder / "out").front();
   const std::string text = content(file);
@@ -221,7 +221,7 @@ TEST_CASE("the printed command of a shard has all options of the shard, and is c
   // A file of an earlier version has only the words that affect results.
   const std::size_t end = text.find('\n', options) + 1;
   write(file, text.substr(0, options) + text.substr(end));
-  succeeded(run_words({"gather", "out", "--no-plots"}, folder.path()));
+  require_success(run_words({"gather", "out", "--no-plots"}, folder.path()));
 }
 
 TEST_CASE("the printed command of a shard is quoted so that a shell repeats its arguments") {
@@ -236,8 +236,8 @@ TEST_CASE("the printed command of a shard is quoted so that a shell repeats its 
                       "--set",       "lights.0.direction=0,0,-1",
                       "--machines",  "scan-line"};
   const Words operand{"--", name};
-  succeeded(run_words(compare + Words{"-o", "one", "--no-plots"} + operand, folder.path()));
-  succeeded(run_words(compare + Words{"-o", "out"} + shard(1, 2) + operand, folder.path()));
+  require_success(run_words(compare + Words{"-o", "one", "--no-plots"} + operand, folder.path()));
+  require_success(run_words(compare + Words{"-o", "out"} + shard(1, 2) + operand, folder.path()));
   const Outcome missing = run_words({"gather", "out", "--missing"}, folder.path());
   REQUIRE(missing.out.starts_with("csgsim compare --shard 2/2 -o out "));
   // $'...' is an extension of the POSIX shell.
@@ -245,7 +245,7 @@ TEST_CASE("the printed command of a shard is quoted so that a shell repeats its 
       run_program("/bin/bash", {"-c", std::string(CSGSIM_BINARY_DIR) + "/" + missing.out}, folder.path());
   CAPTURE(other.err);
   REQUIRE(other.code == 0);
-  succeeded(run_words({"gather", "out", "--no-plots"}, folder.path()));
+  require_success(run_words({"gather", "out", "--no-plots"}, folder.path()));
   CHECK(results(folder / "out") == results(folder / "one"));
 }
 
@@ -258,7 +258,7 @@ TEST_CASE("gather rejects shards of several studies and duplicates of a shard") 
   REQUIRE(whole.size() == 2);
   const auto add_shard = [&](const Words& words, const std::string& name) {
     fs::remove_all(folder / "other");
-    succeeded(run_words(words + Words{"-o", "other"}, folder.path()));
+    require_success(run_words(words + Words{"-o", "other"}, folder.path()));
     fs::copy_file(shard_files(folder / "other").front(), folder / ("out/shards/" + name));
   };
   const auto refused = [&](const Words& texts) {
@@ -288,7 +288,7 @@ TEST_CASE("gather rejects shards of several studies and duplicates of a shard") 
 
   // Points measured by two processes of one shard must be equal.
   fs::copy_file(whole[1], folder / "out/shards/x.csv");
-  succeeded(run_words({"gather", "out", "--no-plots"}, folder.path()));
+  require_success(run_words({"gather", "out", "--no-plots"}, folder.path()));
   for (const char* const ending : {"csv", "study", "json"})
     fs::remove(folder / ("out/accuracy." + std::string(ending)));
   std::string wrong = content(whole[1]);
@@ -314,9 +314,9 @@ TEST_CASE("gather does not overwrite points that the shards lack") {
   const Folder folder;
   write_models(folder);
   const Words sweep{"sweep", "a.csg", "--size", "24x20", "--no-plots", "-o", "out", "--strategy"};
-  succeeded(run_words(sweep + Words{"parallel"}, folder.path()));
+  require_success(run_words(sweep + Words{"parallel"}, folder.path()));
   const std::string before = content(folder / "out/sweep.csv");
-  succeeded(run_words(sweep + Words{"stack,list"} + shard(1, 1), folder.path()));
+  require_success(run_words(sweep + Words{"stack,list"} + shard(1, 1), folder.path()));
   refuses_to_gather({"out"}, folder.path(), {"sweep.csv: has points that the shards lack", "-o"});
   CHECK(content(folder / "out/sweep.csv") == before);
 }
@@ -328,12 +328,12 @@ TEST_CASE("a shard is measured again after its model changed") {
   run_shards(sweep, 2, folder.path());
   write(folder / "a.csg", two_cubes + two_cubes);
   for (const unsigned number : {1U, 2U}) {
-    const Outcome outcome = succeeded(run_words(sweep + shard(number, 2), folder.path()));
-    CHECK(one_line(outcome.err));
+    const Outcome outcome = require_success(run_words(sweep + shard(number, 2), folder.path()));
+    CHECK(is_one_line(outcome.err));
     CHECK(outcome.err.find("the model has changed") != std::string::npos);
   }
-  succeeded(run_words({"gather", "out", "--no-plots"}, folder.path()));
-  succeeded(run_words(study("sweep") + Words{"-o", "one", "--no-plots"}, folder.path()));
+  require_success(run_words({"gather", "out", "--no-plots"}, folder.path()));
+  require_success(run_words(study("sweep") + Words{"-o", "one", "--no-plots"}, folder.path()));
   CHECK(results(folder / "out") == results(folder / "one"));
   fails(run_words(sweep + Words{"--no-draw"} + shard(1, 2), folder.path()), 1,
         {"holds a shard of another study, sweep a.csg b.csg"});
@@ -366,11 +366,11 @@ TEST_CASE("a killed shard resumes and measures no point twice") {
   // Leaves half a line, as after a power failure.
   std::string text = content(left.front());
   write(left.front(), text + text.substr(text.rfind('\n', text.size() - 2) + 1, 30));
-  succeeded(run_words(sweep + shard(1, 1), where));
+  require_success(run_words(sweep + shard(1, 1), where));
   CHECK(shard_files(folder / "out").size() == 2);
   CHECK(rows(folder / "out") == 12);
-  succeeded(run_words({"gather", "out", "--no-plots"}, where));
-  succeeded(run_words(Words(sweep.begin(), sweep.end() - 1) + Words{"one"}, where));
+  require_success(run_words({"gather", "out", "--no-plots"}, where));
+  require_success(run_words(Words(sweep.begin(), sweep.end() - 1) + Words{"one"}, where));
   CHECK(results(folder / "out") == results(folder / "one"));
 }
 
@@ -378,11 +378,11 @@ TEST_CASE("a shard that runs in several processes at once gives the results of o
   const Folder folder;
   write_models(folder);
   const Words sweep = study("sweep") + Words{"-o", "out"};
-  succeeded(run_words(study("sweep") + Words{"-o", "one", "--no-plots"}, folder.path()));
+  require_success(run_words(study("sweep") + Words{"-o", "one", "--no-plots"}, folder.path()));
   std::vector<pid_t> processes;
   for (int i = 0; i < 4; ++i) processes.push_back(start(sweep + shard(1, 1), folder.path()));
   for (const pid_t process : processes) CHECK(code_of(process) == 0);
-  succeeded(run_words({"gather", "out", "--no-plots"}, folder.path()));
+  require_success(run_words({"gather", "out", "--no-plots"}, folder.path()));
   CHECK(results(folder / "out") == results(folder / "one"));
 }
 
@@ -392,11 +392,11 @@ TEST_CASE("a shard without points writes nothing and gather succeeds without it"
   const Words sweep{"sweep", "a.csg", "--size", "24x20", "--strategy", "stack", "-o", "out"};
   std::size_t empty = 0;
   for (const unsigned number : {1U, 2U}) {
-    const Outcome outcome = succeeded(run_words(sweep + shard(number, 2), folder.path()));
+    const Outcome outcome = require_success(run_words(sweep + shard(number, 2), folder.path()));
     if (outcome.out.find(": 0 of the 1 points") != std::string::npos) ++empty;
   }
   CHECK(empty == 1);
-  succeeded(run_words({"gather", "out", "--no-plots"}, folder.path()));
+  require_success(run_words({"gather", "out", "--no-plots"}, folder.path()));
 }
 
 TEST_CASE("gather reports a point that does not fit as a single process does") {
@@ -417,15 +417,15 @@ TEST_CASE("rejects an unknown shard number and suggests a valid one") {
   const Folder folder;
   for (const std::string command : {"sweep", "accuracy", "compare"}) {
     const std::string words = command + " " + model("old_example011") + " -o " + (folder / "s") + " --shard ";
-    misused(words + "0/4", "shard 0 of 4 does not exist; choose one of 1/4 to 4/4");
-    misused(words + "5/4", "shard 5 of 4 does not exist; choose one of 1/4 to 4/4");
-    misused(words + "a/b", "'a/b' is not a shard; use k/n, such as 3/16");
-    misused(words + "3", "use k/n");
-    misused(words + "1/0", "the number of shards must be from 1 to");
-    misused(words + "-1/4", "use k/n");
-    misused(words + "1/2/3", "use k/n");
+    check_misuse(words + "0/4", "shard 0 of 4 does not exist; choose one of 1/4 to 4/4");
+    check_misuse(words + "5/4", "shard 5 of 4 does not exist; choose one of 1/4 to 4/4");
+    check_misuse(words + "a/b", "'a/b' is not a shard; use k/n, such as 3/16");
+    check_misuse(words + "3", "use k/n");
+    check_misuse(words + "1/0", "the number of shards must be from 1 to");
+    check_misuse(words + "-1/4", "use k/n");
+    check_misuse(words + "1/2/3", "use k/n");
   }
-  misused("gather", "FOLDER");
+  check_misuse("gather", "FOLDER");
   CHECK(folder.files() == 0);
 }
 

@@ -51,7 +51,7 @@ TEST_CASE("a study reports and remeasures points whose machine or model has chan
     write(folder / "m.csg", cube);
     write(folder / "mine.toml", with_alu_bits(1));
     const std::vector<std::string> words = words_of(command);
-    succeeded(run_words(words, folder.path()));
+    require_success(run_words(words, folder.path()));
     const nlohmann::json before = points(folder, command);
 
     // A comment does not affect the measurements.
@@ -60,8 +60,8 @@ TEST_CASE("a study reports and remeasures points whose machine or model has chan
     CHECK(points(folder, command) == before);
 
     write(folder / "mine.toml", with_alu_bits(8));
-    const Outcome other_machine = succeeded(run_words(words, folder.path()));
-    CHECK(one_line(other_machine.err));
+    const Outcome other_machine = require_success(run_words(words, folder.path()));
+    CHECK(is_one_line(other_machine.err));
     CHECK(other_machine.err.find("the machine has changed") != std::string::npos);
     const nlohmann::json wider = points(folder, command);
     REQUIRE(wider.size() == before.size());
@@ -83,7 +83,7 @@ TEST_CASE("a study remeasures points that another build of csgsim measured") {
   write(folder / "m.csg", cube);
   write(folder / "mine.toml", machine_text());
   const std::vector<std::string> words = words_of("sweep");
-  succeeded(run_words(words, folder.path()));
+  require_success(run_words(words, folder.path()));
   const std::string table = content(folder / "out/sweep.csv");
   const std::string csgsim = points(folder, "sweep")[0]["csgsim"];
   CHECK(csgsim.size() > std::string("0.1.0 ").size());
@@ -101,7 +101,7 @@ TEST_CASE("a study rejects a folder measured with other options") {
   write(folder / "mine.toml", machine_text());
   for (const std::string command : {"compare", "accuracy"}) {
     const std::vector<std::string> words = words_of(command);
-    succeeded(run_words(words, folder.path()));
+    require_success(run_words(words, folder.path()));
     const std::string table = content(folder / ("out/" + command + ".csv"));
     for (const std::vector<std::string>& option :
          std::vector<std::vector<std::string>>{{"--z-bits", "16"},
@@ -128,11 +128,11 @@ TEST_CASE("accuracy measures more clocks with --pruning none than with the defau
   write(folder / "m.csg", "difference() { sphere(r = 6, $fn = 24); " + multmatrix + multmatrix + " }");
   write(folder / "mine.toml", machine_text());
   std::vector<std::string> words = words_of("accuracy");
-  succeeded(run_words(words, folder.path()));
+  require_success(run_words(words, folder.path()));
   const nlohmann::json usual = points(folder, "accuracy");
   words.insert(words.end(), {"--pruning", "none"});
   words[5] = "unpruned";
-  succeeded(run_words(words, folder.path()));
+  require_success(run_words(words, folder.path()));
   const nlohmann::json unpruned = json(folder / "unpruned/accuracy.json")["points"];
   REQUIRE(unpruned.size() == usual.size());
   CHECK(unpruned[0]["clocks"] > usual[0]["clocks"]);
@@ -150,7 +150,7 @@ TEST_CASE("a study names the process that locks its folder and runs once it is u
     fails(run_words(words_of(command), folder.path()), 1, {"another csgsim is writing there (process 12, sweep)"});
     CHECK_FALSE(fs::exists(folder / ("out/" + command + ".csv")));
     ::close(lock);
-    succeeded(run_words(words_of(command), folder.path()));
+    require_success(run_words(words_of(command), folder.path()));
     CHECK_FALSE(fs::exists(folder / "out/.csgsim-lock"));
   }
 }
@@ -178,6 +178,6 @@ TEST_CASE("processes that start at once in one folder write no row twice") {
   CHECK(done >= 1);
   const std::string table = content(folder / "out/sweep.csv");
   CHECK(std::count(table.begin(), table.end(), '\n') == 1 + 6);
-  succeeded(run_words(words, folder.path()));
+  require_success(run_words(words, folder.path()));
   CHECK(content(folder / "out/sweep.csv") == table);
 }

@@ -41,13 +41,13 @@ const std::string draw = " --size 40x30 ";
 TEST_CASE("an input named - is a model or a Program on standard input") {
   const Folder folder;
   const std::string part = model("old_example003");
-  succeeded(run("render " + part + draw + "-o " + (folder / "p.png")));
+  require_success(run("render " + part + draw + "-o " + (folder / "p.png")));
   CHECK(shell(binary() + " render -" + draw + "-o " + (folder / "q.png") + " <" + part).code == 0);
   CHECK(content(folder / "q.png") == content(folder / "p.png"));
   // --max-wrong-pixels reads the model twice, the first time to choose settings.
   CHECK(shell("cat " + part + " | " + binary() + " render -" + draw + "--max-wrong-pixels 900").code == 0);
 
-  succeeded(run("compile " + part + draw + "-o " + (folder / "p.csgt")));
+  require_success(run("compile " + part + draw + "-o " + (folder / "p.csgt")));
   CHECK(shell(binary() + " run - -o " + (folder / "r.png") + " <" + (folder / "p.csgt")).code == 0);
   CHECK(content(folder / "r.png") == content(folder / "p.png"));
   const Outcome text = shell(binary() + " disasm - <" + (folder / "p.csgt"));
@@ -81,11 +81,11 @@ TEST_CASE("a model on standard input imports files from the current folder") {
 TEST_CASE("an output named - is standard output and the summary goes to standard error") {
   const Folder folder;
   const std::string part = model("old_example003");
-  succeeded(run("render " + part + draw + "-o " + (folder / "p.png") + " --depth " + (folder / "z.exr") + " --owner " +
-                (folder / "o.png")));
+  require_success(run("render " + part + draw + "-o " + (folder / "p.png") + " --depth " + (folder / "z.exr") +
+                      " --owner " + (folder / "o.png")));
   for (const std::string name : {"-", "/dev/stdout", "/dev/fd/1"}) {
     CAPTURE(name);
-    const Outcome picture = succeeded(run("render " + part + draw + "-o " + name));
+    const Outcome picture = require_success(run("render " + part + draw + "-o " + name));
     CHECK(picture.out == content(folder / "p.png"));
     CHECK(picture.err.find("7 primitives") != std::string::npos);
   }
@@ -106,11 +106,11 @@ TEST_CASE("an output named - is standard output and the summary goes to standard
 
 TEST_CASE("rejects standard output for several outputs or for a folder") {
   const std::string part = model("old_example003");
-  misused("render " + part + draw + "-o - --stats -", "two outputs cannot both go to standard output");
-  misused("render " + part + draw + "-o - --stats /dev/stdout", "two outputs cannot both go to standard output");
-  misused("render " + part + draw + "-o - --frames 2", "several pictures");
-  misused("sweep " + part + draw + "-o -", "several files; specify a folder");
-  misused("run " + std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt --checkpoint -", "name a file");
+  check_misuse("render " + part + draw + "-o - --stats -", "two outputs cannot both go to standard output");
+  check_misuse("render " + part + draw + "-o - --stats /dev/stdout", "two outputs cannot both go to standard output");
+  check_misuse("render " + part + draw + "-o - --frames 2", "several pictures");
+  check_misuse("sweep " + part + draw + "-o -", "several files; specify a folder");
+  check_misuse("run " + std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt --checkpoint -", "name a file");
 }
 
 TEST_CASE("outputs may be pipes and process substitutions in the format of their name") {
@@ -141,6 +141,6 @@ TEST_CASE("text is written to a terminal but binary data is rejected") {
     CHECK(outcome.out.find("primitives") == std::string::npos);  // rejected before drawing
     CHECK(outcome.out.find("IHDR") == std::string::npos);
   }
-  const Outcome stats = succeeded(on_terminal("render " + part + draw + "-q --stats -"));
+  const Outcome stats = require_success(on_terminal("render " + part + draw + "-q --stats -"));
   CHECK(stats.out.find("\"by_purpose\"") != std::string::npos);
 }

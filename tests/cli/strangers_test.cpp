@@ -30,7 +30,7 @@ void refused(const Outcome& outcome, const std::string& file, const std::string&
   CAPTURE(outcome.out);
   CAPTURE(outcome.err);
   CHECK(outcome.code == 1);
-  CHECK(one_line(outcome.err));
+  CHECK(is_one_line(outcome.err));
   CHECK(outcome.err.starts_with(file + ":"));
   CHECK(outcome.err.find(text) != std::string::npos);
   CHECK(outcome.err.find("report it") == std::string::npos);
@@ -67,7 +67,7 @@ class Stats {
   }
 
   /// Checks that rerun rejects the file and writes nothing.
-  void refuses(const std::string& text, const Words& more = {}) const {
+  void check_rejected(const std::string& text, const Words& more = {}) const {
     const std::map<std::string, std::string> before = files_in(folder);
     refused(rerun(more), "t.json", text);
     CHECK(files_in(folder) == before);
@@ -106,7 +106,7 @@ class Shards {
   }
 
   /// Checks that gather rejects the shards and writes nothing.
-  void refuses(const std::string& text) const {
+  void check_rejected(const std::string& text) const {
     const std::map<std::string, std::string> before = files_in(folder);
     for (const Words& more : {Words{"--missing"}, Words{"--no-plots"}})
       refused(run_words(Words{"gather", "out"} + more, folder.path()),
@@ -127,7 +127,7 @@ TEST_CASE("a stats file cannot name a settings file or an output") {
         "[render]\noutput = 'home.png'\nstats = 'any_name'\nreport = 'x.html'\n[run]\ncheckpoint = 'bashrc'\n");
   for (const std::string name : {"home.png", "any_name", "x.html", "bashrc"}) write(stats.folder / name, "precious");
   stats.set_option("config", "evil.toml");
-  stats.refuses("'config' is not an option that csgsim render records in a stats file");
+  stats.check_rejected("'config' is not an option that csgsim render records in a stats file");
   stats.change([](Json& json) {
     for (const char* const option : {"output", "depth", "owner", "stats", "report"})
       json["configuration"]["options"][option] = "home.png";
@@ -144,11 +144,11 @@ TEST_CASE("rerun reports equality only of results that it compared") {
   for (const std::string name : {"help", "dump-config", "version", "no-such-option"}) {
     CAPTURE(name);
     stats.set_option(name, true);
-    stats.refuses(fmt::format("'{}' is not an option that csgsim render records in a stats file", name),
-                  {"-o", "a.png"});
+    stats.check_rejected(fmt::format("'{}' is not an option that csgsim render records in a stats file", name),
+                         {"-o", "a.png"});
   }
   stats.set_option("frames", 2);
-  stats.refuses("--frames: a sequence of frames cannot be rerun", {"-o", "a.png"});
+  stats.check_rejected("--frames: a sequence of frames cannot be rerun", {"-o", "a.png"});
   stats.change([](Json& json) { json["clocks"] = 1; });
   refused(stats.rerun(), "t.json", "the run differs: /clocks was 1, is");
 }
@@ -158,33 +158,33 @@ TEST_CASE("a value in a stats file sets no other option whatever its bytes") {
   for (const std::string name : {"model", "machine", "camera", "size"}) {
     CAPTURE(name);
     stats.set_option(name, std::string("pixel-planes-4\0--output=home.png", 32));
-    stats.refuses("where a string should be");
+    stats.check_rejected("where a string should be");
     stats.set_option(name, Json{{"hex", "002d"}});
-    stats.refuses("where a string should be");
+    stats.check_rejected("where a string should be");
   }
   stats.set_option("set", Json::array({"", "--output=home.png"}));
-  stats.refuses("--set");
+  stats.check_rejected("--set");
   stats.set_option("set", Json::array({std::string("\0", 1)}));
-  stats.refuses("where a string should be");
+  stats.check_rejected("where a string should be");
   stats.set_option("machine", "--output=home.png");
   CHECK(stats.rerun().err.find("--output=home.png") != std::string::npos);
   CHECK(!fs::exists(stats.folder / "home.png"));
   stats.set_option("z-bits", "20 --output=home.png");
-  stats.refuses("20 --output=home.png");
+  stats.check_rejected("20 --output=home.png");
   stats.set_option("view-all", "yes");
-  stats.refuses("has \"yes\" where true or false should be");
+  stats.check_rejected("has \"yes\" where true or false should be");
   stats.set_option("set", 5);
-  stats.refuses("has 5 where a list");
+  stats.check_rejected("has 5 where a list");
   stats.set_option("set", Json(std::vector<std::string>(10001, "a")));
-  stats.refuses("where a list of at most 10000 texts should be");
+  stats.check_rejected("where a list of at most 10000 texts should be");
 }
 
 TEST_CASE("rerun rejects any malformed stats file in one line with its place") {
   const Stats stats;
   write(stats.folder / "t.json", "{\"configuration\": {},\n \"clocks\": 1e999}");
-  stats.refuses("t.json:2:");
+  stats.check_rejected("t.json:2:");
   write(stats.folder / "t.json", "{\"configuration\": {\"a\": \"\xff\"}}");
-  stats.refuses("t.json:1:");
+  stats.check_rejected("t.json:1:");
   for (const Json& value : {Json(), Json(5), Json("text"), Json::array(), Json::array({1, 2}), Json::object()}) {
     for (const std::string place : {"", "/options", "/options/model", "/options/threads", "/inputs", "/inputs/0",
                                     "/inputs/0/file", "/inputs/0/hash", "/machine", "/machine/hash", "/model",
@@ -198,7 +198,7 @@ TEST_CASE("rerun rejects any malformed stats file in one line with its place") {
       const bool is_fine = (place == "/inputs" && value.is_array() && value.empty()) ||
                            (place == "/options/threads" && (value.is_null() || value == 5));
       CHECK(outcome.code == (is_fine ? 0 : 1));
-      if (!is_fine) CHECK(one_line(outcome.err));
+      if (!is_fine) CHECK(is_one_line(outcome.err));
       CHECK(outcome.err.find("report it") == std::string::npos);
     }
   }
@@ -222,15 +222,15 @@ TEST_CASE("gather rejects a shard whose command is not a study or has unknown op
                                   "--dump-config", "--no-such-option", "++,--describe=x.html"}) {
     CAPTURE(words);
     REQUIRE(shards.replace(",--size,", "," + words + ",--size,") == 4);
-    shards.refuses("the command is not one of a shard");
+    shards.check_rejected("the command is not one of a shard");
   }
   for (const std::string words : {"--describe=x.html", "--version", "--help", "render", "rerun", ""}) {
     CAPTURE(words);
     REQUIRE(shards.replace(",sweep,m.csg,", "," + words + ",m.csg,") == 4);
-    shards.refuses("the command is not one of a shard");
+    shards.check_rejected("the command is not one of a shard");
   }
   REQUIRE(shards.replace(",sweep,m.csg,", std::string(",sweep,m.csg\0,", 14)) == 4);
-  shards.refuses("the command is not one of a shard");
+  shards.check_rejected("the command is not one of a shard");
   REQUIRE(shards.replace(",--size,", ",--size,") == 4);
   CHECK(run_words({"gather", "out", "--no-plots"}, shards.folder.path()).code == 0);
 }
@@ -258,7 +258,7 @@ TEST_CASE("rejects a shard with a byte that is invalid in text and names the fil
       const Outcome outcome = run_words({"gather", "out", "--no-plots"}, shards.folder.path());
       CAPTURE(outcome.err);
       CHECK(outcome.code == 1);
-      CHECK(one_line(outcome.err));
+      CHECK(is_one_line(outcome.err));
       CHECK(outcome.err.starts_with("out/shards/" + study.front() + "-"));
       CHECK(outcome.err.find("contains unprintable characters") != std::string::npos);
       CHECK(!fs::exists(shards.folder / ("out/" + study.front() + ".json")));
@@ -278,7 +278,7 @@ TEST_CASE("rejects a shard with a non-finite number or an impossible number of p
   }
   for (const std::string points : {"0", "1000001", "18446744073709551615"}) {
     REQUIRE(shards.replace(",2,2,", ",2," + points + ",") >= 2);
-    shards.refuses(":1:1: the number of points must be from 1 to 1000000, not " + points);
+    shards.check_rejected(":1:1: the number of points must be from 1 to 1000000, not " + points);
   }
 }
 
@@ -306,7 +306,7 @@ TEST_CASE("differing pictures in rows read from a file are not reported as a bug
     const Outcome gathered = run_words({"gather", "out", "--no-plots"}, shards.folder.path());
     CAPTURE(gathered.err);
     CHECK(gathered.code == 1);
-    CHECK(one_line(gathered.err));
+    CHECK(is_one_line(gathered.err));
     CHECK(gathered.err.find("may have been changed: measure everything again in another folder (-o)") !=
           std::string::npos);
     CHECK(gathered.err.find("error in csgsim") == std::string::npos);
@@ -326,7 +326,7 @@ TEST_CASE("a waveform that exceeds the disk space is reported and leaves no file
     const Outcome outcome = run_program("/bin/sh", {"-c", command + more}, folder.path());
     CAPTURE(outcome.err);
     CHECK(outcome.code == 1);
-    CHECK(one_line(outcome.err));
+    CHECK(is_one_line(outcome.err));
     CHECK(outcome.err.starts_with("w.vcd: cannot be written: File too large"));
     CHECK(folder.files() == 0);
   }

@@ -13,7 +13,7 @@ using namespace csgsim::testing::cli;
 TEST_CASE("accuracy measures and plots every setting and reuses its points") {
   const Folder folder;
   const std::string command = "accuracy " + model("old_example011") + " --size 48x48 --views 2 -o " + (folder / "a");
-  succeeded(run(command));
+  require_success(run(command));
   const std::string table = content(folder / "a/accuracy.csv");
   for (const std::string knob : {"z-bits", "fraction-bits", "edge-on", "size", "fn", "tolerance", "pareto"}) {
     if (knob != "pareto") CHECK(table.find("\n" + knob + ",") != std::string::npos);
@@ -24,7 +24,7 @@ TEST_CASE("accuracy measures and plots every setting and reuses its points") {
   // Simulates an interruption: removes the last line and half of the one before.
   const std::string cut = table.substr(0, table.rfind('\n', table.rfind('\n', table.size() - 2) - 1) - 5);
   write(folder / "a/accuracy.csv", cut);
-  succeeded(run(command + " --no-plots"));
+  require_success(run(command + " --no-plots"));
   CHECK(content(folder / "a/accuracy.csv") == table);
   CHECK(run(command + " --projection perspective").code == 1);
 }
@@ -35,7 +35,7 @@ TEST_CASE("accuracy compares exact curves with facets of each tolerance where su
       "accuracy " + model("thesis_fig_2_3") +
       " --camera 42,-38,41,10,5.5,2 --size 64x64 --views 2 --knobs curves,tolerance --tolerances 0.5,0.0005 -o " +
       (folder / "a");
-  const Outcome outcome = succeeded(run(command + " --machine pixel-powers --report " + (folder / "a.html")));
+  const Outcome outcome = require_success(run(command + " --machine pixel-powers --report " + (folder / "a.html")));
   const auto points = json(folder / "a/accuracy.json")["points"];
   REQUIRE(points.size() == 4);
   CHECK(points[0]["value"] == "0.5");
@@ -57,7 +57,7 @@ TEST_CASE("accuracy compares fast spheres with facets and names the curves it om
   const Folder folder;
   const std::string command =
       "accuracy " + model("molecule") + " --view-all --size 48x48 --views 1 --knobs curves --no-plots -o ";
-  const Outcome linear = succeeded(run(command + (folder / "a")));
+  const Outcome linear = require_success(run(command + (folder / "a")));
   const auto points = json(folder / "a/accuracy.json")["points"];
   REQUIRE(points.size() == 2);
   CHECK(points[0]["value"] == "facets");
@@ -66,7 +66,8 @@ TEST_CASE("accuracy compares fast spheres with facets and names the curves it om
   CHECK(points[1]["facet_wrong"] > points[0]["facet_wrong"]);
   CHECK(linear.out.find("\nfast curves: ") != std::string::npos);
   CHECK(linear.err.find("--knobs curves, not exact: pixel-planes-4") != std::string::npos);
-  const Outcome near = succeeded(run(command + (folder / "b") + " --projection perspective --machine pixel-powers"));
+  const Outcome near =
+      require_success(run(command + (folder / "b") + " --projection perspective --machine pixel-powers"));
   CHECK(near.err.find("--knobs curves, not fast: ") != std::string::npos);
   CHECK(json(folder / "b/accuracy.json")["points"][1]["value"] == "exact");
   fails(run(command + (folder / "c") + " --projection perspective"), 1, {"not fast: ", "not exact: "});
@@ -103,12 +104,12 @@ TEST_CASE("sweep writes a table and plots for every model and measures no point 
   const std::size_t last = expected.rfind('\n', expected.size() - 2);
   const std::size_t before = expected.rfind('\n', last - 1);
   write(folder / "s/sweep.csv", expected.substr(0, before + 30));
-  succeeded(run(command + "3..5 --no-plots"));
+  require_success(run(command + "3..5 --no-plots"));
   CHECK(content(folder / "s/sweep.csv") == expected);
   // Another range measures only the new values and keeps the known ones.
-  succeeded(run(command + "6 --no-plots --strategy bits"));
+  require_success(run(command + "6 --no-plots --strategy bits"));
   CHECK(json(folder / "s/sweep.json")["points"].size() == 2);
-  succeeded(run(command + "3..5 --no-plots"));
+  require_success(run(command + "3..5 --no-plots"));
   CHECK(content(folder / "s/sweep.csv").starts_with(expected));
   CHECK(run(command + "3..5 --no-plots --projection perspective").code == 1);
 }
@@ -119,7 +120,7 @@ TEST_CASE("an interrupted sweep resumes when its command is repeated") {
   const std::string whole = folder / "whole";
   const std::string words = "sweep " + model("carburettor") + " --size 300x300 --strategy bits --stack-bits 3..14" +
                             " --threads 2 --no-plots -o ";
-  succeeded(run(words + whole));
+  require_success(run(words + whole));
   const pid_t child = ::fork();
   REQUIRE(child >= 0);
   if (child == 0) {
@@ -138,7 +139,7 @@ TEST_CASE("an interrupted sweep resumes when its command is repeated") {
   CHECK(WIFSIGNALED(status));
   CHECK(lines() >= 3);
   CHECK(lines() < 13);
-  succeeded(run(words + output));
+  require_success(run(words + output));
   CHECK(content(output + "/sweep.csv") == content(whole + "/sweep.csv"));
   CHECK(content(output + "/sweep.json") == content(whole + "/sweep.json"));
 }
@@ -147,7 +148,7 @@ TEST_CASE("a point that exceeds the memory gives a reason and sweep fails if all
   const Folder folder;
   const std::string command = "sweep " + model("old_example011") +
                               " --size 48x36 --no-plots --strategy stack,list --z-bits 20,24 -o " + (folder / "s");
-  const Outcome outcome = succeeded(run(command + " --memory-bits 70"));
+  const Outcome outcome = require_success(run(command + " --memory-bits 70"));
   const nlohmann::json points = json(folder / "s/sweep.json")["points"];
   REQUIRE(points.size() == 4);
   CHECK(points[0]["clocks"] > 0);
@@ -156,20 +157,20 @@ TEST_CASE("a point that exceeds the memory gives a reason and sweep fails if all
   CHECK(outcome.out.find("2 of 4 points cannot be compiled") != std::string::npos);
   const Outcome none = run(command + " --memory-bits 30");
   CHECK(none.code == 1);
-  CHECK(one_line(none.err));
+  CHECK(is_one_line(none.err));
 }
 
 TEST_CASE("sweep rejects invalid ranges and unknown names before it measures") {
   const Folder folder;
   const std::string sweep = "sweep " + model("old_example011") + " -o " + (folder / "s") + " ";
-  misused(sweep + "--stack-bits 8..3", "3..8");
-  misused(sweep + "--stack-bits 2", "3 to 64");
-  misused(sweep + "--z-bits 16,", "empty element in list");
-  misused(sweep + "--strategy stack,lst", "did you mean list?");
-  misused(sweep + "--pruning no-spice", "did you mean no-space?");
-  misused(sweep + "--colouring red", "rebroadcast");
-  misused(sweep + "--threads 0", "--threads");
-  misused("sweep -o " + (folder / "s"), "MODEL");
+  check_misuse(sweep + "--stack-bits 8..3", "3..8");
+  check_misuse(sweep + "--stack-bits 2", "3 to 64");
+  check_misuse(sweep + "--z-bits 16,", "empty element in list");
+  check_misuse(sweep + "--strategy stack,lst", "did you mean list?");
+  check_misuse(sweep + "--pruning no-spice", "did you mean no-space?");
+  check_misuse(sweep + "--colouring red", "rebroadcast");
+  check_misuse(sweep + "--threads 0", "--threads");
+  check_misuse("sweep -o " + (folder / "s"), "MODEL");
   CHECK(run(sweep + "--machines pixel-plane-4").err.find("pixel-planes-4") != std::string::npos);
   CHECK(folder.files() == 0);
 }
@@ -178,11 +179,11 @@ TEST_CASE("render --max-wrong-pixels 40 has at most 40 wrong pixels and fewer cl
   const Folder folder;
   const std::string options =
       "render " + model("old_example002") + " --size 100x80 --check --stats " + (folder / "s.json");
-  succeeded(run(options));
+  require_success(run(options));
   const nlohmann::json fine = json(folder / "s.json");
   CHECK(fine["accuracy"]["unexplained"] == 0);
   CHECK(fine["accuracy"]["wrong"] <= 1);
-  succeeded(run(options + " --max-wrong-pixels 40"));
+  require_success(run(options + " --max-wrong-pixels 40"));
   const nlohmann::json coarse = json(folder / "s.json");
   CHECK(coarse["accuracy"]["wrong"] <= 40);
   CHECK(coarse["clocks"] < fine["clocks"]);
@@ -190,7 +191,7 @@ TEST_CASE("render --max-wrong-pixels 40 has at most 40 wrong pixels and fewer cl
 }
 
 TEST_CASE("levels runs a model at every level and reports no difference") {
-  const Outcome outcome = succeeded(run("levels " + model("old_example011") + " --size 40x30"));
+  const Outcome outcome = require_success(run("levels " + model("old_example011") + " --size 40x30"));
   for (const std::string level : {"functional", "cycle", "reference"})
     CHECK(outcome.out.find(level) != std::string::npos);
   CHECK(outcome.out.find("DIFFERENT") == std::string::npos);

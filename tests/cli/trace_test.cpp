@@ -13,7 +13,7 @@ std::string trace(const std::string& more) {
 
 TEST_CASE("trace counts and prices every directory with and without an item buffer") {
   const Folder folder;
-  const Outcome first = succeeded(run(trace(" -o " + (folder / "t"))));
+  const Outcome first = require_success(run(trace(" -o " + (folder / "t"))));
   CHECK(first.out.find("All directories see the same surfaces") != std::string::npos);
   const nlohmann::json points = json(folder / "t/trace.json")["points"];
   REQUIRE(points.size() == 7 * 3 * 2);
@@ -41,7 +41,7 @@ TEST_CASE("trace counts and prices every directory with and without an item buff
   CHECK(surfaces.size() == 1);
   CHECK(fs::file_size(folder / "t/trace_cells.svg") > 1000);
   const std::string table = content(folder / "t/trace.csv");
-  succeeded(run(trace(" -o " + (folder / "t"))));
+  require_success(run(trace(" -o " + (folder / "t"))));
   CHECK(content(folder / "t/trace.csv") == table);
 }
 
@@ -71,26 +71,26 @@ TEST_CASE("trace varies buckets and tolerances and plots each") {
 TEST_CASE("gathering two shards of trace gives all points") {
   const Folder folder;
   const std::string common = " --directories excell,grid --cast primary --processors mc68000 --no-plots -o ";
-  succeeded(run(trace(common + (folder / "s") + " --shard 1/2")));
-  succeeded(run(trace(common + (folder / "s") + " --shard 2/2")));
-  succeeded(run("gather " + (folder / "s") + " --no-plots"));
+  require_success(run(trace(common + (folder / "s") + " --shard 1/2")));
+  require_success(run(trace(common + (folder / "s") + " --shard 2/2")));
+  require_success(run("gather " + (folder / "s") + " --no-plots"));
   CHECK(json(folder / "s/trace.json")["points"].size() == 4);
 }
 
 TEST_CASE("trace rejects unknown names and suggests the nearest") {
-  misused(trace(" --directories excel"), "did you mean excell");
-  misused(trace(" --cast shadows"), "did you mean shadow");
-  misused(trace(" --cast light"), "the rays are primary");
-  misused(trace(" --curves exact --machine pixel-powers"), "--curves: this command supports facets only");
-  misused(trace(" --item-buffer wihtout"), "did you mean without");
-  misused(trace(" --bucket-sizes 0"), "1");
-  misused(trace(" --processors mc68001"), "mc68000");
-  misused(trace(" --reflections 5"), "4");
+  check_misuse(trace(" --directories excel"), "did you mean excell");
+  check_misuse(trace(" --cast shadows"), "did you mean shadow");
+  check_misuse(trace(" --cast light"), "the rays are primary");
+  check_misuse(trace(" --curves exact --machine pixel-powers"), "--curves: this command supports facets only");
+  check_misuse(trace(" --item-buffer wihtout"), "did you mean without");
+  check_misuse(trace(" --bucket-sizes 0"), "1");
+  check_misuse(trace(" --processors mc68001"), "mc68000");
+  check_misuse(trace(" --reflections 5"), "4");
 }
 
 TEST_CASE("the exported directory has the counted cells and each corner in its cell") {
   const Folder folder;
-  succeeded(
+  require_success(
       run(trace(" --directories excell --bucket-sizes 4 --cast primary --item-buffer without --processors mc68000 "
                 "--json " +
                 (folder / "cells.json") + " -o " + (folder / "t"))));
@@ -125,11 +125,11 @@ TEST_CASE("the exported directory has the counted cells and each corner in its c
 
 TEST_CASE("trace adds the time of item buffers and of tests in the picture to projection") {
   const Folder folder;
-  succeeded(
+  require_success(
       run(trace(" --directories kd-tree --cast primary --facet-test space,projected --item-buffer "
                 "without,list-priority,depth-lists --processors mc68000 -o " +
                 (folder / "t"))));
-  succeeded(
+  require_success(
       run("display " + model("thesis_fig_2_3") +
           " --camera 42,-38,41,10,5.5,2 --size 48x36 --methods list-priority/depth-buffer --processors mc68000 -o " +
           (folder / "d")));

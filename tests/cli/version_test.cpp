@@ -16,8 +16,8 @@ std::string trimmed(const std::string& text) {
 std::string find_commit(const Folder& folder, const std::string& source, const std::string& given) {
   const std::string output = folder / "commit.cpp";
   fs::remove(output);
-  succeeded(run_program("cmake", {"-DSOURCE=" + source, "-DCOMMIT=" + given, "-DOUTPUT=" + output, "-P",
-                                  std::string(CSGSIM_SOURCE_DIR) + "/cmake/commit.cmake"}));
+  require_success(run_program("cmake", {"-DSOURCE=" + source, "-DCOMMIT=" + given, "-DOUTPUT=" + output, "-P",
+                                        std::string(CSGSIM_SOURCE_DIR) + "/cmake/commit.cmake"}));
   std::smatch found;
   const std::string text = content(output);
   REQUIRE(std::regex_search(text, found, std::regex("commit = \"([^\"]*)\"")));
@@ -27,7 +27,7 @@ std::string find_commit(const Folder& folder, const std::string& source, const s
 }  // namespace
 
 TEST_CASE("--version prints the version with its commit and the build and libraries") {
-  const Outcome outcome = succeeded(run("--version"));
+  const Outcome outcome = require_success(run("--version"));
   CHECK(outcome.err == "");
   std::istringstream lines(outcome.out);
   std::string line;
@@ -51,7 +51,7 @@ TEST_CASE("--version prints the library versions of pkg-config") {
                               {"HarfBuzz", "harfbuzz"},
                               {"libedit", "libedit"}}) {
     CAPTURE(library.first);
-    const Outcome version = succeeded(run_program("pkg-config", {"--modversion", library.second}));
+    const Outcome version = require_success(run_program("pkg-config", {"--modversion", library.second}));
     CHECK((printed + ",").find(" " + library.first + " " + trimmed(version.out)) != std::string::npos);
   }
 }
@@ -67,7 +67,7 @@ TEST_CASE("the version has the sources' commit with a mark for changes or a give
        {std::vector<std::string>{"init", "-q"},
         {"add", "."},
         {"-c", "user.name=a", "-c", "user.email=a@b", "-c", "commit.gpgsign=false", "commit", "-qm", "one"}})
-    succeeded(run_program("git", words, source));
+    require_success(run_program("git", words, source));
   const std::string head = trimmed(run_program("git", {"rev-parse", "HEAD"}, source).out);
   CHECK(find_commit(folder, source, "0123abcd") == head.substr(0, 12));
   write(source + "/CMakeLists.txt", "2");

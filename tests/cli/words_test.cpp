@@ -34,7 +34,7 @@ TEST_CASE("render and run print at most 12 lines in a fixed order on every machi
     const Folder folder;
     const std::string of = model("thesis_fig_2_3") + fmt::format(" --size 48x48 --machine {} ", machine);
     const Outcome drawn =
-        succeeded(run("render " + of + "-o " + (folder / "p.png") + " --stats " + (folder / "s.json")));
+        require_success(run("render " + of + "-o " + (folder / "p.png") + " --stats " + (folder / "s.json")));
     const nlohmann::json stats = json(folder / "s.json");
     std::vector<std::string> labels{"picture", "model", "machine", "drawn", "shown", "host", "memory", "advice"};
     if (!stats["machine"]["ideal"].empty()) labels.insert(labels.begin() + 3, "ideal");
@@ -46,8 +46,8 @@ TEST_CASE("render and run print at most 12 lines in a fixed order on every machi
     CHECK(has(line_of(drawn.out, "shown"), "limited by"));
     CHECK(has(line_of(drawn.out, "shown"), stats["bound_by"]["part"].get<std::string>()));
     CHECK(has(line_of(drawn.out, "host"), "which limits the rate") == stats["bound_by"]["by_host"].get<bool>());
-    succeeded(run("compile " + of + "-o " + (folder / "p.csgt")));
-    const Outcome again = succeeded(run("run " + (folder / "p.csgt")));
+    require_success(run("compile " + of + "-o " + (folder / "p.csgt")));
+    const Outcome again = require_success(run("run " + (folder / "p.csgt")));
     CHECK(labels_of(again.out) == labels);
     CHECK(has(line_of(again.out, "picture"), "not written; add -o picture.png"));
     for (const char* const label : {"model", "machine", "drawn", "shown", "host", "memory"})
@@ -56,7 +56,7 @@ TEST_CASE("render and run print at most 12 lines in a fixed order on every machi
 }
 
 TEST_CASE("the verdict and advice and idealizations stay within 12 lines") {
-  const Outcome outcome = succeeded(
+  const Outcome outcome = require_success(
       run("render " + model("thesis_fig_2_3") +
           " --size 48x48 --check --advice --machine pixel-planes-4+link.width=ideal+memory.clear_clocks=ideal"));
   const std::vector<std::string> labels = labels_of(outcome.out);
@@ -69,8 +69,8 @@ TEST_CASE("the verdict and advice and idealizations stay within 12 lines") {
 TEST_CASE("--verbose adds the counts and the costliest primitives and all advice") {
   const Folder folder;
   const std::string words = "render " + model("carburettor") + " --size 64x64 --advice --stats " + (folder / "s.json");
-  const Outcome brief = succeeded(run(words));
-  const Outcome outcome = succeeded(run(words + " --verbose"));
+  const Outcome brief = require_success(run(words));
+  const Outcome outcome = require_success(run(words + " --verbose"));
   const nlohmann::json stats = json(folder / "s.json");
   CHECK(labels_of(brief.out).size() <= 12);
   CHECK(outcome.out.starts_with(brief.out.substr(0, brief.out.find("advice"))));
@@ -93,7 +93,7 @@ TEST_CASE("--verbose adds the counts and the costliest primitives and all advice
 
 TEST_CASE("the advice offers the best pruning and its gain for the frame with the host") {
   const Folder folder;
-  const Outcome outcome = succeeded(
+  const Outcome outcome = require_success(
       run("render " + model("carburettor") + " --size 64x64 --pruning all --advice --stats " + (folder / "s.json")));
   const nlohmann::json stats = json(folder / "s.json");
   REQUIRE(stats["bound_by"]["by_host"] == true);
@@ -126,7 +126,7 @@ TEST_CASE("the saving that advice states for an option equals that of render wit
     const std::string words =
         "render " + model("thesis_fig_2_3") + " --size 64x64 --stats " + (folder / "s.json") + " ";
     const std::string given = "--machine " + machine;
-    succeeded(run(words + given + " --advice"));
+    require_success(run(words + given + " --advice"));
     const nlohmann::json knobs = json(folder / "s.json")["knobs"];
     REQUIRE(knobs.size() > 2);
     bool sets = false;
@@ -135,7 +135,7 @@ TEST_CASE("the saving that advice states for an option equals that of render wit
       CAPTURE(option);
       const bool is_machine = option.starts_with("--machine");
       sets = sets || !is_machine;
-      succeeded(run(words + (is_machine ? option : given + " " + option)));
+      require_success(run(words + (is_machine ? option : given + " " + option)));
       const nlohmann::json stats = json(folder / "s.json");
       CHECK(stats["interval_clocks"] == knob["clocks_after"]);
       CHECK(std::max(stats["interval_clocks"], stats["host_clocks"]) == knob["hosted_clocks_after"]);
@@ -166,7 +166,7 @@ TEST_CASE("render's summary lists the clocks of effects apart from those of prim
 }
 
 TEST_CASE("rejects --advice for a sequence of frames") {
-  misused("render " + model("old_example011") + " --frames 2 -o x.png --advice", "--advice");
+  check_misuse("render " + model("old_example011") + " --frames 2 -o x.png --advice", "--advice");
 }
 
 TEST_CASE("compare ends with the bottleneck and costliest primitives of each machine") {
@@ -175,7 +175,7 @@ TEST_CASE("compare ends with the bottleneck and costliest primitives of each mac
       run("compare " + model("thesis_fig_2_3") +
           " --machines pixel-planes-4,scan-line --size 64x64 --sides 32 --fragments 8 --no-plots -o " + (folder / "c"));
   REQUIRE(outcome.code == 0);
-  succeeded(
+  require_success(
       run("render " + model("thesis_fig_2_3") + " --machine scan-line --size 64x64 --stats " + (folder / "s.json")));
   const nlohmann::json points = json(folder / "c/compare.json")["points"];
   const nlohmann::json stats = json(folder / "s.json");
@@ -191,8 +191,8 @@ TEST_CASE("compare ends with the bottleneck and costliest primitives of each mac
   CHECK(outcome.out.find(stats["dearest"][0]["name"].get<std::string>()) != std::string::npos);
   CHECK(outcome.out.find("$fn = 8 gives") != std::string::npos);
   // The share of the first machine's most expensive primitive on each machine, as render reports it.
-  succeeded(run("render " + model("thesis_fig_2_3") + " --machine pixel-planes-4 --size 64x64 --stats " +
-                (folder / "p.json")));
+  require_success(run("render " + model("thesis_fig_2_3") + " --machine pixel-planes-4 --size 64x64 --stats " +
+                      (folder / "p.json")));
   const nlohmann::json first = json(folder / "p.json")["dearest"];
   const std::string name = first[0]["name"];
   const std::size_t line = outcome.out.find("\n  " + name + " ", outcome.out.find("most expensive primitives"));

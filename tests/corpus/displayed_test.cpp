@@ -65,7 +65,7 @@ template <class SeenAt>
 std::uint64_t wrong_pixels(const observe::Frame& frame, const SeenAt& seen_at) {
   std::uint64_t wrong = 0;
   for (std::size_t i = 0; i < frame.depth.size(); ++i) {
-    const software::Seen seen = seen_at(i);
+    const software::VisibleSurface seen = seen_at(i);
     wrong += seen.depth == frame.depth[i] && seen.owner == frame.owner[i] ? 0U : 1U;
   }
   return wrong;

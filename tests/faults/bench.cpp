@@ -67,7 +67,7 @@ Bench::Bench(Command command) : command_(std::move(command)) {
   fs::create_directories(folder_ / "tmp");
   const std::size_t lines_before = std::exchange(command_.lines_before, 0);
   reset();
-  const Ended ended = run();
+  const ChildResult ended = run();
   CAPTURE(ended.err);
   REQUIRE(ended.code == 0);
   for (const std::string& name : command_.outputs) wanted_[name] = without_varying_parts(out(name));
@@ -75,7 +75,7 @@ Bench::Bench(Command command) : command_(std::move(command)) {
     for (const std::string& name : {command_.table, title()}) wanted_[name] = without_varying_parts(out(name));
   }
   command_.lines_before = lines_before;
-  REQUIRE(wrong_in_success(ended).empty());
+  REQUIRE(success_mismatch(ended).empty());
 }
 
 void Bench::reset() const {
@@ -98,16 +98,16 @@ std::string Bench::table_before() const {
   return whole.substr(0, end + (whole.find('\n', end) - end) / 2);
 }
 
-Ended Bench::run(const Conditions& conditions) const {
+ChildResult Bench::run(const Conditions& conditions) const {
   Conditions all = conditions;
   all.environment["TMPDIR"] = folder_ / "tmp";
   return run_csgsim(split(with(with(command_.words, "OUT", folder_ / "out"), "SOURCE", CSGSIM_SOURCE_DIR)), all);
 }
 
-std::string Bench::wrong_in_words(const Ended& result) const {
+std::string Bench::message_mismatch(const ChildResult& result) const {
   if (result.signal != 0) return "ended by signal " + std::to_string(result.signal);
   if (result.code != 1) return "exit code " + std::to_string(result.code) + ", " + result.err;
-  if (!cli::one_line(result.err)) return "the error is not one line: " + result.err;
+  if (!cli::is_one_line(result.err)) return "the error is not one line: " + result.err;
   std::vector<std::string> named{folder_ / "out", folder_ / "tmp"};
   for (const auto& [name, content] : wanted_) named.push_back(out(name));
   if (wanted_.empty()) named.emplace_back("/dev/stdout");
@@ -117,7 +117,7 @@ std::string Bench::wrong_in_words(const Ended& result) const {
   return names_one ? "" : "names no file: " + result.err;
 }
 
-std::string Bench::wrong_in_outputs() const {
+std::string Bench::outputs_mismatch() const {
   for (const std::string& name : command_.outputs) {
     const bool was_there = command_.table.empty() || command_.lines_before > 0;
     if (!fs::exists(out(name))) {
@@ -130,7 +130,7 @@ std::string Bench::wrong_in_outputs() const {
   return {};
 }
 
-std::string Bench::wrong_in_table() const {
+std::string Bench::table_mismatch() const {
   if (command_.table.empty()) return {};
   if (fs::exists(out(title())) && cli::content(out(title())) != wanted_.at(title()))
     return "the title file next to the table has other content";
@@ -159,17 +159,17 @@ std::string Bench::left_behind() const {
   return {};
 }
 
-std::string Bench::wrong_in_files() const { return first_of({left_behind(), wrong_in_outputs(), wrong_in_table()}); }
+std::string Bench::files_mismatch() const { return first_of({left_behind(), outputs_mismatch(), table_mismatch()}); }
 
-std::string Bench::wrong_in_failure(const Ended& result) const {
-  return first_of({wrong_in_words(result), wrong_in_files()});
+std::string Bench::failure_mismatch(const ChildResult& result) const {
+  return first_of({message_mismatch(result), files_mismatch()});
 }
 
-std::string Bench::wrong_in_failure_but_table(const Ended& result) const {
-  return first_of({wrong_in_words(result), left_behind(), wrong_in_outputs()});
+std::string Bench::failure_mismatch_except_table(const ChildResult& result) const {
+  return first_of({message_mismatch(result), left_behind(), outputs_mismatch()});
 }
 
-std::string Bench::wrong_in_success(const Ended& result) const {
+std::string Bench::success_mismatch(const ChildResult& result) const {
   if (result.code != 0 || !result.err.empty()) return "failed: " + result.err;
   for (const auto& [name, content] : wanted_) {
     if (!fs::exists(out(name))) return name + " is missing";

@@ -29,20 +29,20 @@ class Bench {
   /// Restores all outputs to their state before the command.
   void reset() const;
 
-  [[nodiscard]] Ended run(const Conditions& conditions = {}) const;
+  [[nodiscard]] ChildResult run(const Conditions& conditions = {}) const;
 
   /// Checks a failed run: exit code 1, one line that names a file, each output old or completely new, the table made of
   /// complete lines, no other files. Returns an empty text or a description of the fault.
-  [[nodiscard]] std::string wrong_in_failure(const Ended& result) const;
+  [[nodiscard]] std::string failure_mismatch(const ChildResult& result) const;
 
   /// The same check, except that the table may end in part of a line.
-  [[nodiscard]] std::string wrong_in_failure_but_table(const Ended& result) const;
+  [[nodiscard]] std::string failure_mismatch_except_table(const ChildResult& result) const;
 
   /// Checks that the command completed and left no other files; empty if so.
-  [[nodiscard]] std::string wrong_in_success(const Ended& result) const;
+  [[nodiscard]] std::string success_mismatch(const ChildResult& result) const;
 
   /// Checks that the folder holds only outputs, old or completely new, and complete lines of the table; empty if so.
-  [[nodiscard]] std::string wrong_in_files() const;
+  [[nodiscard]] std::string files_mismatch() const;
 
   /// Number of outputs that have been replaced.
   [[nodiscard]] std::size_t replaced() const;
@@ -57,9 +57,9 @@ class Bench {
 
  private:
   [[nodiscard]] std::string out(const std::string& name) const { return (folder_ / "out/") + name; }
-  [[nodiscard]] std::string wrong_in_words(const Ended& result) const;
-  [[nodiscard]] std::string wrong_in_outputs() const;
-  [[nodiscard]] std::string wrong_in_table() const;
+  [[nodiscard]] std::string message_mismatch(const ChildResult& result) const;
+  [[nodiscard]] std::string outputs_mismatch() const;
+  [[nodiscard]] std::string table_mismatch() const;
   [[nodiscard]] std::string left_behind() const;
   [[nodiscard]] std::string table_before() const;
   /// The title file next to the table.

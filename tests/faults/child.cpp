@@ -42,7 +42,7 @@ void connect(int error_pipe) {
   ::dup2(error_pipe, STDERR_FILENO);
 }
 
-Ended run(const std::function<void()>& work, const Conditions& conditions) {
+ChildResult run(const std::function<void()>& work, const Conditions& conditions) {
   std::array<int, 2> pipe{};
   REQUIRE(::pipe2(pipe.data(), O_CLOEXEC) == 0);
   std::fflush(nullptr);
@@ -55,7 +55,7 @@ Ended run(const std::function<void()>& work, const Conditions& conditions) {
     std::_Exit(97);
   }
   ::close(pipe[1]);
-  Ended ended;
+  ChildResult ended;
   ended.err = read_all(pipe[0]);
   ::close(pipe[0]);
   int status = 0;
@@ -67,7 +67,7 @@ Ended run(const std::function<void()>& work, const Conditions& conditions) {
 
 }  // namespace
 
-Ended run_csgsim(const std::vector<std::string>& words, const Conditions& conditions) {
+ChildResult run_csgsim(const std::vector<std::string>& words, const Conditions& conditions) {
   static const std::string program = std::string(CSGSIM_BINARY_DIR) + "/csgsim";
   std::vector<std::string> all{program};
   all.insert(all.end(), words.begin(), words.end());
@@ -77,7 +77,7 @@ Ended run_csgsim(const std::vector<std::string>& words, const Conditions& condit
   return run([&] { ::execv(program.c_str(), arguments.data()); }, conditions);
 }
 
-Ended run_apart(const std::function<void()>& work, const Conditions& conditions) {
+ChildResult run_in_child(const std::function<void()>& work, const Conditions& conditions) {
   const auto tell = [&] {
     try {
       work();
@@ -90,7 +90,8 @@ Ended run_apart(const std::function<void()>& work, const Conditions& conditions)
   return run(tell, conditions);
 }
 
-Ended run_failing(const std::vector<std::string>& words, const std::string& fault, const std::string& report) {
+ChildResult run_with_faults(const std::vector<std::string>& words, const std::string& fault,
+                            const std::string& report) {
   Conditions conditions;
   conditions.environment = {{"LD_PRELOAD", CSGSIM_FAULT_LIBRARY}, {"CSGSIM_FAULT_REPORT", report}};
   if (!fault.empty()) conditions.environment["CSGSIM_FAULT"] = fault;

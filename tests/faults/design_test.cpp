@@ -8,9 +8,9 @@ namespace {
 
 using csgsim::testing::cli::content;
 using csgsim::testing::cli::Folder;
-using csgsim::testing::faults::Ended;
+using csgsim::testing::faults::ChildResult;
 using csgsim::testing::faults::run_csgsim;
-using csgsim::testing::faults::run_failing;
+using csgsim::testing::faults::run_with_faults;
 
 std::vector<std::string> design(const std::string& out, const std::string& size) {
   return {"rtl", "pixel-planes-4", csgsim::testing::cli::model("thesis_fig_2_3"), "--size", size, "-o", out, "--quiet"};
@@ -37,7 +37,7 @@ TEST_CASE("a failing call leaves the old or the new design and nothing else") {
   fs::create_directory(folder / "place");
   const std::string out = folder / "place/d";
   fs::copy(folder / "4x4", out, fs::copy_options::recursive);
-  REQUIRE(run_failing(design(out, "8x4"), "", report).code == 0);
+  REQUIRE(run_with_faults(design(out, "8x4"), "", report).code == 0);
   std::map<std::string, std::size_t> counts = csgsim::testing::faults::calls(report);
   REQUIRE(counts["rename"] > old.size());
   for (const std::string trial :
@@ -51,14 +51,14 @@ TEST_CASE("a failing call leaves the old or the new design and nothing else") {
       fs::remove_all(out);
       fs::remove(report);
       fs::copy(folder / "4x4", out, fs::copy_options::recursive);
-      const Ended ended = run_failing(design(out, "8x4"), fault, report);
+      const ChildResult ended = run_with_faults(design(out, "8x4"), fault, report);
       CAPTURE(ended.err);
       CHECK(ended.signal == 0);
       const auto found = files_in(out);
       CHECK((found == old || found == wanted));
       if (ended.code != 0) {
         CHECK(ended.code == 1);
-        CHECK(csgsim::testing::cli::one_line(ended.err));
+        CHECK(csgsim::testing::cli::is_one_line(ended.err));
       } else {
         CHECK(found == wanted);
       }

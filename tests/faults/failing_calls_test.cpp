@@ -55,8 +55,8 @@ using Counts = std::map<std::string, std::size_t>;
 /// Number of calls of each kind that the command makes.
 Counts count_calls(const Bench& bench) {
   bench.reset();
-  const Ended ended = bench.run(with_fault(bench, ""));
-  REQUIRE(bench.wrong_in_success(ended) == "");
+  const ChildResult ended = bench.run(with_fault(bench, ""));
+  REQUIRE(bench.success_mismatch(ended) == "");
   Counts counts;
   std::ifstream report(bench.report());
   std::string word;
@@ -79,11 +79,11 @@ std::vector<std::size_t> some_of(std::size_t count, std::size_t most) {
   return chosen;
 }
 
-std::string wrong_in(const Bench& bench, const Ended& ended, Ends ends) {
+std::string wrong_in(const Bench& bench, const ChildResult& ended, Ends ends) {
   switch (ends) {
-    case Ends::in_failure: return bench.wrong_in_failure(ended);
-    case Ends::in_failure_but_table: return bench.wrong_in_failure_but_table(ended);
-    case Ends::in_success: return bench.wrong_in_success(ended);
+    case Ends::in_failure: return bench.failure_mismatch(ended);
+    case Ends::in_failure_but_table: return bench.failure_mismatch_except_table(ended);
+    case Ends::in_success: return bench.success_mismatch(ended);
   }
   return "no end";
 }
@@ -113,13 +113,13 @@ std::string wrong_in_order(const Bench& bench) {
 /// Describes the fault after a failing run; a study must also continue from the remains to its normal result.
 std::string wrong_after(const Bench& bench, const std::string& fault, Ends ends, bool goes_on) {
   bench.reset();
-  const Ended ended = bench.run(with_fault(bench, fault));
+  const ChildResult ended = bench.run(with_fault(bench, fault));
   std::string wrong = wrong_in(bench, ended, ends);
   if (wrong.empty() && ends != Ends::in_success) wrong = wrong_in_order(bench);
   if (wrong.empty() && !csgsim::testing::cli::content(bench.report()).starts_with("failed "))
     wrong = "the report has no failed call";
   if (!wrong.empty() || !goes_on) return wrong;
-  const std::string wrong_then = bench.wrong_in_success(bench.run());
+  const std::string wrong_then = bench.success_mismatch(bench.run());
   return wrong_then.empty() ? "" : "when it goes on: " + wrong_then;
 }
 

@@ -26,12 +26,12 @@ void try_limits(const std::string& name) {
     bench.reset();
     Conditions conditions;
     conditions.longest_file = limit;
-    CHECK(bench.wrong_in_failure(bench.run(conditions)) == "");
+    CHECK(bench.failure_mismatch(bench.run(conditions)) == "");
   }
   bench.reset();
   Conditions ample;
   ample.longest_file = 2 * std::ranges::max(sizes) + 100000;
-  CHECK(bench.wrong_in_success(bench.run(ample)) == "");
+  CHECK(bench.success_mismatch(bench.run(ample)) == "");
 }
 
 }  // namespace
@@ -62,6 +62,6 @@ TEST_CASE("the file size signal ends csgsim but leaves old files and nothing els
     conditions.longest_file = 100;
     conditions.is_signalled = true;
     CHECK(bench.run(conditions).signal == SIGXFSZ);
-    CHECK(bench.wrong_in_files() == "");
+    CHECK(bench.files_mismatch() == "");
   }
 }

@@ -61,7 +61,7 @@ void write_picture(const std::string& path) {
 /// work that may start threads: a forked process would not have those threads.
 bool is_written(const std::string& ending) {
   const Folder folder;
-  return run_apart([&] { write_picture(folder / ("p." + ending)); }, {}).code == 0;
+  return run_in_child([&] { write_picture(folder / ("p." + ending)); }, {}).code == 0;
 }
 
 /// File name endings such as "png", for each format that csgsim writes.
@@ -89,17 +89,17 @@ std::set<std::uint64_t> limits_below(std::uint64_t size, std::uint64_t between) 
 std::uint64_t size_of(const std::string& ending) {
   const Folder folder;
   const std::string path = folder / ("p." + ending);
-  const Ended ended = run_apart([&] { write_picture(path); }, {});
+  const ChildResult ended = run_in_child([&] { write_picture(path); }, {});
   CAPTURE(ended.err);
   REQUIRE(ended.code == 0);
   return fs::file_size(path);
 }
 
 /// Describes what is wrong after a failure; empty if nothing is.
-std::string wrong_in(const Folder& folder, const std::string& path, const Ended& ended) {
+std::string wrong_in(const Folder& folder, const std::string& path, const ChildResult& ended) {
   if (ended.signal != 0) return "ended by signal " + std::to_string(ended.signal);
   if (ended.code != 1) return "exit code " + std::to_string(ended.code);
-  if (!csgsim::testing::cli::one_line(ended.err)) return "the error is not one line: " + ended.err;
+  if (!csgsim::testing::cli::is_one_line(ended.err)) return "the error is not one line: " + ended.err;
   if (!ended.err.starts_with(path + ": ")) return "the error does not begin with the file: " + ended.err;
   if (content(path) != old_content) return "the old file has changed";
   return folder.files() == 1 ? "" : "there are files other than the picture";
@@ -129,7 +129,7 @@ TEST_CASE("reports a picture too large for its file in any format and keeps the 
         csgsim::testing::cli::write(path, old_content);
         Conditions conditions;
         conditions.longest_file = limit;
-        CHECK(wrong_in(folder, path, run_apart([&] { write_picture(path); }, conditions)) == "");
+        CHECK(wrong_in(folder, path, run_in_child([&] { write_picture(path); }, conditions)) == "");
       }
     }
   }
@@ -144,7 +144,7 @@ TEST_CASE("csgsim reports a picture too large for its file in any format") {
     csgsim::testing::cli::write(path, old_content);
     Conditions conditions;
     conditions.longest_file = 60;
-    const Ended ended = run_csgsim({"render", model, "--size", "8x8", "-o", path}, conditions);
+    const ChildResult ended = run_csgsim({"render", model, "--size", "8x8", "-o", path}, conditions);
     CHECK(wrong_in(folder, path, ended) == "");
   }
 }

@@ -8,9 +8,9 @@ namespace {
 using csgsim::testing::cli::content;
 using csgsim::testing::cli::Folder;
 using csgsim::testing::faults::calls;
-using csgsim::testing::faults::Ended;
+using csgsim::testing::faults::ChildResult;
 using csgsim::testing::faults::run_csgsim;
-using csgsim::testing::faults::run_failing;
+using csgsim::testing::faults::run_with_faults;
 
 std::vector<std::string> sweep(const std::string& out, const std::vector<std::string>& more) {
   std::vector<std::string> words{
@@ -37,7 +37,7 @@ TEST_CASE("a shard leaves complete rows after any failing call and resumes from 
   const std::string out = folder / "out";
   REQUIRE(run_csgsim(sweep(folder / "one", {}), {}).code == 0);
   const std::string wanted = content(folder / "one/sweep.csv");
-  REQUIRE(run_failing(sweep(folder / "counted", {"--shard", "1/1"}), "", report).code == 0);
+  REQUIRE(run_with_faults(sweep(folder / "counted", {"--shard", "1/1"}), "", report).code == 0);
   std::map<std::string, std::size_t> counts = calls(report);
   REQUIRE(counts["write"] >= 3);
   REQUIRE(counts["fsync"] >= 3);
@@ -50,11 +50,11 @@ TEST_CASE("a shard leaves complete rows after any failing call and resumes from 
       CAPTURE(fault);
       fs::remove_all(out);
       fs::remove(report);
-      const Ended ended = run_failing(sweep(out, {"--shard", "1/1"}), fault, report);
+      const ChildResult ended = run_with_faults(sweep(out, {"--shard", "1/1"}), fault, report);
       CAPTURE(ended.err);
       CHECK(content(report).starts_with("failed "));
       CHECK(ended.code == 1);
-      CHECK(csgsim::testing::cli::one_line(ended.err));
+      CHECK(csgsim::testing::cli::is_one_line(ended.err));
       CHECK(partial_files(out) == 0);
       REQUIRE(run_csgsim(sweep(out, {"--shard", "1/1"}), {}).code == 0);
       REQUIRE(run_csgsim({"gather", out, "--no-plots"}, {}).code == 0);

@@ -28,7 +28,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::check_message(error, "fuzz.jan");
   }
   try {
-    for (const csgsim::commands::NamedSurface& surface : csgsim::commands::surfaces_in(text, "fuzz.jan")) {
+    for (const csgsim::commands::NamedSurface& surface : csgsim::commands::read_surfaces(text, "fuzz.jan")) {
       fuzz::require(surface.tolerance > 0, "a tolerance is positive");
       fuzz::require(surface.location.line > 0, "a surface has a position");
     }

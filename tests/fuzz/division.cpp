@@ -32,7 +32,7 @@ void check_divided(const division::DisplayModel& model) {
   division::PlainDatapath path(model);
   const isa::Region square{0, 0, std::min(model.width, 8U), std::min(model.height, 8U)};
   const isa::Region group{0, 0, std::min(model.width, 32U), std::min(model.height, 32U)};
-  const division::Divided one = divider.divide(square, path);
+  const division::SquareDivision one = divider.divide(square, path);
   for (const isa::Instruction& instruction : one.instructions) isa::validate(instruction, isa::max_memory_bits);
   const division::DividedGroup two = division::divide_group(divider, group, {square}, 1'000'000, path);
   fuzz::require(two.squares[0].instructions == one.instructions, "two levels emit the instructions of one level");

@@ -52,7 +52,7 @@ bool same_machine(const machines::Machine& one, const machines::Machine& other) 
   return one.name == other.name && one.description == other.description && one.kind == other.kind &&
          one.array == other.array && one.picture == other.picture && one.clock_hz == other.clock_hz &&
          one.memory_reads == other.memory_reads && one.alu_bits == other.alu_bits &&
-         machines::same_hardware(one, other) && fuzz::same_figures(one.figures, other.figures);
+         machines::is_same_hardware(one, other) && fuzz::same_figures(one.figures, other.figures);
 }
 
 void check(const machines::Machine& machine) {

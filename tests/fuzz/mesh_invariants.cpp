@@ -116,7 +116,8 @@ void check_enclosed(const solids::Mesh& mesh, const solids::Limits& limits, doub
 }
 
 /// The convex pieces; empty if the mesh intersects itself.
-std::optional<std::vector<model::Polyhedron>> divided(const solids::Checked& checked, const solids::Limits& limits) {
+std::optional<std::vector<model::Polyhedron>> divided(const solids::CheckedMesh& checked,
+                                                      const solids::Limits& limits) {
   if (checked.crossing) return std::nullopt;
   try {
     return solids::convex_pieces(checked.mesh, limits);
@@ -128,7 +129,7 @@ std::optional<std::vector<model::Polyhedron>> divided(const solids::Checked& che
 }  // namespace
 
 void check_mesh(const solids::Mesh& mesh, double tolerance) {
-  const solids::Checked checked = solids::check(mesh, tolerance);
+  const solids::CheckedMesh checked = solids::check(mesh, tolerance);
   if (checked.defect) {
     require(checked.defect->face < mesh.faces.size(), "a defect is at a face of the mesh");
     require(printable(checked.defect->what) == checked.defect->what,

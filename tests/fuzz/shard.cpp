@@ -72,7 +72,7 @@ void show(const std::vector<studies::Measurement>& rows) {
 
 /// Processes the rows like gather.
 template <class Row>
-void put(const studies::Gathered& gathered, const fs::path& folder) {
+void put(const studies::MergedShards& gathered, const fs::path& folder) {
   const studies::RowFormat format = studies::row_format<Row>();
   if (gathered.columns != format.columns) return;
   const fs::path path = folder / "table.csv";
@@ -94,7 +94,7 @@ void check_writing(const studies::ShardFile& file, const fs::path& folder) {
   fs::remove_all(folder);
   studies::ShardWriter writer(folder, file.header, file.command, file.columns);
   for (const studies::ShardLine& line : file.lines) writer.add(line);
-  const std::vector<fs::path> files = studies::shard_files(folder, file.header);
+  const std::vector<fs::path> files = studies::list_shard_files(folder, file.header);
   if (file.lines.empty()) return;
   fuzz::require(files.size() == 1, "a shard's file is found by its header");
   const studies::ShardFile again = studies::read_shard_file(files.front());
@@ -121,7 +121,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const studies::ShardFile shard = studies::read_shard_file(file);
     if (has_known_name(shard)) check_writing(shard, folder.path() / "again");
-    const studies::Gathered gathered = studies::gather(std::span(&out, 1));
+    const studies::MergedShards gathered = studies::merge_shards(std::span(&out, 1));
     if (gathered.missing > 0) return 0;
     put<studies::SweepRow>(gathered, folder.path());
     put<studies::ComparisonRow>(gathered, folder.path());

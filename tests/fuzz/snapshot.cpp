@@ -54,7 +54,7 @@ const isa::Program& program() {
 }
 
 csgsim::machines::Machine planes() {
-  csgsim::machines::Machine machine = csgsim::machines::blank(csgsim::pixel_planes::kind);
+  csgsim::machines::Machine machine = csgsim::machines::blank_machine(csgsim::pixel_planes::kind);
   machine.array = program().shape;
   machine.picture = {program().shape.width, program().shape.height};
   machine.clock_hz = 10'000'000;

@@ -63,9 +63,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       const std::vector<shell::Setting> settings = shell::recorded_settings(run, options);
       for (const shell::Setting& setting : settings) check(setting);
     });
-    look([&] { static_cast<void>(shell::changes_between(run, other.configuration)); });
-    fuzz::require(shell::differences(run, run.stats).empty(), "a run equals itself");
-    fuzz::require(shell::differences(run, other.stats).empty() == shell::differences(other, run.stats).empty(),
+    look([&] { static_cast<void>(shell::describe_configuration_changes(run, other.configuration)); });
+    fuzz::require(shell::describe_count_differences(run, run.stats).empty(), "a run equals itself");
+    fuzz::require(shell::describe_count_differences(run, other.stats).empty() ==
+                      shell::describe_count_differences(other, run.stats).empty(),
                   "differences between two runs are symmetric");
   });
   return 0;

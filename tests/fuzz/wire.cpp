@@ -48,9 +48,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       if (const std::optional<isa::Command> command = decoder.take(word)) check_command(*command, link_width, words);
     } catch (const csgsim::InputError& error) {
       fuzz::check_message(error);
-      fuzz::require(decoder.between_commands(), "a new command begins after an error");
+      fuzz::require(decoder.is_between_commands(), "a new command begins after an error");
     }
-    if (decoder.between_commands()) words.clear();
+    if (decoder.is_between_commands()) words.clear();
   }
   return 0;
 }

@@ -101,9 +101,9 @@ TEST_CASE("a parameter may be ideal only if its kind's schema allows it") {
   std::string text = description;
   text.replace(text.find("value = 2\n"), 9, "value = \"ideal\"");
   const machines::Machine machine = described(text);
-  CHECK(machines::idealisations(machine) == std::vector<std::string>{"processor.pixel_clocks"});
+  CHECK(machines::ideal_parameters(machine) == std::vector<std::string>{"processor.pixel_clocks"});
   CHECK(engine::make_functional_engine(machine)->run(program_for(machine), {}).clocks == 0);
-  CHECK(machines::idealisations(described(description)).empty());
+  CHECK(machines::ideal_parameters(described(description)).empty());
   text = description;
   text.replace(text.find("value = 24"), 10, "value = \"ideal\"");
   CHECK_THROWS_WITH_AS(described(text), "one.toml:6:9: array.width is 'ideal'; write a whole number of pixels",

@@ -48,7 +48,7 @@ class Processor final : public sc_core::sc_module, public systemc::ClockedMachin
  public:
   Processor(sc_core::sc_module_name name, const machines::Machine& machine)
       : sc_core::sc_module(name),
-        pixel_clocks_(machines::own<Figures>(machine).pixel_clocks),
+        pixel_clocks_(machines::kind_figures<Figures>(machine).pixel_clocks),
         clock_("clock", systemc::period_of(machine), 0.5, systemc::period_of(machine)),
         meaning_(machine.array) {
     SC_HAS_PROCESS(Processor);

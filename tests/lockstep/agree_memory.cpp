@@ -32,7 +32,7 @@ void check_picture(engine::Engine& judge, engine::Engine& engine, const isa::Pro
 
 }  // namespace
 
-bool agree_memory(const machines::Machine& machine, unsigned max_instructions, const Allowed& is_allowed) {
+bool memory_agrees(const machines::Machine& machine, unsigned max_instructions, const Allowed& is_allowed) {
   const auto judge = engine::make_reference_engine(machine);
   const auto drawing = engine::make_functional_engine(machine);
   TimedMachine hardware(machine);

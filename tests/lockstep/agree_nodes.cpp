@@ -24,7 +24,7 @@ void check_subsegments(const isa::Program& program, const machines::Machine& mac
   std::map<std::uint32_t, std::uint64_t> ends;
   for (const TimedMachine::Retirement& one : hardware.retired()) {
     if (!ends.contains(one.segment))
-      ends[one.segment] = multi_processor::started_parts(program, machine, one.segment, run.met).back().end;
+      ends[one.segment] = multi_processor::started_parts(program, machine, one.segment, run.pixel_activity).back().end;
     const machines::ClockSpan& all = timeline.issued[one.segment][one.index];
     const std::uint64_t begun = timeline.cleared[one.segment].begin;
     const std::uint64_t clock = one.edge - 1;
@@ -38,8 +38,8 @@ void check_subsegments(const isa::Program& program, const machines::Machine& mac
 
 }  // namespace
 
-bool agree_nodes(const machines::Machine& machine, const Allowed& is_allowed) {
-  return agree_in_parts(
+bool nodes_agree(const machines::Machine& machine, const Allowed& is_allowed) {
+  return parts_agree(
       "the clocked multi-processor has the predicted bits, picture, clocks, account and timeline", machine,
       [&] { return first_allowed([&] { return any_divided_program(machine); }, is_allowed); },
       [&](const isa::Program& program, const TimedMachine& hardware) {

@@ -68,7 +68,7 @@ std::vector<isa::Program> arbitrary_frames(const machines::Machine& machine, uns
 
 }  // namespace
 
-bool agree_planes_in_sequences(const machines::Machine& machine, unsigned max_instructions,
+bool planes_agree_in_sequences(const machines::Machine& machine, unsigned max_instructions,
                                systemc::EvaluatorForm evaluator, const Allowed& is_allowed) {
   const auto reference = engine::make_reference_engine(machine);
   return rc::check("consecutive frames are drawn and shown at the predicted clocks", [&] {
@@ -89,7 +89,7 @@ bool agree_planes_in_sequences(const machines::Machine& machine, unsigned max_in
     for (std::size_t i = 0; i < programs.size(); ++i) {
       if (counted[i].clocks != expected[i].clocks || counted[i].account != expected[i].account)
         RC_FAIL(fmt::format("frame {}: predicted {} clocks, counted ", i, expected[i].clocks) + show(counted[i]));
-      RC_ASSERT(adds_up(counted[i]));
+      RC_ASSERT(is_account_complete(counted[i]));
       RC_ASSERT(counted[i].shown_clocks == std::max(expected[i].shown_clocks, expected[i].clocks));
       if (i + 1 < programs.size()) RC_ASSERT(counted[i].interval_clocks == expected[i].interval_clocks);
       if (!counted[i].scanned_out.empty()) RC_ASSERT(counted[i].scanned_out == drawings[i].picture);
@@ -97,7 +97,7 @@ bool agree_planes_in_sequences(const machines::Machine& machine, unsigned max_in
   });
 }
 
-bool agree_planes(const machines::Machine& machine, unsigned max_instructions, systemc::EvaluatorForm evaluator,
+bool planes_agree(const machines::Machine& machine, unsigned max_instructions, systemc::EvaluatorForm evaluator,
                   const Allowed& is_allowed) {
   const auto reference = engine::make_reference_engine(machine);
   TimedMachine hardware(machine, evaluator);
@@ -111,7 +111,7 @@ bool agree_planes(const machines::Machine& machine, unsigned max_instructions, s
     if (counted.clocks != expected.clocks || counted.account != expected.account) {
       RC_FAIL("counted " + show(counted) + "\npredicted " + show(expected));
     }
-    RC_ASSERT(adds_up(counted));
+    RC_ASSERT(is_account_complete(counted));
     check_lockstep(*reference, *cycle, program, machine);
     hardware.check_timeline(program);
   });

@@ -61,8 +61,8 @@ void add_random_frames(Sequence& sequence, const machines::Machine& machine, uns
 
 }  // namespace
 
-bool agree_scan_line_in_sequences(const machines::Machine& machine, unsigned max_instructions,
-                                  const Allowed& is_allowed) {
+bool scan_line_agrees_in_sequences(const machines::Machine& machine, unsigned max_instructions,
+                                   const Allowed& is_allowed) {
   const auto judge = engine::make_functional_engine(machine);
   return rc::check("consecutive frames overlap in a scan-line array at the predicted clocks", [&] {
     Sequence sequence;
@@ -73,7 +73,7 @@ bool agree_scan_line_in_sequences(const machines::Machine& machine, unsigned max
       const machines::Account account = scan_line::account(expected[i].account, machine, expected[i].clocks);
       if (counted[i].clocks != expected[i].clocks || counted[i].account != account)
         RC_FAIL(fmt::format("frame {}: predicted {} clocks, counted {}", i, expected[i].clocks, show(counted[i])));
-      RC_ASSERT(adds_up(counted[i]));
+      RC_ASSERT(is_account_complete(counted[i]));
       RC_ASSERT(counted[i].interval_clocks == expected[i].interval_clocks);
       const Pictures alone = draw(*judge, sequence.programs[i]);
       const observe::Frame seen = sequence.frames[i].frame();
@@ -84,7 +84,7 @@ bool agree_scan_line_in_sequences(const machines::Machine& machine, unsigned max
   });
 }
 
-bool agree_scan_line(const machines::Machine& machine, unsigned max_instructions, const Allowed& is_allowed) {
+bool scan_line_agrees(const machines::Machine& machine, unsigned max_instructions, const Allowed& is_allowed) {
   const auto judge = engine::make_reference_engine(machine);
   const auto drawing = engine::make_functional_engine(machine);
   TimedMachine hardware(machine);

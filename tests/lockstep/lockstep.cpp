@@ -86,9 +86,9 @@ std::vector<machines::Skip> skips_of(const Recorder& run, const isa::Program& pr
   return skips;
 }
 
-/// Checks the clocks against the prediction; `met` is taken from the judge's run.
+/// Checks the clocks against the prediction; `pixel_activity` is taken from the judge's run.
 void check_clocks(const engine::RunResult& result, const Recorder& run, const isa::Program& program,
-                  const machines::Machine& machine, std::span<const machines::PixelActivity> met,
+                  const machines::Machine& machine, std::span<const machines::PixelActivity> pixel_activity,
                   std::string_view level) {
   for (const Boundary& boundary : run.boundaries) {
     const isa::Instruction& instruction = program.segments[boundary.segment].instructions[boundary.index];
@@ -96,7 +96,7 @@ void check_clocks(const engine::RunResult& result, const Recorder& run, const is
             fmt::format("{} engine: {} clocks for {}", level, boundary.clocks, isa::name_of(instruction.opcode)));
   }
   const std::vector<machines::Skip> skips = skips_of(run, program);
-  const machines::FrameTiming expected = machines::time_frame(program, machine, {skips, met});
+  const machines::FrameTiming expected = machines::time_frame(program, machine, {skips, pixel_activity});
   require(result.clocks == expected.clocks,
           fmt::format("{} engine: {} clocks in total, not {}", level, result.clocks, expected.clocks));
   require(result.latency_clocks == expected.latency_clocks,
@@ -134,13 +134,13 @@ Results check_lockstep(engine::Engine& judge, engine::Engine& engine, const isa:
   require(expected_result.answers == actual_result.answers, "the answers differ");
   for (std::size_t i = 0; i < actual.boundaries.size(); ++i)
     require(expected.boundaries[i].at_pixels == actual.boundaries[i].at_pixels, "the clocks at pixels differ");
-  check_clocks(expected_result, expected, program, machine, expected_result.met, judge.level());
-  check_clocks(actual_result, actual, program, machine, expected_result.met, engine.level());
+  check_clocks(expected_result, expected, program, machine, expected_result.pixel_activity, judge.level());
+  check_clocks(actual_result, actual, program, machine, expected_result.pixel_activity, engine.level());
   return {std::move(expected_result), std::move(actual_result)};
 }
 
 /// Whether every unit accounts for every clock of the frame.
-bool adds_up(const engine::RunResult& result) {
+bool is_account_complete(const engine::RunResult& result) {
   return std::all_of(result.account.parts.begin(), result.account.parts.end(), [&](const machines::PartAccount& part) {
     std::uint64_t sum = 0;
     for (const machines::ActivityClocks& one : part.clocks) sum += one.clocks;
@@ -159,7 +159,7 @@ std::string show(const engine::RunResult& result) {
 }
 
 machines::Machine machine_of(isa::ArrayShape shape, std::uint32_t memory_reads, std::uint32_t alu_bits) {
-  machines::Machine machine = machines::blank(pixel_planes::kind);
+  machines::Machine machine = machines::blank_machine(pixel_planes::kind);
   machine.name =
       fmt::format("test-{}x{}x{}-{}-{}", shape.width, shape.height, shape.memory_bits, memory_reads, alu_bits);
   machine.array = shape;

@@ -28,7 +28,7 @@ Results check_lockstep(engine::Engine& judge, engine::Engine& engine, const isa:
                        const machines::Machine& machine);
 
 /// Whether every unit accounts for every clock of the frame.
-bool adds_up(const engine::RunResult& result);
+bool is_account_complete(const engine::RunResult& result);
 
 /// The clocks, and how each unit spent them.
 std::string show(const engine::RunResult& result);

@@ -37,7 +37,7 @@ class Choice {
 
 machines::Machine random_machine(std::uint32_t seed) {
   Choice choice(seed);
-  machines::Machine machine = machines::blank(multi_processor::kind);
+  machines::Machine machine = machines::blank_machine(multi_processor::kind);
   machine.name = "random";
   machine.array = {choice.between(1, 4), choice.between(1, 4), 200};
   machine.picture = {choice.between(1, 40), choice.between(1, 40)};
@@ -46,7 +46,7 @@ machines::Machine random_machine(std::uint32_t seed) {
                   .word_clocks = choice.between(1, 30),
                   .fifo_depth = 1,
                   .latency = choice.between(0, 3) * 11};
-  auto& figures = machines::own<multi_processor::Figures>(machine);
+  auto& figures = machines::kind_figures<multi_processor::Figures>(machine);
   figures.levels = choice.between(0, 5);
   figures.order = static_cast<multi_processor::RenderingOrder>(seed % 3);
   figures.word_bits = choice.between(1, 64);
@@ -98,7 +98,7 @@ int main(int argc, char** argv) {
         csgsim::test::random_machine(static_cast<std::uint32_t>(std::stoul(argv[1])));
     const auto programs = static_cast<unsigned>(std::stoul(argv[2]));
     const auto allowed = [&](const csgsim::isa::Program& program) { return csgsim::test::runs_on(program, machine); };
-    return csgsim::test::exit_code_of(programs, [&] { return csgsim::test::agree_nodes(machine, allowed); });
+    return csgsim::test::property_exit_code(programs, [&] { return csgsim::test::nodes_agree(machine, allowed); });
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
   }

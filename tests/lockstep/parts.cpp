@@ -39,10 +39,10 @@ class Picture final : public engine::Observer {
 
 }  // namespace
 
-bool agree_in_parts(const std::string& what, const machines::Machine& machine,
-                    const std::function<isa::Program()>& any_program,
-                    const std::function<void(const isa::Program&, const TimedMachine&)>& check,
-                    systemc::EvaluatorForm evaluator) {
+bool parts_agree(const std::string& what, const machines::Machine& machine,
+                 const std::function<isa::Program()>& any_program,
+                 const std::function<void(const isa::Program&, const TimedMachine&)>& check,
+                 systemc::EvaluatorForm evaluator) {
   const auto reference = engine::make_reference_engine(machine);
   const auto functional = engine::make_functional_engine(machine);
   TimedMachine hardware(machine, evaluator);
@@ -59,7 +59,7 @@ bool agree_in_parts(const std::string& what, const machines::Machine& machine,
     if (counted.clocks != expected.clocks || counted.account != expected.account) {
       RC_FAIL("counted " + show(counted) + "\npredicted " + show(expected));
     }
-    RC_ASSERT(adds_up(counted));
+    RC_ASSERT(is_account_complete(counted));
     RC_ASSERT(counted.overflows == expected.overflows);
     if (program.colour.width == 0) {
       RC_ASSERT(counted.scanned_out.empty());

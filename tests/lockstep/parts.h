@@ -11,9 +11,9 @@ namespace csgsim::test {
 
 /// Draws Programs on a clocked machine that works on parts of the picture, and compares them with the reference's bits,
 /// the functional engine's picture, clocks and account. `check` runs after each Program, with the recorded edges.
-bool agree_in_parts(const std::string& what, const machines::Machine& machine,
-                    const std::function<isa::Program()>& any_program,
-                    const std::function<void(const isa::Program&, const TimedMachine&)>& check,
-                    systemc::EvaluatorForm evaluator = systemc::EvaluatorForm::computed);
+bool parts_agree(const std::string& what, const machines::Machine& machine,
+                 const std::function<isa::Program()>& any_program,
+                 const std::function<void(const isa::Program&, const TimedMachine&)>& check,
+                 systemc::EvaluatorForm evaluator = systemc::EvaluatorForm::computed);
 
 }  // namespace csgsim::test

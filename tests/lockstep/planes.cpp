@@ -29,7 +29,7 @@ struct Settings {
 Settings read_settings(int count, char** arguments) {
   Settings settings;
   machines::Machine& machine = settings.machine;
-  auto& figures = machines::own<pixel_planes::Figures>(machine);
+  auto& figures = machines::kind_figures<pixel_planes::Figures>(machine);
   std::uint32_t shared_port = 0;
   std::uint32_t stepped = 0;
   const std::map<std::string, std::uint32_t*> known{{"width", &machine.array.width},
@@ -65,9 +65,9 @@ Settings read_settings(int count, char** arguments) {
 int main(int argc, char** argv) {
   try {
     const csgsim::test::Settings settings = csgsim::test::read_settings(argc, argv);
-    return csgsim::test::exit_code_of(settings.programs, [&] {
-      return csgsim::test::agree_planes(settings.machine, settings.instructions, settings.evaluator) &&
-             csgsim::test::agree_planes_in_sequences(settings.machine, settings.instructions, settings.evaluator);
+    return csgsim::test::property_exit_code(settings.programs, [&] {
+      return csgsim::test::planes_agree(settings.machine, settings.instructions, settings.evaluator) &&
+             csgsim::test::planes_agree_in_sequences(settings.machine, settings.instructions, settings.evaluator);
     });
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());

@@ -90,7 +90,7 @@ class Draw {
 
 std::optional<machines::Machine> random_machine(const machines::Kind& kind, std::uint64_t seed) {
   Draw draw(seed);
-  machines::Machine machine = machines::blank(kind);
+  machines::Machine machine = machines::blank_machine(kind);
   machine.name = "random";
   for (const machines::FigureSchema& figure : kind.schema) figure.store(machine, draw.value_of(figure));
   // A machine that divides models is tested with models, which need some memory per pixel.

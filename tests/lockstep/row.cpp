@@ -21,7 +21,7 @@ void read_row(int count, char** words, const std::map<std::string, std::uint32_t
   }
 }
 
-int exit_code_of(unsigned program_count, const std::function<bool()>& programs_agree) {
+int property_exit_code(unsigned program_count, const std::function<bool()>& programs_agree) {
   testing::add_parameters(fmt::format("max_success={}", program_count));
   return programs_agree() ? 0 : 1;
 }

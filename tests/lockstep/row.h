@@ -13,6 +13,6 @@ void read_row(int count, char** words, const std::map<std::string, std::uint32_t
 
 /// Exit code for main of a test that draws at most `programs` Programs: 0 if they agree, 2 if an exception is reported.
 /// RC_PARAMS overrides the seed and the number of Programs.
-int exit_code_of(unsigned program_count, const std::function<bool()>& programs_agree);
+int property_exit_code(unsigned program_count, const std::function<bool()>& programs_agree);
 
 }  // namespace csgsim::test

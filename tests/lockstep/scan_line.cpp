@@ -23,7 +23,7 @@ namespace csgsim::test {
 namespace {
 
 machines::Machine scan_line_machine(std::span<const std::uint32_t> figures) {
-  machines::Machine machine = machines::blank(scan_line::kind);
+  machines::Machine machine = machines::blank_machine(scan_line::kind);
   machine.name = "test";
   machine.array = {figures[0], 1, figures[3] * figures[4]};
   machine.picture = {figures[1], figures[2]};
@@ -50,8 +50,8 @@ machines::Machine scan_line_machine(std::span<const std::uint32_t> figures) {
 int run(std::span<const std::uint32_t> figures) {
   const machines::Machine machine = scan_line_machine(figures);
   testing::add_parameters(fmt::format("max_success={}", figures[19]));
-  const bool agree = agree_scan_line(machine, figures[20]);
-  return agree && agree_scan_line_in_sequences(machine, figures[20]) ? 0 : 1;
+  const bool agree = scan_line_agrees(machine, figures[20]);
+  return agree && scan_line_agrees_in_sequences(machine, figures[20]) ? 0 : 1;
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ namespace csgsim::test {
 namespace {
 
 struct Settings {
-  machines::Machine machine = machines::blank(pixel_square::kind);
+  machines::Machine machine = machines::blank_machine(pixel_square::kind);
   unsigned programs = 40;
   unsigned instructions = 12;  ///< maximum per square
   systemc::EvaluatorForm evaluator = systemc::EvaluatorForm::computed;
@@ -34,7 +34,7 @@ Settings read_settings(int count, char** arguments) {
   machine.picture = {20, 20};
   machine.evaluator_degree = 2;
   machine.link = {.width = 32, .word_clocks = 1, .fifo_depth = 64, .latency = 0};
-  auto& figures = machines::own<pixel_square::Figures>(machine);
+  auto& figures = machines::kind_figures<pixel_square::Figures>(machine);
   figures.model_bits = 10'000'000;
   figures.record_bits = 32;
   figures.halfspaces = 1'000'000;
@@ -115,8 +115,8 @@ Settings read_settings(int count, char** arguments) {
 int main(int argc, char** argv) {
   try {
     const csgsim::test::Settings settings = csgsim::test::read_settings(argc, argv);
-    return csgsim::test::exit_code_of(settings.programs, [&] {
-      return csgsim::test::agree_squares(settings.machine, settings.instructions, settings.evaluator);
+    return csgsim::test::property_exit_code(settings.programs, [&] {
+      return csgsim::test::squares_agree(settings.machine, settings.instructions, settings.evaluator);
     });
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());

@@ -47,27 +47,27 @@ systemc::EvaluatorForm form_for(const machines::Machine& machine) {
 
 bool whole_pictures(const machines::Machine& machine, const Allowed& allowed) {
   const systemc::EvaluatorForm form = form_for(machine);
-  return agree_planes(machine, instructions, form, allowed) &&
-         agree_planes_in_sequences(machine, instructions, form, allowed);
+  return planes_agree(machine, instructions, form, allowed) &&
+         planes_agree_in_sequences(machine, instructions, form, allowed);
 }
 
 bool lines(const machines::Machine& machine, const Allowed& allowed) {
-  return agree_scan_line(machine, instructions, allowed) &&
-         agree_scan_line_in_sequences(machine, instructions, allowed);
+  return scan_line_agrees(machine, instructions, allowed) &&
+         scan_line_agrees_in_sequences(machine, instructions, allowed);
 }
 
 bool squares(const machines::Machine& machine, const Allowed& allowed) {
-  return agree_squares(machine, instructions, form_for(machine), allowed);
+  return squares_agree(machine, instructions, form_for(machine), allowed);
 }
 
 bool memory(const machines::Machine& machine, const Allowed& allowed) {
-  return agree_memory(machine, instructions, allowed);
+  return memory_agrees(machine, instructions, allowed);
 }
 
 const std::map<std::string, Property> properties{{"frame-buffer", whole_pictures},
                                                  {"scan-line", lines},
                                                  {"pixel-square", squares},
-                                                 {"multi-processor", agree_nodes},
+                                                 {"multi-processor", nodes_agree},
                                                  {"bit-serial-memory", memory}};
 
 const machines::Kind& kind_of(const std::string& name) {
@@ -103,7 +103,7 @@ class Affordable {
 int draw(const machines::Machine& machine, const Property& property, unsigned programs) {
   ::alarm(seconds);
   Affordable affordable(machine);
-  const int code = exit_code_of(
+  const int code = property_exit_code(
       programs, [&] { return property(machine, [&](const isa::Program& program) { return affordable(program); }); });
   return code != 0 && !affordable.any() ? refused : code;
 }

@@ -108,7 +108,7 @@ TEST_CASE("a multi-processor's nodes render long lists in the predicted number o
   const isa::Program program = program_for(machine);
   const engine::RunResult whole = engine::make_functional_engine(machine)->run(program, {});
   CHECK(whole.account.count("list_passes") == whole.account.count("active_segments"));
-  machines::own<multi_processor::Figures>(machine).memory_words = 200;
+  machines::kind_figures<multi_processor::Figures>(machine).memory_words = 200;
   const engine::RunResult parts = engine::make_cycle_engine(machine)->run(program, {});
   CHECK(parts.account.count("list_passes") > parts.account.count("active_segments"));
   CHECK(parts.clocks == engine::make_functional_engine(machine)->run(program, {}).clocks);

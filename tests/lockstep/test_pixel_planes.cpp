@@ -95,7 +95,7 @@ csgsim::machines::Machine machine_8x8() { return csgsim::test::machine_of(shape_
 /// intervals between frames with those predicted for an endless sequence of the same frame.
 void check_sequences(csgsim::pixel_planes::ScanOutPort port, std::uint32_t pixels, std::uint32_t buffers) {
   csgsim::machines::Machine figures = csgsim::test::machine_of({16, 4, 32}, 1);
-  auto& own = csgsim::machines::own<csgsim::pixel_planes::Figures>(figures);
+  auto& own = csgsim::machines::kind_figures<csgsim::pixel_planes::Figures>(figures);
   own.scan_out_port = port;
   own.scan_out_pixels = pixels;
   own.scan_out_buffers = buffers;

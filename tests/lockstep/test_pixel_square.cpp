@@ -24,7 +24,7 @@ Instruction constant(std::uint64_t value) {
 
 /// Four squares of 4x4, two renderers.
 machines::Machine machine_8x8() {
-  machines::Machine machine = machines::blank(pixel_square::kind);
+  machines::Machine machine = machines::blank_machine(pixel_square::kind);
   machine.name = "squares";
   machine.array = {4, 4, 16};
   machine.picture = {8, 8};
@@ -173,5 +173,5 @@ TEST_CASE("rejects a second clocked machine of other parameters or kind in one p
   machines::Machine other = machine_8x8();
   other.link.fifo_depth = 5;
   CHECK_THROWS_AS(engine::make_cycle_engine(other), std::logic_error);
-  CHECK_THROWS_AS(engine::make_cycle_engine(machines::blank(pixel_planes::kind)), std::logic_error);
+  CHECK_THROWS_AS(engine::make_cycle_engine(machines::blank_machine(pixel_planes::kind)), std::logic_error);
 }

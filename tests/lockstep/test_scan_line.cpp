@@ -22,7 +22,7 @@ using isa::Opcode;
 constexpr Field colour{0, 8};
 
 machines::Machine machine_of(std::uint32_t cells, machines::Size picture, std::uint32_t chains = 1) {
-  machines::Machine machine = machines::blank(scan_line::kind);
+  machines::Machine machine = machines::blank_machine(scan_line::kind);
   machine.name = "test";
   machine.array = {cells, 1, 64};
   machine.picture = picture;
@@ -88,8 +88,8 @@ TEST_CASE("a frame of one line takes the clocks of link and packet entry and cel
 
 TEST_CASE("all cells below a tree act in one clock that follows entry by the tree's depth") {
   machines::Machine machine = machine_of(6, {4, 2});
-  machines::own<scan_line::Figures>(machine).network = scan_line::Network::trees;
-  machines::own<scan_line::Figures>(machine).tree_bits = 8;
+  machines::kind_figures<scan_line::Figures>(machine).network = scan_line::Network::trees;
+  machines::kind_figures<scan_line::Figures>(machine).tree_bits = 8;
   const engine::RunResult result = engine::make_cycle_engine(machine)->run(program_of(machine, ramp()), {});
   CHECK(result.scanned_out == std::vector<std::uint32_t>{1, 4, 7, 10, 1, 4, 7, 10});
   constexpr std::uint64_t levels = 3;
@@ -192,6 +192,6 @@ TEST_CASE("rejects a second kind of SystemC machine in one process") {
   const auto first = engine::make_cycle_engine(machine_of(4, {4, 2}));
   CHECK_NOTHROW(engine::make_cycle_engine(machine_of(4, {3, 9})));
   CHECK_THROWS_AS(engine::make_cycle_engine(machine_of(4, {4, 2}, 2)), std::logic_error);
-  const machines::Machine other = machines::blank(pixel_planes::kind);
+  const machines::Machine other = machines::blank_machine(pixel_planes::kind);
   CHECK_THROWS_AS(engine::make_cycle_engine(other), std::logic_error);
 }

@@ -86,8 +86,8 @@ void TimedMachine::check_timeline(const isa::Program& program) const {
   std::vector<std::vector<machines::ClockSpan>> at_last_pixel;
   for (std::uint32_t s = 0; s < program.segments.size(); ++s) {
     const isa::Region& region = program.segments[s].region;
-    at_last_pixel.push_back(
-        machines::at_pixel(timeline, program, machine_, s, region.x + region.width - 1, region.y + region.height - 1));
+    at_last_pixel.push_back(machines::spans_at_pixel(timeline, program, machine_, s, region.x + region.width - 1,
+                                                     region.y + region.height - 1));
   }
   for (const Retirement& one : retired_) {
     const isa::Opcode opcode = program.segments[one.segment].instructions[one.index].opcode;

@@ -90,7 +90,7 @@ WaveCheck::WaveCheck(const isa::Program& program, const machines::Machine& machi
   const isa::Region& region = program.segments[segment_].region;
   pixel_ = {region.x + *rc::gen::inRange(0U, std::uint32_t{region.width}),
             region.y + *rc::gen::inRange(0U, std::uint32_t{region.height})};
-  first_ = isa::first_numbers(program)[segment_];
+  first_ = isa::first_instruction_numbers(program)[segment_];
   State zero{{"enable", 0}};
   for (isa::NamedField& named : slices(program.shape.memory_bits)) {
     zero[named.name] = 0;
@@ -100,7 +100,7 @@ WaveCheck::WaveCheck(const isa::Program& program, const machines::Machine& machi
   Watch watch(*this);
   engine::Observer* const observers[] = {&watch};
   const engine::RunResult run = judge.run(program, observers);
-  const std::vector<machines::ClockSpan> spans = machines::at_pixel(
+  const std::vector<machines::ClockSpan> spans = machines::spans_at_pixel(
       machines::timeline(program, machine, engine::run_outcome(run)), program, machine, segment_, pixel_.x, pixel_.y);
   for (const std::uint32_t index : carried_out_) spans_.push_back(spans[index]);
   const std::uint64_t earliest = spans_.front().begin - std::min(spans_.front().begin, before_and_after);
@@ -109,7 +109,7 @@ WaveCheck::WaveCheck(const isa::Program& program, const machines::Machine& machi
 }
 
 void WaveCheck::check(const Vcd& wave, const std::string& top, std::uint64_t period_ps) const {
-  const std::string part = top + "." + wave::part_of(pixel_) + ".";
+  const std::string part = top + "." + wave::pixel_part_name(pixel_) + ".";
   for (std::uint64_t clock = window_.begin; clock < window_.end; ++clock) {
     const std::uint64_t time = (clock + 1) * period_ps;
     if (time >= wave.last_time()) break;  // the frame is over

@@ -42,7 +42,7 @@ software::Tree as_counted(const m68000::RandomTree& random) {
                    static_cast<std::uint32_t>(node.right));
     }
   }
-  return builder.finished(static_cast<std::uint32_t>(random.tree().root));
+  return builder.take_tree(static_cast<std::uint32_t>(random.tree().root));
 }
 
 /// Clocks of a tree's flips and evaluations: counted and priced, and those of the assembly.

@@ -34,24 +34,25 @@ void Processor::step() {
     case 0x1:
     case 0x2:
     case 0x3: return move(operation);
-    case 0x4: return miscellaneous(operation);
-    case 0x5: return operation.bits(6, 2) == 3 ? count_down(operation) : quick(operation);
-    case 0x6: return branch(operation);
+    case 0x4: return execute_miscellaneous(operation);
+    case 0x5: return operation.bits(6, 2) == 3 ? execute_count_down(operation) : execute_quick(operation);
+    case 0x6: return execute_branch(operation);
     case 0x7: return move_quick(operation);
     case 0xc:
       if (operation.bits(6, 2) == 3) return multiply(operation);
-      return arithmetic(operation);
+      return execute_arithmetic(operation);
     case 0x8:
     case 0x9:
-    case 0xd: return operation.bits(6, 2) == 3 ? arithmetic_address(operation) : arithmetic(operation);
+    case 0xd: return operation.bits(6, 2) == 3 ? execute_address_arithmetic(operation) : execute_arithmetic(operation);
     case line_of_compare:
-      return operation.bits(6, 2) == 3 ? arithmetic_address(operation) : compare_or_exclusive(operation);
+      return operation.bits(6, 2) == 3 ? execute_address_arithmetic(operation)
+                                       : execute_compare_or_exclusive_or(operation);
     case 0xe: return shift(operation);
     default: unknown(operation);
   }
 }
 
-bool Processor::holds(unsigned condition) const {
+bool Processor::is_condition_true(unsigned condition) const {
   const Conditions& on = conditions;
   const bool less = on.negative != on.overflow;
   const bool basis[] = {true,         !on.carry && !on.zero, !on.carry, !on.zero,
@@ -59,7 +60,7 @@ bool Processor::holds(unsigned condition) const {
   return basis[condition / 2] == (condition % 2 == 0);
 }
 
-void Processor::set_logic(std::uint32_t value, Size size) {
+void Processor::set_logic_conditions(std::uint32_t value, Size size) {
   conditions.carry = false;
   conditions.overflow = false;
   conditions.zero = (value & mask_of(size)) == 0;
@@ -69,7 +70,7 @@ void Processor::set_logic(std::uint32_t value, Size size) {
 std::uint32_t Processor::add(std::uint32_t to, std::uint32_t value, Size size) {
   const std::uint64_t sum = std::uint64_t{to} + value;
   const auto result = static_cast<std::uint32_t>(sum) & mask_of(size);
-  set_logic(result, size);
+  set_logic_conditions(result, size);
   conditions.carry = sum > mask_of(size);
   conditions.overflow = is_negative(~(to ^ value) & (to ^ result), size);
   conditions.extend = conditions.carry;
@@ -78,7 +79,7 @@ std::uint32_t Processor::add(std::uint32_t to, std::uint32_t value, Size size) {
 
 void Processor::compare(std::uint32_t from, std::uint32_t value, Size size) {
   const std::uint32_t result = (from - value) & mask_of(size);
-  set_logic(result, size);
+  set_logic_conditions(result, size);
   conditions.carry = value > from;
   conditions.overflow = is_negative((from ^ value) & (from ^ result), size);
 }
@@ -98,7 +99,7 @@ void Processor::move(Operation operation) {
   if (to_mode == 7 && to > 1) unknown(operation);
   const std::uint32_t value = get(place(operation.mode(), operation.reg(), size), size);
   put(place(to_mode, to, size), size, value);
-  if (to_mode != 1) set_logic(value, size);
+  if (to_mode != 1) set_logic_conditions(value, size);
   take(4 + address_clocks(operation.mode(), operation.reg(), size) +
        (is_long(size) ? manual::move_to_long : manual::move_to)[manual::mode_index(to_mode, to)]);
 }
@@ -106,7 +107,7 @@ void Processor::move(Operation operation) {
 void Processor::move_quick(Operation operation) {
   if (operation.bits(8, 1) != 0) unknown(operation);
   d[operation.upper()] = extended(operation.bits(0, 8), Size::byte);
-  set_logic(d[operation.upper()], Size::longword);
+  set_logic_conditions(d[operation.upper()], Size::longword);
   take(4);
 }
 
@@ -136,12 +137,12 @@ std::uint32_t Processor::combine(unsigned line, std::uint32_t to, std::uint32_t 
   if (line == 0x9) return subtract(to, value, size);
   if (line == 0xd) return add(to, value, size);
   const std::uint32_t result = line == 0x8 ? to | value : line == 0xc ? to & value : to ^ value;
-  set_logic(result, size);
+  set_logic_conditions(result, size);
   return result;
 }
 
 /// OR, SUB, AND, ADD.
-void Processor::arithmetic(Operation operation) {
+void Processor::execute_arithmetic(Operation operation) {
   const Size size = sizes[operation.bits(6, 2)];
   const bool to_memory = operation.bits(8, 1) != 0;
   const unsigned line = operation.bits(12, 4);
@@ -162,7 +163,7 @@ void Processor::arithmetic(Operation operation) {
 }
 
 /// SUBA, ADDA, CMPA.
-void Processor::arithmetic_address(Operation operation) {
+void Processor::execute_address_arithmetic(Operation operation) {
   const unsigned line = operation.bits(12, 4);
   if (line == 0x8) unknown(operation);  // divisions are not supported
   const Size size = operation.bits(8, 1) != 0 ? Size::longword : Size::word;
@@ -186,14 +187,14 @@ void Processor::multiply(Operation operation) {
   std::uint32_t& target = d[operation.upper()];
   const std::uint32_t other = target & mask_of(Size::word);
   target = is_signed ? extended(source, Size::word) * extended(other, Size::word) : source * other;
-  set_logic(target, Size::longword);
+  set_logic_conditions(target, Size::longword);
   const std::uint32_t counted = is_signed ? (source ^ source << 1U) & mask_of(Size::word) : source;
   take(38 + 2 * static_cast<unsigned>(std::popcount(counted)) +
        address_clocks(operation.mode(), operation.reg(), Size::word));
 }
 
 /// CMP, EOR.
-void Processor::compare_or_exclusive(Operation operation) {
+void Processor::execute_compare_or_exclusive_or(Operation operation) {
   const Size size = sizes[operation.bits(6, 2)];
   const bool is_exclusive = operation.bits(8, 1) != 0;
   if (is_exclusive && (operation.mode() == 1 || (operation.mode() == 7 && operation.reg() > 1))) unknown(operation);
@@ -211,7 +212,7 @@ void Processor::compare_or_exclusive(Operation operation) {
 }
 
 /// ADDQ, SUBQ.
-void Processor::quick(Operation operation) {
+void Processor::execute_quick(Operation operation) {
   const Size size = sizes[operation.bits(6, 2)];
   const std::uint32_t value = operation.upper() == 0 ? 8 : operation.upper();
   const bool is_subtraction = operation.bits(8, 1) != 0;
@@ -230,8 +231,8 @@ void Processor::quick(Operation operation) {
 }
 
 /// DBcc, Scc.
-void Processor::count_down(Operation operation) {
-  const bool is_so = holds(operation.bits(8, 4));
+void Processor::execute_count_down(Operation operation) {
+  const bool is_so = is_condition_true(operation.bits(8, 4));
   if (operation.mode() != 1) {
     if (operation.mode() == 7 && operation.reg() > 1) unknown(operation);
     put(place(operation.mode(), operation.reg(), Size::byte), Size::byte, is_so ? 0xff : 0);
@@ -252,7 +253,7 @@ void Processor::count_down(Operation operation) {
 }
 
 /// Bcc, BRA, BSR.
-void Processor::branch(Operation operation) {
+void Processor::execute_branch(Operation operation) {
   const std::uint32_t base = pc;
   const unsigned condition = operation.bits(8, 4);
   const bool is_short = operation.bits(0, 8) != 0;
@@ -263,7 +264,7 @@ void Processor::branch(Operation operation) {
     push(pc);
     pc = base + displacement;
     take(18);
-  } else if (holds(condition)) {
+  } else if (is_condition_true(condition)) {
     pc = base + displacement;
     take(10);
   } else {

@@ -27,7 +27,7 @@ constexpr unsigned rotation_through_x = 2;
 
 }  // namespace
 
-void Processor::miscellaneous(Operation operation) {
+void Processor::execute_miscellaneous(Operation operation) {
   std::uint32_t& data = d[operation.reg()];
   std::uint32_t& address = a[operation.reg()];
   switch (operation.word) {
@@ -52,27 +52,27 @@ void Processor::miscellaneous(Operation operation) {
     }
     case swap:
       data = std::rotl(data, 16);
-      set_logic(data, Size::longword);
+      set_logic_conditions(data, Size::longword);
       return take(4);
     case ext_word:
       put({Place::In::data, operation.reg()}, Size::word, extended(data & 0xffU, Size::byte));
-      set_logic(data, Size::word);
+      set_logic_conditions(data, Size::word);
       return take(4);
     case ext_long:
       data = extended(data & 0xffffU, Size::word);
-      set_logic(data, Size::longword);
+      set_logic_conditions(data, Size::longword);
       return take(4);
     default: break;
   }
   if (operation.bits(7, 5) == 0b10001) return move_multiple(operation, false);
   if (operation.bits(7, 5) == 0b11001) return move_multiple(operation, true);
   if (operation.bits(8, 1) == 0 && operation.bits(6, 2) != 3 && operation.upper() < 6 && operation.upper() != 4)
-    return one_operand(operation);
-  address_work(operation);
+    return execute_one_operand(operation);
+  execute_address_work(operation);
 }
 
 /// CLR, NEG, NOT, TST.
-void Processor::one_operand(Operation operation) {
+void Processor::execute_one_operand(Operation operation) {
   constexpr unsigned clr = 1;
   constexpr unsigned neg = 2;
   constexpr unsigned tst = 5;
@@ -83,7 +83,7 @@ void Processor::one_operand(Operation operation) {
   const std::uint32_t old = get(at, size);
   const unsigned address = manual::address_clocks(operation.mode(), operation.reg(), size);
   if (what == tst) {
-    set_logic(old, size);
+    set_logic_conditions(old, size);
     return take(4 + address);
   }
   std::uint32_t value = 0;
@@ -91,7 +91,7 @@ void Processor::one_operand(Operation operation) {
     value = subtract(0, old, size);
   } else {
     value = what == clr ? 0 : ~old;
-    set_logic(value, size);
+    set_logic_conditions(value, size);
   }
   put(at, size, value);
   const bool is_long = size == Size::longword;
@@ -126,7 +126,7 @@ void Processor::move_multiple(Operation operation, bool to_registers) {
 }
 
 /// LEA, PEA, JSR, JMP.
-void Processor::address_work(Operation operation) {
+void Processor::execute_address_work(Operation operation) {
   constexpr unsigned lea = 0b111;
   constexpr unsigned pea = 0x48'40 >> 6;
   constexpr unsigned jsr = 0x4e'80 >> 6;
@@ -159,7 +159,7 @@ void Processor::shift(Operation operation) {
         (operation.mode() == 7 && operation.reg() > 1))
       unknown(operation);
     const Place at = place(operation.mode(), operation.reg(), Size::word);
-    put(at, Size::word, shifted(kind, left, get(at, Size::word), 1, Size::word));
+    put(at, Size::word, shift_result(kind, left, get(at, Size::word), 1, Size::word));
     return take(8 + manual::address_clocks(operation.mode(), operation.reg(), Size::word));
   }
   const Size size = sizes_of_one[operation.bits(6, 2)];
@@ -167,12 +167,12 @@ void Processor::shift(Operation operation) {
   const bool by_register = operation.bits(5, 1) != 0;
   const unsigned places = by_register ? d[operation.upper()] & 63U : operation.upper() == 0 ? 8 : operation.upper();
   const Place at{Place::In::data, operation.reg()};
-  put(at, size, shifted(kind, left, get(at, size), places, size));
+  put(at, size, shift_result(kind, left, get(at, size), places, size));
   take((size == Size::longword ? 8 : 6) + 2 * places);
 }
 
 /// Shifts one place at a time; kind 0 shifts arithmetically, 1 logically, 3 rotates.
-std::uint32_t Processor::shifted(unsigned kind, bool left, std::uint32_t value, unsigned places, Size size) {
+std::uint32_t Processor::shift_result(unsigned kind, bool left, std::uint32_t value, unsigned places, Size size) {
   const std::uint32_t top = bits_of(size) - 1;
   bool carry = false;
   bool overflow = false;
@@ -189,7 +189,7 @@ std::uint32_t Processor::shifted(unsigned kind, bool left, std::uint32_t value, 
     overflow = overflow || (kind == 0 && high != ((value >> top) & 1U));
     if (kind != 3) conditions.extend = carry;
   }
-  set_logic(value, size);
+  set_logic_conditions(value, size);
   conditions.carry = kind == rotation_through_x ? conditions.extend : carry;
   conditions.overflow = overflow;
   return value;

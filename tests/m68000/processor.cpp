@@ -16,7 +16,7 @@ constexpr unsigned long_mode = 7;                   // addressing modes that use
 
 }  // namespace
 
-std::uint32_t Processor::checked(std::uint32_t address, Size size) const {
+std::uint32_t Processor::checked_address(std::uint32_t address, Size size) const {
   const std::uint32_t at = address & address_mask;
   if (at + bytes_of(size) > memory_.size()) throw Stopped(fmt::format("address {:#x} is out of memory", at));
   if (size != Size::byte && at % 2 != 0) throw Stopped(fmt::format("address {:#x} is odd", at));
@@ -24,14 +24,14 @@ std::uint32_t Processor::checked(std::uint32_t address, Size size) const {
 }
 
 std::uint32_t Processor::read(std::uint32_t address, Size size) const {
-  const std::uint32_t at = checked(address, size);
+  const std::uint32_t at = checked_address(address, size);
   std::uint32_t value = 0;
   for (std::uint32_t byte = 0; byte < bytes_of(size); ++byte) value = value << 8U | memory_[at + byte];
   return value;
 }
 
 void Processor::write(std::uint32_t address, Size size, std::uint32_t value) {
-  std::uint32_t at = checked(address, size) + bytes_of(size);
+  std::uint32_t at = checked_address(address, size) + bytes_of(size);
   for (std::uint32_t byte = 0; byte < bytes_of(size); ++byte, value >>= 8U)
     memory_[--at] = static_cast<std::uint8_t>(value & 0xffU);
 }
@@ -43,7 +43,7 @@ std::uint32_t Processor::fetch(Size size) {
 }
 
 /// The sum of a base, an index register and a displacement of 8 bits.
-std::uint32_t Processor::indexed(std::uint32_t base) {
+std::uint32_t Processor::indexed_address(std::uint32_t base) {
   const std::uint32_t extension = fetch(Size::word);
   const std::uint32_t reg = (extension >> 12U) & 7U;
   const std::uint32_t index = (extension & 0x8000U) != 0 ? a[reg] : d[reg];
@@ -65,7 +65,7 @@ Processor::Place Processor::place(unsigned mode, unsigned reg, Size size) {
       const std::uint32_t displacement = extended(fetch(Size::word), Size::word);
       return {In::memory, a[reg] + displacement};
     }
-    case 6: return {In::memory, indexed(a[reg])};
+    case 6: return {In::memory, indexed_address(a[reg])};
     default: break;
   }
   const std::uint32_t base = pc;
@@ -73,7 +73,7 @@ Processor::Place Processor::place(unsigned mode, unsigned reg, Size size) {
     case 0: return {In::memory, extended(fetch(Size::word), Size::word)};
     case 1: return {In::memory, fetch(Size::longword)};
     case 2: return {In::memory, base + extended(fetch(Size::word), Size::word)};
-    case 3: return {In::memory, indexed(base)};
+    case 3: return {In::memory, indexed_address(base)};
     case 4: return {In::immediate, fetch(size)};
     default: throw Stopped(fmt::format("unsupported addressing mode {}.{}", long_mode, reg));
   }

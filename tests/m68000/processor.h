@@ -67,9 +67,9 @@ class Processor {
   };
 
   /// The lower 24 bits of the address. Throws Stopped if an operand of that size cannot be there.
-  [[nodiscard]] std::uint32_t checked(std::uint32_t address, Size size) const;
+  [[nodiscard]] std::uint32_t checked_address(std::uint32_t address, Size size) const;
   std::uint32_t fetch(Size size);
-  std::uint32_t indexed(std::uint32_t base);
+  std::uint32_t indexed_address(std::uint32_t base);
   Place place(unsigned mode, unsigned reg, Size size);
   std::uint32_t get(const Place& place, Size size) const;
   void put(const Place& place, Size size, std::uint32_t value);
@@ -78,29 +78,29 @@ class Processor {
   std::uint32_t pop();
 
   [[noreturn]] void unknown(Operation operation) const;
-  [[nodiscard]] bool holds(unsigned condition) const;
-  void set_logic(std::uint32_t value, Size size);
+  [[nodiscard]] bool is_condition_true(unsigned condition) const;
+  void set_logic_conditions(std::uint32_t value, Size size);
   std::uint32_t add(std::uint32_t to, std::uint32_t value, Size size);
   std::uint32_t subtract(std::uint32_t from, std::uint32_t value, Size size);
   void compare(std::uint32_t from, std::uint32_t value, Size size);
 
   void move(Operation operation);
   void immediate(Operation operation);
-  void miscellaneous(Operation operation);
-  void one_operand(Operation operation);
+  void execute_miscellaneous(Operation operation);
+  void execute_one_operand(Operation operation);
   void move_multiple(Operation operation, bool to_registers);
-  void address_work(Operation operation);
-  void quick(Operation operation);
-  void branch(Operation operation);
-  void count_down(Operation operation);
+  void execute_address_work(Operation operation);
+  void execute_quick(Operation operation);
+  void execute_branch(Operation operation);
+  void execute_count_down(Operation operation);
   void move_quick(Operation operation);
-  void arithmetic(Operation operation);
-  void arithmetic_address(Operation operation);
+  void execute_arithmetic(Operation operation);
+  void execute_address_arithmetic(Operation operation);
   void multiply(Operation operation);
   std::uint32_t combine(unsigned line, std::uint32_t to, std::uint32_t value, Size size);
-  void compare_or_exclusive(Operation operation);
+  void execute_compare_or_exclusive_or(Operation operation);
   void shift(Operation operation);
-  std::uint32_t shifted(unsigned kind, bool left, std::uint32_t value, unsigned places, Size size);
+  std::uint32_t shift_result(unsigned kind, bool left, std::uint32_t value, unsigned places, Size size);
 
   std::vector<std::uint8_t> memory_;
   std::uint64_t clocks_ = 0;

@@ -91,8 +91,8 @@ void check_variants(const Compiled& compiled, const Setup& how, const CurvedLook
     CHECK(different(frame.owner, expected.owner) == 0);
     CHECK(different(frame.colour, expected.colour) == 0);
   };
-  std::vector<Setup> all = in_parts(how);
-  for (const Setup& machine : on_quadratic_machines(how)) all.push_back(machine);
+  std::vector<Setup> all = setups_in_parts(how);
+  for (const Setup& machine : setups_on_quadratic_machines(how)) all.push_back(machine);
   for (const emit::Options& options : all_options()) {
     all.push_back(how);
     all.back().options = options;
@@ -137,7 +137,7 @@ Setup curved_setup(const view::Camera& camera, const CurvedLook& how) {
   return setup;
 }
 
-CurvedVerdict judged(const Compiled& compiled, const observe::Frame& frame) {
+CurvedVerdict judge_picture(const Compiled& compiled, const observe::Frame& frame) {
   const judges::Errors errors = errors_of(compiled, frame);
   CurvedVerdict verdict;
   verdict.pictures = 1;
@@ -163,11 +163,11 @@ CurvedVerdict look_curved(const std::string& csg, const view::Camera& camera, co
   const Compiled compiled = compile_text(csg, setup);
   CHECK((how.may_be_faceted || !is_faceted(compiled)));
   const observe::Frame frame = draw(compiled.program);
-  const CurvedVerdict verdict = judged(compiled, frame);
+  const CurvedVerdict verdict = judge_picture(compiled, frame);
   CHECK_MESSAGE(verdict.unexplained == 0, judges::to_text(errors_of(compiled, frame)));
   CHECK(verdict.against_rules == 0);
   check_variants(compiled, setup, how, frame);
-  CHECK(fault_of_software(csg, compiled.tree, compiled.scene, compiled.view, frame) == "");
+  CHECK(describe_software_mismatch(csg, compiled.tree, compiled.scene, compiled.view, frame) == "");
   if (how.engines) compare_engines(csg, camera, how);
   return verdict;
 }

@@ -45,7 +45,7 @@ struct CurvedVerdict {
 };
 
 /// Compares a picture with the exact oracle (sim/judges) and with the rules.
-CurvedVerdict judged(const Compiled& compiled, const observe::Frame& frame);
+CurvedVerdict judge_picture(const Compiled& compiled, const observe::Frame& frame);
 
 /// Draws a model without facets on a machine of degree 2. Fails the test
 ///

@@ -10,7 +10,7 @@ const std::string upright = rod({0, 0, -4}, 8, 4);
 const std::string tube = subtract({rod({0, 0, -4}, 8, 4), rod({0, 0, -4}, 8, 2)});
 const std::string cone = cylinder({0, 0, -4}, 8, 4, 0);
 const std::string frustum = cylinder({0, 0, -4}, 8, 4, 2);
-const std::string oval = placed(scaling({1, 0.5, 1}), upright);
+const std::string oval = with_transform(scaling({1, 0.5, 1}), upright);
 
 /// Looks down at a number of degrees from the axis.
 CurvedVerdict look_down(const std::string& csg, double degrees, const CurvedLook& how = lenient) {

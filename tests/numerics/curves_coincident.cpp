@@ -8,11 +8,12 @@ namespace {
 
 /// The same placement as a product of several matrices.
 std::string round_about(const std::string& part) {
-  const std::string there = placed(translation({0.1, 0.2, 0.3}), placed(translation({-0.1, -0.2, -0.3}), part));
-  return placed(scaling({0.3, 0.7, 1.1}), placed(scaling({1 / 0.3, 1 / 0.7, 1 / 1.1}), there));
+  const std::string there =
+      with_transform(translation({0.1, 0.2, 0.3}), with_transform(translation({-0.1, -0.2, -0.3}), part));
+  return with_transform(scaling({0.3, 0.7, 1.1}), with_transform(scaling({1 / 0.3, 1 / 0.7, 1 / 1.1}), there));
 }
 
-std::string tilted(const std::string& part) { return placed(rotation(33, 71), part); }
+std::string tilted(const std::string& part) { return with_transform(rotation(33, 71), part); }
 
 void check_empty(const std::string& csg, const CurvedLook& how = {}) {
   const CurvedVerdict verdict = look_at_all(csg, how);
@@ -57,29 +58,29 @@ TEST_CASE("a cylinder minus itself is empty for any chain of transforms") {
   check_same(rod({0, 0, -5}, 10, 4), round_about(rod({0, 0, -5}, 10, 4)));
 }
 TEST_CASE("a cylinder minus itself turned about its axis is empty") {
-  check_same(rod({0, 0, -5}, 10, 4), placed(rotation(0, 33), rod({0, 0, -5}, 10, 4)));
+  check_same(rod({0, 0, -5}, 10, 4), with_transform(rotation(0, 33), rod({0, 0, -5}, 10, 4)));
 }
 TEST_CASE("a cylinder minus itself upside down is empty") {
-  check_same(rod({0, 0, -5}, 10, 4), placed(rotation(180, 0), rod({0, 0, -5}, 10, 4)));
+  check_same(rod({0, 0, -5}, 10, 4), with_transform(rotation(180, 0), rod({0, 0, -5}, 10, 4)));
 }
 TEST_CASE("a ball minus itself is empty for any chain of transforms") {
   check_same(ball({1, 2, 3}, 5), round_about(ball({1, 2, 3}, 5)));
-  check_same(ball({0, 0, 0}, 5), placed(rotation(20, 50), ball({0, 0, 0}, 5)));
+  check_same(ball({0, 0, 0}, 5), with_transform(rotation(20, 50), ball({0, 0, 0}, 5)));
 }
 TEST_CASE("a ball minus a ball of half the size scaled by two is empty") {
-  check_same(ball({0, 0, 0}, 6), placed(scaling({2, 2, 2}), ball({0, 0, 0}, 3)));
+  check_same(ball({0, 0, 0}, 6), with_transform(scaling({2, 2, 2}), ball({0, 0, 0}, 3)));
 }
 TEST_CASE("a ball minus its mirror image is empty") {
-  check_same(ball({0, 0, 0}, 6), placed(scaling({-1, 1, 1}), ball({0, 0, 0}, 6)));
+  check_same(ball({0, 0, 0}, 6), with_transform(scaling({-1, 1, 1}), ball({0, 0, 0}, 6)));
 }
 TEST_CASE("a cone minus itself is empty for any chain of transforms") {
   check_same(cylinder({0, 0, -5}, 10, 5, 0), round_about(cylinder({0, 0, -5}, 10, 5, 0)));
 }
 TEST_CASE("a frustum minus itself upside down is empty") {
-  check_same(cylinder({0, 0, -5}, 10, 5, 2), placed(rotation(180, 0), cylinder({0, 0, -5}, 10, 2, 5)));
+  check_same(cylinder({0, 0, -5}, 10, 5, 2), with_transform(rotation(180, 0), cylinder({0, 0, -5}, 10, 2, 5)));
 }
 TEST_CASE("an ellipsoid minus itself is empty for any chain of transforms") {
-  const std::string egg = placed(scaling({1, 2, 0.5}), ball({0, 0, 0}, 5));
+  const std::string egg = with_transform(scaling({1, 2, 0.5}), ball({0, 0, 0}, 5));
   check_same(egg, round_about(egg));
 }
 TEST_CASE("a tube with flush ends is open and leaves no speckles of its walls") {

@@ -8,7 +8,9 @@ namespace {
 
 // Sizes are sums of few powers of two, so touching surfaces also touch in double precision.
 
-std::string lying(const std::string& part) { return placed("[[1,0,0,0],[0,0,-1,0],[0,1,0,0],[0,0,0,1]]", part); }
+std::string lying(const std::string& part) {
+  return with_transform("[[1,0,0,0],[0,0,-1,0],[0,1,0,0],[0,0,0,1]]", part);
+}
 
 const std::string left = ball({-4, 0, 0}, 4);
 const std::string right = ball({4, 0, 0}, 4);
@@ -102,12 +104,12 @@ TEST_CASE("a cylinder that touches another's wall from inside is drawn correctly
   check_all_of(rod({0, 0, 0}, 8, 8), rod({4, 0, -2}, 12, 4));
 }
 TEST_CASE("a cylinder that lies on a plane is drawn correctly") {
-  check_all_of(table, placed(translation({0, 0, 4}), lying(rod({0, 0, -8}, 16, 4))), perhaps_in_facets);
+  check_all_of(table, with_transform(translation({0, 0, 4}), lying(rod({0, 0, -8}, 16, 4))), perhaps_in_facets);
 }
 TEST_CASE("a cone that lies on a plane is drawn correctly") {
   // The cone's half angle belongs to a right triangle with sides 3, 4 and 5; the cone is turned by it.
   const std::string cone = cylinder({0, 0, 0}, 8, 0, 6);
-  check_all_of(table, placed("[[1,0,0,0],[0,0.6,-0.8,0],[0,0.8,0.6,0],[0,0,0,1]]", cone), perhaps_in_facets);
+  check_all_of(table, with_transform("[[1,0,0,0],[0,0.6,-0.8,0],[0,0.8,0.6,0],[0,0,0,1]]", cone), perhaps_in_facets);
 }
 TEST_CASE("a ball in a cylinder of its radius is drawn correctly") {
   check_all_of(rod({0, 0, -8}, 16, 4), ball({0, 0, 0}, 4));
@@ -127,11 +129,13 @@ TEST_CASE("a ball drilled by a cylinder that touches its surface is drawn correc
 }
 TEST_CASE("a hollow ball that is drilled where it touches itself is drawn correctly") {
   check_seen(subtract({outer, inner, rod({0, 0, -16}, 32, 2)}));
-  check_seen(subtract({outer, inner, placed("[[0,0,1,0],[0,1,0,0],[-1,0,0,0],[0,0,0,1]]", rod({0, 0, 0}, 32, 2))}));
+  check_seen(
+      subtract({outer, inner, with_transform("[[0,0,1,0],[0,1,0,0],[-1,0,0,0],[0,0,0,1]]", rod({0, 0, 0}, 32, 2))}));
 }
 TEST_CASE("crossing cylinders of equal radius are drawn correctly") {
   check_all_of(rod({0, 0, -8}, 16, 4), lying(rod({0, 0, -8}, 16, 4)));
 }
 TEST_CASE("ellipsoids that touch are drawn correctly") {
-  check_all_of(placed(scaling({2, 1, 0.5}), ball({-4, 0, 0}, 4)), placed(scaling({0.5, 2, 1}), ball({8, 0, 0}, 8)));
+  check_all_of(with_transform(scaling({2, 1, 0.5}), ball({-4, 0, 0}, 4)),
+               with_transform(scaling({0.5, 2, 1}), ball({8, 0, 0}, 8)));
 }

@@ -140,9 +140,9 @@ TEST_CASE("the near plane cuts balls and cylinders and cones and ellipsoids open
     quarters.look(ball({0, 0, 0}, 4), {0, -10, 0}, {0, 0, 0}, near);
     quarters.look(rod({0, 0, -9}, 18, 4), {0, -10, 0}, {0, 0, 0}, near);
     quarters.look(rod({0, 0, -9}, 18, 4), {3, -8, 6}, {0, 0, 0}, near);
-    quarters.look(placed(translation({0, 0, -6}), cone), {1, -10, 3}, {0, 0, 0}, near);
-    quarters.look(placed(rotation(20, 30), placed(scaling({1, 2, 0.5}), ball({0, 0, 0}, 4))), {0, -10, 0}, {0, 0, 0},
-                  near);
+    quarters.look(with_transform(translation({0, 0, -6}), cone), {1, -10, 3}, {0, 0, 0}, near);
+    quarters.look(with_transform(rotation(20, 30), with_transform(scaling({1, 2, 0.5}), ball({0, 0, 0}, 4))),
+                  {0, -10, 0}, {0, 0, 0}, near);
   }
 }
 TEST_CASE("balls that touch the near plane are drawn correctly") {

@@ -48,9 +48,10 @@ TEST_CASE("cylinders with outlines along columns of pixel centres are drawn corr
 TEST_CASE("a cone with its apex on a pixel centre is drawn correctly in all directions") {
   const std::string up = cylinder({0, 0, -8}, 8, 4, 0);
   const std::string down = cylinder({0, 0, 0}, 8, 0, 4);
-  const std::string off = placed(translation({3, 0, 5}), up);
-  for (const std::string& cone : {up, down, off, placed(rotation(90, 0), up), placed(rotation(-90, 0), up),
-                                  placed(rotation(0, 90), placed(rotation(90, 0), up))}) {
+  const std::string off = with_transform(translation({3, 0, 5}), up);
+  for (const std::string& cone :
+       {up, down, off, with_transform(rotation(90, 0), up), with_transform(rotation(-90, 0), up),
+        with_transform(rotation(0, 90), with_transform(rotation(90, 0), up))}) {
     look_straight(cone);
     look_straight(subtract({box({-9, -9, -9}, {9, 9, 9}), cone}));
   }

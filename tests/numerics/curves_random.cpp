@@ -27,8 +27,8 @@ enum class Variants : std::uint8_t { some, all };
 /// All options and machines that must not change a picture, or a few of them that depend on the seed.
 std::vector<Setup> variants_of(const Setup& how, std::uint64_t seed, Variants which) {
   static const std::vector<emit::Options> options = testing::all_options();
-  std::vector<Setup> machines = testing::in_parts(how);
-  for (const Setup& machine : testing::on_quadratic_machines(how)) machines.push_back(machine);
+  std::vector<Setup> machines = testing::setups_in_parts(how);
+  for (const Setup& machine : testing::setups_on_quadratic_machines(how)) machines.push_back(machine);
   std::vector<Setup> all;
   const std::uint64_t count = which == Variants::all ? options.size() : 3;
   for (std::uint64_t i = 0; i < count; ++i) {
@@ -60,7 +60,7 @@ std::string faults_of(std::uint64_t seed, view::Projection projection, Variants 
   tally.refused += first ? 0U : 1U;
   if (!first) return "";
   const observe::Frame frame = testing::draw(first->program);
-  const testing::CurvedVerdict verdict = testing::judged(*first, frame);
+  const testing::CurvedVerdict verdict = testing::judge_picture(*first, frame);
   std::string faults;
   if (verdict.unexplained > 0) faults += fmt::format("{} pixels unexplained; ", verdict.unexplained);
   if (verdict.against_rules > 0) faults += fmt::format("{} pixels against the rules; ", verdict.against_rules);

@@ -16,18 +16,18 @@ TEST_CASE("ellipsoids scaled along an axis by 1/1000 to 1000 are drawn correctly
     CAPTURE(factor);
     // Seen edge-on, a solid thinner than a tenth of a pixel is too steep for the machine's number formats.
     const CurvedLook how = factor < 0.1 || factor > 100 ? lenient : CurvedLook{};
-    look_at_all(placed(scaling({factor, 1, 1}), ball({0, 0, 0}, 4)), how);
-    look_at_all(placed(rotation(31, 17), placed(scaling({1, 1, factor}), ball({0, 0, 0}, 4))));
+    look_at_all(with_transform(scaling({factor, 1, 1}), ball({0, 0, 0}, 4)), how);
+    look_at_all(with_transform(rotation(31, 17), with_transform(scaling({1, 1, factor}), ball({0, 0, 0}, 4))));
   }
 }
 TEST_CASE("ellipsoids scaled by 1/1000 one way and by 1000 another are drawn correctly") {
-  look_at_all(placed(scaling({1e-3, 1, 1e3}), ball({0, 0, 0}, 4)), lenient);
-  look_at_all(placed(rotation(31, 17), placed(scaling({1e-3, 1, 1e3}), ball({0, 0, 0}, 4))), lenient);
-  look_at_all(placed(rotation(31, 17), placed(scaling({1e3, 1e-3, 1}), ball({0, 0, 0}, 4))), lenient);
+  look_at_all(with_transform(scaling({1e-3, 1, 1e3}), ball({0, 0, 0}, 4)), lenient);
+  look_at_all(with_transform(rotation(31, 17), with_transform(scaling({1e-3, 1, 1e3}), ball({0, 0, 0}, 4))), lenient);
+  look_at_all(with_transform(rotation(31, 17), with_transform(scaling({1e3, 1e-3, 1}), ball({0, 0, 0}, 4))), lenient);
 }
 TEST_CASE("models of 2^-20 and of 2^20 units are drawn as a model of one unit") {
   const std::string model = subtract({unite({ball({0, 0, 0}, 4), rod({0, 0, 0}, 8, 2)}), ball({2, -3, 2}, 2)});
-  for (const double factor : {0x1p-20, 0x1p20}) look_at_all(placed(scaling(glm::dvec3(factor)), model));
+  for (const double factor : {0x1p-20, 0x1p20}) look_at_all(with_transform(scaling(glm::dvec3(factor)), model));
 }
 TEST_CASE("balls between 0.001 and 1 pixel are drawn in place or omitted") {
   for (const double radius : {1e-3, 1e-2, 0.1, 0.5, 1.0}) {
@@ -52,8 +52,8 @@ TEST_CASE("wires between 0.001 and 1 pixel thick are drawn correctly") {
   for (const double radius : {1e-3, 1e-2, 0.1, 1.0}) {
     CAPTURE(radius);
     const std::string wire = rod({0, 0, -12}, 24, radius * pixel);
-    look_both_ways(unite({wire, placed(rotation(47, 20), wire)}), {0, -40, 0}, {0, 0, 0}, lenient);
-    look_both_ways(subtract({box({-8, -2, -6}, {8, 2, 6}), wire, placed(rotation(47, 20), wire)}), {0, -40, 0},
+    look_both_ways(unite({wire, with_transform(rotation(47, 20), wire)}), {0, -40, 0}, {0, 0, 0}, lenient);
+    look_both_ways(subtract({box({-8, -2, -6}, {8, 2, 6}), wire, with_transform(rotation(47, 20), wire)}), {0, -40, 0},
                    {0, 0, 0}, lenient);
   }
 }
@@ -79,7 +79,7 @@ TEST_CASE("cylinders with radii of up to 10000 pixels are drawn correctly") {
     CAPTURE(radius);
     const double r = radius * pixel;
     const std::string wave =
-        intersect({placed(rotation(90, 0), rod({0, -r, -20}, 40, r)), box({-20, -20, -40}, {20, 20, 40})});
+        intersect({with_transform(rotation(90, 0), rod({0, -r, -20}, 40, r)), box({-20, -20, -40}, {20, 20, 40})});
     look_both_ways(wave, {10, -40, 20}, {0, 0, 0}, lenient);
   }
 }
@@ -88,7 +88,7 @@ TEST_CASE("frustums with radii that differ by 0.1 to 1e-9 are drawn correctly") 
     CAPTURE(part);
     const std::string frustum = cylinder({0, 0, -6}, 12, 4, 4 * (1 - part));
     look_at_all(frustum, lenient);
-    look_at_all(subtract({box({-5, -5, -5}, {5, 5, 5}), placed(rotation(20, 10), frustum)}), lenient);
+    look_at_all(subtract({box({-5, -5, -5}, {5, 5, 5}), with_transform(rotation(20, 10), frustum)}), lenient);
   }
 }
 TEST_CASE("cones as thin as needles or as flat as discs are drawn correctly") {
@@ -99,15 +99,15 @@ TEST_CASE("cones as thin as needles or as flat as discs are drawn correctly") {
   }
 }
 TEST_CASE("flat ellipsoids seen edge-on are drawn correctly") {
-  const std::string coin = placed(scaling({1, 1, 1e-3}), ball({0, 0, 0}, 6));
+  const std::string coin = with_transform(scaling({1, 1, 1e-3}), ball({0, 0, 0}, 6));
   look_both_ways(coin, {0, -40, 0}, {0, 0, 0}, lenient);
   look_both_ways(coin, {0, -40, 0.01}, {0, 0, 0}, lenient);
-  look_both_ways(placed(scaling({1, 1, 20}), coin), {0, -40, 0}, {0, 0, 0});
+  look_both_ways(with_transform(scaling({1, 1, 20}), coin), {0, -40, 0}, {0, 0, 0});
   look_both_ways(subtract({box({-8, -8, -4}, {8, 8, 4}), coin, box({-9, -9, 0}, {9, 0, 5})}), {0, -40, 10}, {0, 0, 0});
 }
 TEST_CASE("curved solids 2^20 units from the origin are drawn correctly") {
   const glm::dvec3 far{0x1p20, -0x1p19, 0x1p18};
-  const std::string csg = placed(translation(far), subtract({ball({0, 0, 0}, 6), rod({0, 0, -8}, 16, 2)}));
+  const std::string csg = with_transform(translation(far), subtract({ball({0, 0, 0}, 6), rod({0, 0, -8}, 16, 2)}));
   look_both_ways(csg, far + glm::dvec3(20, -30, 10), far);
 }
 TEST_CASE("curved solids are drawn correctly with depths of 4 bits and of 30 bits") {

@@ -29,11 +29,11 @@ const std::string gem =
 
 TEST_CASE("the intersection of a ball and a cylinder and a cone is drawn correctly") {
   check_seen(lens);
-  check_seen(placed(rotation(40, 25), lens));
+  check_seen(with_transform(rotation(40, 25), lens));
 }
 TEST_CASE("a block minus the common part of ball and cylinder and cone is drawn correctly") {
   check_seen(subtract({box({-6, -2, -6}, {6, 6, 6}), lens}));
-  check_seen(subtract({box({-6, -2, -6}, {6, 6, 6}), placed(rotation(40, 25), lens)}));
+  check_seen(subtract({box({-6, -2, -6}, {6, 6, 6}), with_transform(rotation(40, 25), lens)}));
 }
 TEST_CASE("the intersection of a ball and a cylinder and a cone is seen from inside") {
   CurvedLook how;
@@ -50,8 +50,8 @@ TEST_CASE("the intersections of two balls and of three balls are drawn correctly
   check_seen(intersect({ball({-2, 0, 0}, 6), ball({2, 0, 0}, 6), ball({0, 1, 3}, 6)}));
 }
 TEST_CASE("holes that cross each other in a ball are open") {
-  const std::string across = placed(rotation(90, 0), rod({0, 0, -8}, 16, 2));
-  check_seen(subtract({ball({0, 0, 0}, 6), rod({0, 0, -8}, 16, 2), across, placed(rotation(0, 90), across)}));
+  const std::string across = with_transform(rotation(90, 0), rod({0, 0, -8}, 16, 2));
+  check_seen(subtract({ball({0, 0, 0}, 6), rod({0, 0, -8}, 16, 2), across, with_transform(rotation(0, 90), across)}));
 }
 TEST_CASE("a cube minus many balls is drawn correctly") {
   std::vector<std::string> parts{block};
@@ -69,21 +69,21 @@ TEST_CASE("subtracting a drilled solid leaves the core of its hole") {
 }
 TEST_CASE("sheared cylinders and balls and cones are drawn correctly") {
   const std::string shear = "[[1,0.5,0.75,0],[0,1,-0.5,0],[0,0,1,0],[0,0,0,1]]";
-  check_seen(placed(shear, rod({0, 0, -4}, 8, 4)));
-  check_seen(placed(shear, ball({0, 0, 0}, 4)));
-  check_seen(placed(shear, cylinder({0, 0, -4}, 8, 4, 0)));
-  check_seen(placed(shear, subtract({rod({0, 0, -4}, 8, 4), rod({0, 0, -4}, 8, 2)})));
+  check_seen(with_transform(shear, rod({0, 0, -4}, 8, 4)));
+  check_seen(with_transform(shear, ball({0, 0, 0}, 4)));
+  check_seen(with_transform(shear, cylinder({0, 0, -4}, 8, 4, 0)));
+  check_seen(with_transform(shear, subtract({rod({0, 0, -4}, 8, 4), rod({0, 0, -4}, 8, 2)})));
 }
 TEST_CASE("elliptic cones and frustums are drawn correctly") {
   const std::string cone = cylinder({0, 0, -4}, 8, 4, 0);
-  check_seen(placed(scaling({2, 0.5, 1}), cone));
-  check_seen(placed(rotation(100, 30), placed(scaling({2, 0.75, 1}), cone)));
-  check_seen(subtract({block, placed(scaling({1.5, 0.75, 1.25}), cylinder({0, 0, -5}, 10, 4, 2))}));
+  check_seen(with_transform(scaling({2, 0.5, 1}), cone));
+  check_seen(with_transform(rotation(100, 30), with_transform(scaling({2, 0.75, 1}), cone)));
+  check_seen(subtract({block, with_transform(scaling({1.5, 0.75, 1.25}), cylinder({0, 0, -5}, 10, 4, 2))}));
 }
 TEST_CASE("mirrored curved solids are drawn correctly") {
   const std::string body = subtract({cylinder({0, 0, -4}, 8, 5, 2), rod({1, 0, -5}, 10, 1)});
-  check_seen(placed(scaling({-1, 1, 1}), body));
-  check_seen(placed(scaling({-1, -1, -1}), body));
+  check_seen(with_transform(scaling({-1, 1, 1}), body));
+  check_seen(with_transform(scaling({-1, -1, -1}), body));
 }
 TEST_CASE("a hull of boxes and a ball are combined correctly by all operators") {
   check_seen(unite({gem, ball({3, -3, 3}, 3)}));

@@ -22,7 +22,7 @@ constexpr std::uint32_t small_height = 20;
 
 /// A single machine for all Programs: SystemC allows one elaboration per process.
 machines::Machine small_machine() {
-  machines::Machine machine = machines::blank(pixel_planes::kind);
+  machines::Machine machine = machines::blank_machine(pixel_planes::kind);
   machine.name = "small";
   machine.array = {small_width, small_height, 512};
   machine.clock_hz = 10'000'000;
@@ -69,7 +69,7 @@ view::Camera aside(const view::Camera& camera) {
 Verdict look_from(const std::string& csg, const std::vector<glm::dvec3>& directions, const Look& how) {
   Verdict sum;
   for (const std::string_view turn : {turns::none, turns::right_angle, turns::arbitrary, turns::hair}) {
-    const std::string turned = placed(std::string(turn), csg);
+    const std::string turned = with_transform(std::string(turn), csg);
     for (const glm::dvec3& direction : directions) {
       for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
         CAPTURE(turned);
@@ -112,7 +112,7 @@ Verdict look(const std::string& csg, const view::Camera& camera, const Look& how
   const observe::Frame frame = draw(compiled.program);
   const judges::Errors errors = errors_of(compiled, frame);
   CHECK_MESSAGE(errors.unexplained == 0, judges::to_text(errors));
-  CHECK(fault_of_software(csg, compiled.tree, compiled.scene, compiled.view, frame) == "");
+  CHECK(describe_software_mismatch(csg, compiled.tree, compiled.scene, compiled.view, frame) == "");
   if (how.engines) compare_engines(csg, camera, how);
   return {1, errors.covered, errors.wrong(), 0};
 }

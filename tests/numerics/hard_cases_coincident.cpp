@@ -95,10 +95,10 @@ TEST_CASE("a cone that continues a cone of the same slope is one cone") {
 }
 TEST_CASE("faces made coincident by different chains of transforms remain coincident") {
   const std::string there = rotation(33, 71);
-  const std::string one = placed(there, left);
+  const std::string one = with_transform(there, left);
   // The same placement as a product of three matrices: back by its height and forth again.
-  const std::string other =
-      placed(there, placed(translation({0.1, 0.2, 0.3}), placed(translation({-0.1, -0.2, -0.3}), left)));
+  const std::string other = with_transform(
+      there, with_transform(translation({0.1, 0.2, 0.3}), with_transform(translation({-0.1, -0.2, -0.3}), left)));
   check_empty(subtract({one, other}));
-  check_seen(unite({other, placed(there, right)}));
+  check_seen(unite({other, with_transform(there, right)}));
 }

@@ -52,7 +52,7 @@ TEST_CASE("eight cubes around a common vertex leave no crack") {
 }
 TEST_CASE("three planes of different solids with a common line are classified correctly") {
   // The faces x = 8, z = 8 and x = z all contain the line x = z = 8.
-  const std::string wedge = placed(
+  const std::string wedge = with_transform(
       "[[0.70710678118654757,0,-0.70710678118654757,8],[0,1,0,0],[0.70710678118654757,0,0.70710678118654757,8],"
       "[0,0,0,1]]",
       box({-6, 0, 0}, {6, 8, 6}));
@@ -61,14 +61,14 @@ TEST_CASE("three planes of different solids with a common line are classified co
   check_seen(intersect({box({0, 0, 0}, {12, 8, 12}), unite({one, wedge})}));
 }
 TEST_CASE("a box whose vertex touches another box's face leaves no mark on it") {
-  const std::string corner =
-      placed(translation({4, 0, 4}), placed(rotation(35.264389682754654, 45), box({0, 0, 0}, {4, 4, 4})));
+  const std::string corner = with_transform(
+      translation({4, 0, 4}), with_transform(rotation(35.264389682754654, 45), box({0, 0, 0}, {4, 4, 4})));
   const Verdict verdict = look_obliquely(subtract({one, corner}));
   CHECK(verdict.wrong == 0);
   CHECK(verdict.covered > 1000);
 }
 TEST_CASE("an edge that lies in another solid's face leaves no mark on it") {
-  const std::string roof = placed(
+  const std::string roof = with_transform(
       "[[0.70710678118654757,0,-0.70710678118654757,4],[0,1,0,0],[0.70710678118654757,0,0.70710678118654757,8],"
       "[0,0,0,1]]",
       box({0, 1, 0}, {4, 7, 4}));

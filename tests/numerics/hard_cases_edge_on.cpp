@@ -67,7 +67,7 @@ TEST_CASE("faces 1e-3 to 1e-12 from edge-on are drawn within the stated error bo
 }
 TEST_CASE("blocks turned to 1e-3 to 1e-12 from edge-on leave no crack and no double cover") {
   for (int exponent = 3; exponent <= 12; ++exponent) {
-    const std::string turned = placed(rotation(0, std::pow(10.0, -exponent)), abutting);
+    const std::string turned = with_transform(rotation(0, std::pow(10.0, -exponent)), abutting);
     CAPTURE(exponent);
     for (const Projection projection : {orthographic, perspective}) {
       // Both adjacent faces are covered in the middle of the picture, whichever block owns them.
@@ -95,7 +95,7 @@ TEST_CASE("the error of a face drawn as an edge is at most half the edge-on frac
   std::uint64_t wrong = 0;
   for (const double part : {0.5, 0.9, -0.9}) {
     const std::string leaning =
-        placed(fmt::format("[[1,{},0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]", part * pixel / 8.0), abutting);
+        with_transform(fmt::format("[[1,{},0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]", part * pixel / 8.0), abutting);
     for (int place = 0; place < 20; ++place) {
       const double x = 0.05 * place * pixel;
       for (const Projection projection : {orthographic, perspective}) {
@@ -115,7 +115,8 @@ TEST_CASE("a finer edge-on fraction draws steep faces as surfaces") {
   Look fine;
   fine.sampling.edge_on_fraction = 1.0 / 65536;
   for (const double lean : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5}) {
-    const std::string leaning = placed(fmt::format("[[1,{},0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]", lean), abutting);
+    const std::string leaning =
+        with_transform(fmt::format("[[1,{},0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]", lean), abutting);
     for (const Look& how : {coarse, Look{}, fine}) {
       const Verdict verdict = look(leaning, {{0.3, -60, 4}, {0.3, 4, 4}, orthographic}, how);
       CHECK(verdict.covered > 1000);

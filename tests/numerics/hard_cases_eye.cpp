@@ -94,14 +94,14 @@ TEST_CASE("a near plane through the model caps solids but not holes") {
 }
 TEST_CASE("views straight down and up are drawn correctly") {
   for (const Projection projection : {orthographic, perspective}) {
-    const std::string skew = placed(rotation(12, 34), room);
+    const std::string skew = with_transform(rotation(12, 34), room);
     CHECK(look(skew, {{1, 2, 70}, {1, 2, 0}, projection}).wrong == 0);
     CHECK(look(skew, {{1, 2, -70}, {1, 2, 0}, projection}).wrong == 0);
     CHECK(look(skew, {{1, 2 + 1e-9, 70}, {1, 2, 0}, projection}).wrong == 0);
   }
 }
 TEST_CASE("a camera rolled about its view direction sees the model correctly") {
-  const std::string skew = placed(rotation(12, 34), room);
+  const std::string skew = with_transform(rotation(12, 34), room);
   for (const glm::dvec3 degrees : {glm::dvec3(55, 20, 25), glm::dvec3(90, 90, 0), glm::dvec3(180, 0, 33)}) {
     for (const Projection projection : {orthographic, perspective}) {
       csgsim::view::Camera camera = csgsim::view::gimbal_camera({1, 2, 0}, degrees, 70);

@@ -46,35 +46,35 @@ bool holds(const std::string& text, const std::string& part) { return text.find(
 }  // namespace
 
 TEST_CASE("a mirrored solid is drawn correctly and not inside out") {
-  check_seen(placed("[[-1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]", body));
-  check_seen(placed("[[1,0,0,0],[0,1,0,0],[0,0,-1,0],[0,0,0,1]]", body));
-  check_seen(subtract({cube, placed("[[-1,0,0,10],[0,1,0,0],[0,0,1,0],[0,0,0,1]]", body)}));
+  check_seen(with_transform("[[-1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]", body));
+  check_seen(with_transform("[[1,0,0,0],[0,1,0,0],[0,0,-1,0],[0,0,0,1]]", body));
+  check_seen(subtract({cube, with_transform("[[-1,0,0,10],[0,1,0,0],[0,0,1,0],[0,0,0,1]]", body)}));
 }
 TEST_CASE("a solid mirrored twice is the solid") {
   const std::string mirror = "[[-1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]";
-  check_same(body, placed(mirror, placed(mirror, body)));
+  check_same(body, with_transform(mirror, with_transform(mirror, body)));
 }
 TEST_CASE("skewed solids are drawn correctly") {
-  check_seen(placed("[[1,0.5,-0.3,0],[0.2,1,0.4,0],[0,0.7,1,0],[0,0,0,1]]", body));
-  CHECK(look_obliquely(placed("[[1,40,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]", body)).wrong == 0);
+  check_seen(with_transform("[[1,0.5,-0.3,0],[0.2,1,0.4,0],[0,0.7,1,0],[0,0,0,1]]", body));
+  CHECK(look_obliquely(with_transform("[[1,40,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]", body)).wrong == 0);
 }
 TEST_CASE("unevenly scaled solids are drawn correctly") {
-  check_seen(placed(scaling({1000, 1, 100}), ball({0, 0, 0}, 5, 20)));
-  check_seen(placed(rotation(20, 30), placed(scaling({1, 1, 0.01}), ball({0, 0, 0}, 5, 20))));
+  check_seen(with_transform(scaling({1000, 1, 100}), ball({0, 0, 0}, 5, 20)));
+  check_seen(with_transform(rotation(20, 30), with_transform(scaling({1, 1, 0.01}), ball({0, 0, 0}, 5, 20))));
 }
 TEST_CASE("a singular matrix flattens a solid to nothing") {
-  check_empty(placed("[[1,0,0,0],[0,1,0,0],[0,0,0,0],[0,0,0,1]]", body));
-  check_empty(placed("[[1,2,3,0],[2,4,6,0],[0,0,1,0],[0,0,0,1]]", body));
-  check_seen(subtract({cube, placed("[[1,0,0,0],[0,0,0,0],[0,0,1,0],[0,0,0,1]]", cube)}));
+  check_empty(with_transform("[[1,0,0,0],[0,1,0,0],[0,0,0,0],[0,0,0,1]]", body));
+  check_empty(with_transform("[[1,2,3,0],[2,4,6,0],[0,0,1,0],[0,0,0,1]]", body));
+  check_seen(subtract({cube, with_transform("[[1,0,0,0],[0,0,0,0],[0,0,1,0],[0,0,0,1]]", cube)}));
 }
 TEST_CASE("a nearly singular matrix gives a thin solid that is drawn within the bounds") {
   for (const double thin : {1e-4, 1e-7, 1e-9}) {
-    look_obliquely(placed(fmt::format("[[1,1,0,0],[1,{},0,0],[0,0,1,0],[0,0,0,1]]", 1.0 + thin), body));
+    look_obliquely(with_transform(fmt::format("[[1,1,0,0],[1,{},0,0],[0,0,1,0],[0,0,0,1]]", 1.0 + thin), body));
   }
 }
 TEST_CASE("matrices with numbers that are not finite give nothing") {
-  check_empty(placed("[[1,0,0,nan],[0,1,0,0],[0,0,1,0],[0,0,0,1]]", body));
-  check_empty(placed("[[inf,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]", body));
+  check_empty(with_transform("[[1,0,0,nan],[0,1,0,0],[0,0,1,0],[0,0,0,1]]", body));
+  check_empty(with_transform("[[inf,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]", body));
 }
 TEST_CASE("sizes that are zero or negative or not finite give nothing") {
   for (const char* size : {"0", "-1", "nan", "inf", "-inf"}) {
@@ -112,8 +112,8 @@ TEST_CASE("coefficients that do not fit are an error that names the primitive") 
   std::size_t drawn = 0;
   for (int exponent = 1; exponent <= 12; ++exponent) {
     const std::string leaning =
-        placed(fmt::format("[[1,{},0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]", std::pow(10.0, -exponent)),
-               box({-8, 0, 0}, {0, 8, 8}));
+        with_transform(fmt::format("[[1,{},0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]", std::pow(10.0, -exponent)),
+                       box({-8, 0, 0}, {0, 8, 8}));
     for (const Projection projection : {orthographic, perspective}) {
       const csgsim::view::Camera camera{{0, -60, 4}, {0, 4, 4}, projection};
       const std::string error = error_of(leaning, camera, how);

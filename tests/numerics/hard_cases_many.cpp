@@ -70,7 +70,8 @@ TEST_CASE("a difference with more than 255 subtracted solids is drawn correctly"
 }
 TEST_CASE("256 overlapping subtracted solids are drawn correctly") {
   std::vector<std::string> parts{box({-30, -30, -30}, {30, 30, 30})};
-  for (int i = 0; i < 256; ++i) parts.push_back(placed(rotation(7.0 * i, 3.0 * i), box({18, -20, -4}, {40, 20, 4})));
+  for (int i = 0; i < 256; ++i)
+    parts.push_back(with_transform(rotation(7.0 * i, 3.0 * i), box({18, -20, -4}, {40, 20, 4})));
   check_both_ways(subtract(parts), 10, false);
 }
 TEST_CASE("a cube minus 1 to 100 intersections of sphere and cylinder is drawn correctly") {
@@ -89,7 +90,7 @@ TEST_CASE("a difference of thousands of solids is drawn correctly") {
 TEST_CASE("an intersection of 300 solids that each remove a little is drawn correctly") {
   std::vector<std::string> parts;
   for (int i = 0; i < 300; ++i)
-    parts.push_back(placed(rotation(37.0 * i, 61.0 * i), box({-50, -50, -50}, {50, 50, 30})));
+    parts.push_back(with_transform(rotation(37.0 * i, 61.0 * i), box({-50, -50, -50}, {50, 50, 30})));
   check_both_ways(intersect(parts), 10, false);
 }
 TEST_CASE("a tree of unions 10000 deep is drawn correctly") { check_both_ways(left_deep(10000, {"union"}), 5, false); }

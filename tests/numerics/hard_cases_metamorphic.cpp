@@ -12,7 +12,7 @@ constexpr Projection perspective = Projection::perspective;
 /// A few solids that share faces and overlap.
 std::vector<std::string> solids() {
   return {box({0, 0, 0}, {10, 8, 6}), box({10, 0, 0}, {14, 8, 4}), cylinder({5, 4, 0}, 6, 3, 3, 12),
-          ball({9, 7, 5}, 4, 10), placed(rotation(20, 40), box({2, -3, -1}, {9, 4, 5}))};
+          ball({9, 7, 5}, 4, 10), with_transform(rotation(20, 40), box({2, -3, -1}, {9, 4, 5}))};
 }
 
 std::vector<csgsim::view::Camera> cameras() {
@@ -96,12 +96,12 @@ TEST_CASE("a solid split by a plane and united again is the solid") {
       subtract({unite({box({0, 0, 0}, {10, 8, 6}), ball({9, 7, 5}, 4, 10)}), cylinder({5, 4, 0}, 6, 3, 3, 12)});
   const std::string near_half = box({-40, -40, -40}, {4, 40, 40});
   check_same_geometry(body, unite({intersect({body, near_half}), subtract({body, near_half})}));
-  const std::string slanted = placed(rotation(31, 17), box({-60, -60, -60}, {60, 60, 2}));
+  const std::string slanted = with_transform(rotation(31, 17), box({-60, -60, -60}, {60, 60, 2}));
   check_same_geometry(body, unite({intersect({body, slanted}), subtract({body, slanted})}));
 }
 TEST_CASE("the two parts of a split solid do not intersect") {
   const std::string a = unite(solids());
-  const std::string b = placed(rotation(31, 17), box({-60, -60, -60}, {60, 60, 2}));
+  const std::string b = with_transform(rotation(31, 17), box({-60, -60, -60}, {60, 60, 2}));
   for (const csgsim::view::Camera& camera : cameras()) {
     CHECK(look(intersect({intersect({a, b}), subtract({a, b})}), camera).covered == 0);
   }
@@ -115,7 +115,7 @@ TEST_CASE("moving a model by whole pixels moves its picture by whole pixels") {
   const csgsim::observe::Frame here = picture_of(body, camera);
   CHECK(covered_pixels(here, 20) > 300);
   for (const auto& [columns, rows] : std::vector<std::pair<int, int>>{{7, 0}, {0, -11}, {-13, 9}}) {
-    const std::string moved = placed(translation({columns * pixel, 0, -rows * pixel}), body);
+    const std::string moved = with_transform(translation({columns * pixel, 0, -rows * pixel}), body);
     look(moved, camera);
     const csgsim::observe::Frame there = picture_of(moved, camera);
     std::uint64_t different = 0;
@@ -135,7 +135,7 @@ TEST_CASE("moving a model by whole pixels moves its picture by whole pixels") {
 }
 TEST_CASE("a model and its mirror image give mirrored pictures") {
   const std::string body = subtract(solids());
-  const std::string mirrored = placed("[[-1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]", body);
+  const std::string mirrored = with_transform("[[-1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]", body);
   for (const Projection projection : {orthographic, perspective}) {
     const csgsim::observe::Frame here = picture_of(body, {{3.3, -64, 2.1}, {3.3, 0, 2.1}, projection});
     const csgsim::observe::Frame there = picture_of(mirrored, {{-3.3, -64, 2.1}, {-3.3, 0, 2.1}, projection});

@@ -10,8 +10,8 @@ namespace {
 
 std::string hard_model() {
   const std::string cylinders = unite({cylinder({0, 0, 0}, 5, 4, 4, 15), cylinder({0, 0, 5}, 5, 4, 4, 15)});
-  return placed(rotation(23, 57), subtract({unite({cylinders, box({0, -6, 0}, {9, 6, 5})}), box({2, -6, 0}, {7, 0, 10}),
-                                            ball({0, 0, 10}, 3, 24)}));
+  return with_transform(rotation(23, 57), subtract({unite({cylinders, box({0, -6, 0}, {9, 6, 5})}),
+                                                    box({2, -6, 0}, {7, 0, 10}), ball({0, 0, 10}, 3, 24)}));
 }
 
 Compiled compiled(Projection projection) {

@@ -15,7 +15,7 @@ constexpr glm::dvec3 oblique{0.61, -0.74, 0.52};
 
 TEST_CASE("models of size 1e-6 and 1e6 are drawn as one of size 1") {
   for (const double size : {1e-6, 1.0, 1e6}) {
-    const Verdict verdict = look_obliquely(placed(scaling(glm::dvec3(size)), bracket));
+    const Verdict verdict = look_obliquely(with_transform(scaling(glm::dvec3(size)), bracket));
     CHECK(verdict.wrong == 0);
     CHECK(verdict.covered > 10000);
   }
@@ -24,7 +24,8 @@ TEST_CASE("solids of sizes from 1e-6 to 1e6 in one scene are drawn correctly fro
   std::vector<std::string> side_by_side;
   for (int exponent = -6; exponent <= 6; ++exponent) {
     const double size = std::pow(10.0, exponent);
-    side_by_side.push_back(placed(translation({size, 0, 0}), placed(scaling(glm::dvec3(0.3 * size)), bracket)));
+    side_by_side.push_back(
+        with_transform(translation({size, 0, 0}), with_transform(scaling(glm::dvec3(0.3 * size)), bracket)));
   }
   const std::string csg = unite(side_by_side);
   for (int exponent = -6; exponent <= 6; exponent += 2) {
@@ -43,15 +44,16 @@ TEST_CASE("solids of sizes from 1e-6 to 1e6 in one scene are drawn correctly fro
 }
 TEST_CASE("a model 1e6 away from the origin is drawn correctly") {
   for (const glm::dvec3 away : {glm::dvec3(1e6, 0, 0), glm::dvec3(-1e6, 1e6, 1e6), glm::dvec3(333333.3, -7e5, 1e6)}) {
-    const Verdict verdict = look_obliquely(placed(translation(away), bracket));
+    const Verdict verdict = look_obliquely(with_transform(translation(away), bracket));
     CHECK(verdict.covered > 10000);
     CHECK(verdict.wrong == 0);
   }
 }
 TEST_CASE("coincident faces 1e6 away from the origin are still coincident") {
   const std::string there = translation({1e6, -1e6, 1e6});
-  CHECK(look_obliquely(placed(there, subtract({bracket, bracket}))).covered == 0);
-  CHECK(look_obliquely(placed(there, unite({box({0, 0, 0}, {8, 8, 8}), box({8, 0, 0}, {16, 8, 8})}))).wrong == 0);
+  CHECK(look_obliquely(with_transform(there, subtract({bracket, bracket}))).covered == 0);
+  CHECK(look_obliquely(with_transform(there, unite({box({0, 0, 0}, {8, 8, 8}), box({8, 0, 0}, {16, 8, 8})}))).wrong ==
+        0);
 }
 TEST_CASE("a far plane a million times beyond the near plane has errors within the bounds") {
   const std::string csg = unite({box({-1, 2, -1}, {1, 3, 0}), box({-2e6, 1.5e6, -1e6}, {2e6, 2e6, 0})});

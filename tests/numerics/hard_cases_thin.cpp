@@ -43,7 +43,7 @@ TEST_CASE("a sphere of $fn = 1000 with half a million facets is drawn correctly"
 }
 TEST_CASE("a sphere of $fn = 200 cut by a copy turned by 1e-7 is drawn correctly") {
   const std::string cut =
-      subtract({ball({0, 0, 0}, 10, 200), placed(std::string(turns::hair), ball({0, 0, 0}, 10, 200))});
+      subtract({ball({0, 0, 0}, 10, 200), with_transform(std::string(turns::hair), ball({0, 0, 0}, 10, 200))});
   Look how = without_other_engines();
   how.sampling.width = 64;
   how.sampling.height = 48;
@@ -96,7 +96,7 @@ TEST_CASE("a solid minus itself turned by 1e-3 to 1e-9 leaves slivers within the
   for (const double angle : {1e-1, 1e-3, 1e-5, 1e-7}) {
     CAPTURE(angle);
     const std::string cube = box({-5, -5, -5}, {5, 5, 5});
-    const std::string csg = subtract({cube, placed(rotation(angle, 2 * angle), cube)});
+    const std::string csg = subtract({cube, with_transform(rotation(angle, 2 * angle), cube)});
     for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
       look(csg, {{37, -45, 32}, {0, 0, 0}, projection});
     }

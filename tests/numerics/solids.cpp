@@ -21,16 +21,16 @@ std::span<const std::string> as_span(std::initializer_list<std::string> parts) {
 
 std::string box(const glm::dvec3& low, const glm::dvec3& high) {
   const glm::dvec3 size = high - low;
-  return placed(translation(low), fmt::format("cube(size=[{},{},{}],center=false);", size.x, size.y, size.z));
+  return with_transform(translation(low), fmt::format("cube(size=[{},{},{}],center=false);", size.x, size.y, size.z));
 }
 
 std::string ball(const glm::dvec3& centre, double radius, unsigned fragments) {
-  return placed(translation(centre), fmt::format("sphere($fn={},$fa=12,$fs=2,r={});", fragments, radius));
+  return with_transform(translation(centre), fmt::format("sphere($fn={},$fa=12,$fs=2,r={});", fragments, radius));
 }
 
 std::string cylinder(const glm::dvec3& foot, double height, double low_radius, double high_radius, unsigned fragments) {
-  return placed(translation(foot), fmt::format("cylinder($fn={},$fa=12,$fs=2,h={},r1={},r2={},center=false);",
-                                               fragments, height, low_radius, high_radius));
+  return with_transform(translation(foot), fmt::format("cylinder($fn={},$fa=12,$fs=2,h={},r1={},r2={},center=false);",
+                                                       fragments, height, low_radius, high_radius));
 }
 
 std::string rod(const glm::dvec3& foot, double height, double radius) { return cylinder(foot, height, radius, radius); }
@@ -50,7 +50,7 @@ std::string unite(std::span<const std::string> parts) { return operation("union"
 std::string subtract(std::span<const std::string> parts) { return operation("difference", parts); }
 std::string intersect(std::span<const std::string> parts) { return operation("intersection", parts); }
 
-std::string placed(const std::string& matrix, const std::string& csg) {
+std::string with_transform(const std::string& matrix, const std::string& csg) {
   return "multmatrix(" + matrix + "){" + csg + "}\n";
 }
 

@@ -36,7 +36,7 @@ std::string subtract(std::span<const std::string> parts);
 std::string intersect(std::span<const std::string> parts);
 
 /// The model `csg` under a matrix in the form that OpenSCAD prints, "[[1,0,0,0],...]".
-std::string placed(const std::string& matrix, const std::string& csg);
+std::string with_transform(const std::string& matrix, const std::string& csg);
 
 /// A rotation about x, then about z, by degrees.
 std::string rotation(double about_x, double about_z);

@@ -33,7 +33,7 @@ void check_same_pictures(const std::string& text, testing::Setup how) {
     RC_ASSERT(frame.owner == expected.owner);
     RC_ASSERT(frame.colour == expected.colour);
   }
-  for (const testing::Setup& parts : testing::in_parts(how)) {
+  for (const testing::Setup& parts : testing::setups_in_parts(how)) {
     const observe::Frame frame = testing::draw(testing::compile_text(text, parts).program);
     RC_ASSERT(frame.depth == expected.depth);
     RC_ASSERT(frame.owner == expected.owner);
@@ -94,7 +94,7 @@ TEST_CASE("all options and machines draw the same picture of the thesis's object
         CHECK(frame.owner == expected.owner);
         CHECK(frame.colour == expected.colour);
       }
-      for (const testing::Setup& parts : testing::in_parts(how)) {
+      for (const testing::Setup& parts : testing::setups_in_parts(how)) {
         CAPTURE(parts.kind->name);
         CAPTURE(parts.square.width);
         const observe::Frame frame = testing::draw(testing::compile_file(testing::model_path(one.name), parts).program);

@@ -76,7 +76,7 @@ std::vector<emit::Options> all_options() {
   return all;
 }
 
-std::vector<Setup> in_parts(Setup setup) {
+std::vector<Setup> setups_in_parts(Setup setup) {
   std::vector<Setup> all;
   setup.kind = &scan_line::kind;
   all.push_back(setup);
@@ -105,7 +105,7 @@ std::vector<Setup> in_parts(Setup setup) {
   return all;
 }
 
-std::vector<Setup> on_quadratic_machines(Setup setup) {
+std::vector<Setup> setups_on_quadratic_machines(Setup setup) {
   std::vector<Setup> all;
   for (const char* machine : {"pixel-powers", "pixel-planes-5", "pixel-square+divider.kind=host"}) {
     setup.machine = machine;

@@ -11,9 +11,9 @@ namespace csgsim::testing {
 std::vector<emit::Options> all_options();
 
 /// The same picture divided into lines and into squares, including squares that do not fit it.
-std::vector<Setup> in_parts(Setup setup);
+std::vector<Setup> setups_in_parts(Setup setup);
 
 /// The same picture without facets, on the machines whose expressions are of degree 2.
-std::vector<Setup> on_quadratic_machines(Setup setup);
+std::vector<Setup> setups_on_quadratic_machines(Setup setup);
 
 }  // namespace csgsim::testing

@@ -89,7 +89,7 @@ std::vector<Seen> draw_by_rules(const model::Tree& tree, const facet::Geometry& 
       Seen& seen = picture[static_cast<std::size_t>(y) * view.sampling.width + x];
       for (std::uint32_t p = 0; p < intervals.size(); ++p) {
         if (intervals[p].front >= intervals[p].back) continue;
-        const std::int64_t z = rules.taken_away(p) ? intervals[p].back : intervals[p].front;
+        const std::int64_t z = rules.is_subtracted(p) ? intervals[p].back : intervals[p].front;
         if (z >= static_cast<std::int64_t>(seen.depth)) continue;
         for (std::size_t q = 0; q < held.size(); ++q) held[q] = intervals[q].front <= z && z < intervals[q].back;
         if (rules.shows(p, held)) seen = {static_cast<std::uint32_t>(z), p};

@@ -137,7 +137,7 @@ std::vector<std::uint32_t> rational_owners(const model::Tree& tree, const facet:
     std::optional<Place> seen;
     for (std::uint32_t p = 0; p < count; ++p) {
       if (!intervals[p]) continue;
-      const Place place = rules.taken_away(p) ? intervals[p]->back : intervals[p]->front;
+      const Place place = rules.is_subtracted(p) ? intervals[p]->back : intervals[p]->front;
       if (seen && !(place < *seen)) continue;
       for (std::uint32_t q = 0; q < count; ++q) {
         held[q] = intervals[q] && !(place < intervals[q]->front) && place < intervals[q]->back;

@@ -78,7 +78,7 @@ RayLighting::RayLighting(const model::Tree& tree, const facet::Geometry& facets,
   for (const scene::Light& light : scene.lights) lights_.push_back(in_model_space(light, camera));
   if (lights_.empty()) lights_.push_back(in_model_space(usual_light(), camera));
   for (std::uint32_t p = 0; p < tree.primitives.size(); ++p) {
-    finishes_.push_back(finish(scene, tree.primitives[p], model.taken_away(p)));
+    finishes_.push_back(finish(scene, tree.primitives[p], model.is_subtracted(p)));
     std::vector<glm::dvec3>& middles = middles_.emplace_back();
     for (const facet::Halfspace& halfspace : facets.solids[p].halfspaces) {
       const facet::Plane& plane = facets.planes.planes()[halfspace.plane];
@@ -87,12 +87,12 @@ RayLighting::RayLighting(const model::Tree& tree, const facet::Geometry& facets,
   }
 }
 
-glm::dvec3 RayLighting::way_to(const SurfacePoint& facet, const RayLight& light) const {
+glm::dvec3 RayLighting::direction_to(const SurfacePoint& facet, const RayLight& light) const {
   return light.is_point ? glm::normalize(light.place - middle(facet)) : light.direction;
 }
 
-double RayLighting::facing(const SurfacePoint& facet, const RayLight& light) const {
-  return glm::dot(model_.normal(facet.primitive, facet.halfspace), way_to(facet, light));
+double RayLighting::cosine_to_light(const SurfacePoint& facet, const RayLight& light) const {
+  return glm::dot(model_.normal(facet.primitive, facet.halfspace), direction_to(facet, light));
 }
 
 glm::dvec3 RayLighting::colour(const SurfacePoint& facet, const std::vector<bool>& counts,
@@ -103,11 +103,11 @@ glm::dvec3 RayLighting::colour(const SurfacePoint& facet, const std::vector<bool
   const glm::dvec3 to_eye = eye.perspective ? glm::normalize(eye.eye - middle(facet)) : -eye.axes.forward;
   glm::dvec3 colour = finish.colour * ambient_ * material.ambient;
   for (std::size_t i = 0; i < lights_.size(); ++i) {
-    const double cosine = facing(facet, lights_[i]);
+    const double cosine = cosine_to_light(facet, lights_[i]);
     if (!counts[i] || !(cosine > 0.0)) continue;
     colour += finish.colour * lights_[i].colour * (material.diffuse * cosine);
     if (material.specular == 0.0) continue;
-    const glm::dvec3 halfway = glm::normalize(way_to(facet, lights_[i]) + to_eye);
+    const glm::dvec3 halfway = glm::normalize(direction_to(facet, lights_[i]) + to_eye);
     const double highlight = std::max(0.0, glm::dot(normal, halfway));
     colour += lights_[i].colour * (material.specular * std::pow(highlight, material.shininess));
   }

@@ -38,7 +38,7 @@ class RayLighting {
   [[nodiscard]] const std::vector<RayLight>& lights() const { return lights_; }
 
   /// The cosine between a facet's normal and the direction to a light.
-  [[nodiscard]] double facing(const SurfacePoint& facet, const RayLight& light) const;
+  [[nodiscard]] double cosine_to_light(const SurfacePoint& facet, const RayLight& light) const;
 
   /// Whether a light at grazing incidence is still visible on the primitive's facets.
   [[nodiscard]] bool has_highlights(std::uint32_t primitive) const {
@@ -54,7 +54,7 @@ class RayLighting {
   [[nodiscard]] const glm::dvec3& middle(const SurfacePoint& facet) const {
     return middles_[facet.primitive][facet.halfspace];
   }
-  [[nodiscard]] glm::dvec3 way_to(const SurfacePoint& facet, const RayLight& light) const;
+  [[nodiscard]] glm::dvec3 direction_to(const SurfacePoint& facet, const RayLight& light) const;
 
   const RayModel& model_;
   glm::dvec3 ambient_;

@@ -38,7 +38,7 @@ void narrow_out(Crossing& out, const Crossing& next) {
   }
 }
 
-std::vector<bool> held_at(const std::vector<Span>& spans, double t) {
+std::vector<bool> primitives_at(const std::vector<Span>& spans, double t) {
   std::vector<bool> held(spans.size());
   for (std::size_t i = 0; i < spans.size(); ++i) held[i] = spans[i].in.t <= t && t < spans[i].out.t;
   return held;
@@ -83,7 +83,7 @@ RayModel::RayModel(const model::Tree& tree, const facet::Geometry& scene) : scen
 glm::dvec3 RayModel::normal(std::uint32_t primitive, std::uint32_t halfspace) const {
   const facet::Halfspace& side = scene_.solids[primitive].halfspaces[halfspace];
   const glm::dvec3& normal = scene_.planes.planes()[side.plane].normal;
-  return side.positive != taken_away(primitive) ? normal : -normal;
+  return side.positive != is_subtracted(primitive) ? normal : -normal;
 }
 
 Span RayModel::span(std::uint32_t primitive, const Ray& ray) const {
@@ -119,7 +119,7 @@ std::vector<Span> RayModel::spans(const Ray& ray) const {
   return spans;
 }
 
-bool RayModel::holds(const std::vector<Span>& spans, double t) const { return rules_.holds(held_at(spans, t)); }
+bool RayModel::holds(const std::vector<Span>& spans, double t) const { return rules_.holds(primitives_at(spans, t)); }
 
 Surfaces RayModel::surfaces(const Ray& ray, const Stretch& stretch, double gap) const {
   std::vector<Span> all = spans(ray);
@@ -130,7 +130,7 @@ Surfaces RayModel::surfaces(const Ray& ray, const Stretch& stretch, double gap) 
     const bool is_cut = stretch.plane == model::no_index && span.in.t < stretch.from;
     if (is_cut) span.in = {stretch.from, model::no_index, model::no_index, infinity};
     if (span.empty()) continue;
-    const Crossing& at = taken_away(p) ? span.out : span.in;
+    const Crossing& at = is_subtracted(p) ? span.out : span.in;
     const bool is_beyond = stretch.plane == model::no_index || (at.plane != stretch.plane && at.t > stretch.from);
     if (is_beyond) candidates.push_back({at, p});
   }
@@ -140,7 +140,7 @@ Surfaces RayModel::surfaces(const Ray& ray, const Stretch& stretch, double gap) 
   for (const Candidate& c : candidates) {
     found.is_clear = found.is_clear && is_apart(c.at, all, gap);
     if (!found.points.empty() && found.points.back().t == c.at.t) continue;
-    if (!rules_.shows(c.primitive, held_at(all, c.at.t))) continue;
+    if (!rules_.shows(c.primitive, primitives_at(all, c.at.t))) continue;
     const bool is_clear = found.is_clear && all_clearly_hit_or_missed(all, c.at.t, gap);
     found.points.push_back(
         {c.at.t, c.primitive, c.at.halfspace, c.at.plane, is_clear && c.at.halfspace != model::no_index});

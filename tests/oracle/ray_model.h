@@ -79,7 +79,7 @@ class RayModel {
   /// The unit normal out of the model: for a subtracted primitive, into the primitive.
   [[nodiscard]] glm::dvec3 normal(std::uint32_t primitive, std::uint32_t halfspace) const;
 
-  [[nodiscard]] bool taken_away(std::uint32_t primitive) const { return rules_.taken_away(primitive); }
+  [[nodiscard]] bool is_subtracted(std::uint32_t primitive) const { return rules_.is_subtracted(primitive); }
 
  private:
   struct Ball {

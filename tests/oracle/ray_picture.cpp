@@ -89,7 +89,7 @@ std::vector<RayColour> ray_picture(const model::Tree& tree, const facet::Geometr
   return picture;
 }
 
-double off_by(std::uint32_t packed, const glm::dvec3& expected) {
+double colour_error(std::uint32_t packed, const glm::dvec3& expected) {
   const glm::dvec3 levels{packed >> 16U & 0xffU, packed >> 8U & 0xffU, packed & 0xffU};
   const glm::dvec3 off = glm::abs(levels - 255.0 * expected);
   return std::max({off.x, off.y, off.z});

@@ -52,6 +52,6 @@ std::vector<RayColour> ray_picture(const model::Tree& tree, const facet::Geometr
                                    const RayShot& shot, const RayEffects& effects = {}, const RayDoubt& doubt = {});
 
 /// Largest error of a channel of a 24-bit colour, in levels of 255.
-double off_by(std::uint32_t packed, const glm::dvec3& expected);
+double colour_error(std::uint32_t packed, const glm::dvec3& expected);
 
 }  // namespace csgsim::testing

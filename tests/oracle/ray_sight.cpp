@@ -57,13 +57,13 @@ bool RaySight::is_blocked(const Ray& ray, const SurfacePoint& point, const RayLi
   return here.is_blocked;
 }
 
-std::vector<bool> RaySight::lights_at(const Ray& ray, const SurfacePoint& point, RaySeen& seen) const {
+std::vector<bool> RaySight::unshadowed_lights(const Ray& ray, const SurfacePoint& point, RaySeen& seen) const {
   const std::vector<RayLight>& lights = lighting_.lights();
   std::vector<bool> counts(lights.size());
   for (std::uint32_t i = 0; i < lights.size(); ++i) {
-    const double facing = lighting_.facing(point, lights[i]);
-    if (std::abs(facing) < edge_on && lighting_.has_highlights(point.primitive)) seen.is_clear = false;
-    counts[i] = facing >= edge_on;
+    const double cosine_to_light = lighting_.cosine_to_light(point, lights[i]);
+    if (std::abs(cosine_to_light) < edge_on && lighting_.has_highlights(point.primitive)) seen.is_clear = false;
+    counts[i] = cosine_to_light >= edge_on;
     const auto& shine_through = effects_.shadowless_lights;
     const bool throws_shadows =
         effects_.has_shadows && std::find(shine_through.begin(), shine_through.end(), i) == shine_through.end();
@@ -75,7 +75,7 @@ std::vector<bool> RaySight::lights_at(const Ray& ray, const SurfacePoint& point,
 
 glm::dvec3 RaySight::surface(const view::EyeSpace& eye, const Ray& ray, const SurfacePoint& point, RayPixel pixel,
                              unsigned reflections, RaySeen& seen) const {
-  glm::dvec3 colour = lighting_.colour(point, lights_at(ray, point, seen), eye);
+  glm::dvec3 colour = lighting_.colour(point, unshadowed_lights(ray, point, seen), eye);
   if (effects_.cue) {
     const double part = (point.t - effects_.cue->begin) / (effects_.cue->end - effects_.cue->begin);
     colour = glm::mix(colour, effects_.cue->colour, std::clamp(part, 0.0, 1.0));

@@ -72,7 +72,7 @@ class RaySight {
  private:
   [[nodiscard]] RaySeen look(const view::EyeSpace& eye, const Ray& ray, const Stretch& stretch, RayPixel pixel,
                              unsigned reflections) const;
-  [[nodiscard]] std::vector<bool> lights_at(const Ray& ray, const SurfacePoint& point, RaySeen& seen) const;
+  [[nodiscard]] std::vector<bool> unshadowed_lights(const Ray& ray, const SurfacePoint& point, RaySeen& seen) const;
   [[nodiscard]] bool is_blocked(const Ray& ray, const SurfacePoint& point, const RayLight& light, RaySeen& seen) const;
   [[nodiscard]] glm::dvec3 surface(const view::EyeSpace& eye, const Ray& ray, const SurfacePoint& point, RayPixel pixel,
                                    unsigned reflections, RaySeen& seen) const;

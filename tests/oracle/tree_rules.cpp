@@ -35,7 +35,7 @@ TreeRules::TreeRules(const model::Tree& tree)
     for (std::size_t c = 0; c < node.children.size(); ++c) {
       Place& child = places_[node.children[c]];
       child.parent = static_cast<std::uint32_t>(i);
-      child.taken_away = places_[i].taken_away != (node.op == model::Operator::subtract && c > 0);
+      child.is_subtracted = places_[i].is_subtracted != (node.op == model::Operator::subtract && c > 0);
     }
   }
 }
@@ -49,10 +49,10 @@ bool TreeRules::shows(std::uint32_t primitive, const std::vector<bool>& held) co
   for (std::uint32_t below = leaf_of_[primitive], at = places_[below].parent; at != model::no_index;
        below = at, at = places_[at].parent) {
     const model::Node& node = tree_.nodes[at];
-    const bool narrows = (node.op == model::Operator::unite) == places_[at].taken_away;
+    const bool narrows = (node.op == model::Operator::unite) == places_[at].is_subtracted;
     if (!narrows) continue;
     for (const std::uint32_t other : node.children) {
-      if (other != below && value[other] == places_[other].taken_away) return false;
+      if (other != below && value[other] == places_[other].is_subtracted) return false;
     }
   }
   return true;

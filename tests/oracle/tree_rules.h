@@ -17,7 +17,7 @@ class TreeRules {
   [[nodiscard]] bool holds(const std::vector<bool>& held) const;
 
   /// Whether the primitive is on the right of an odd number of differences, so that its back is the visible side.
-  [[nodiscard]] bool taken_away(std::uint32_t primitive) const { return places_[leaf_of_[primitive]].taken_away; }
+  [[nodiscard]] bool is_subtracted(std::uint32_t primitive) const { return places_[leaf_of_[primitive]].is_subtracted; }
 
   /// Whether the primitive's surface can be the model's just behind a point: no operator up to the root removes it. A
   /// union hides nothing (its other operands have separate surfaces); an intersection or difference hides points
@@ -29,7 +29,7 @@ class TreeRules {
   /// The constant properties of a node.
   struct Place {
     std::uint32_t parent = model::no_index;
-    bool taken_away = false;
+    bool is_subtracted = false;
   };
 
   const model::Tree& tree_;

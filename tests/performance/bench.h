@@ -25,7 +25,7 @@ struct Settings {
 };
 
 /// The settings of each measured build: this one, and the other one, if given, with a separate folder.
-std::vector<Settings> sides_of(const Settings& settings);
+std::vector<Settings> build_settings(const Settings& settings);
 
 /// A model on a machine at a level. Seconds are those of the run alone.
 struct Speed {
@@ -126,9 +126,9 @@ std::vector<Rival> measure_rivals(const Settings& settings);
 std::vector<Growth> measure_growths(const Settings& settings);
 std::vector<Count> measure_counts(const Settings& settings);
 std::vector<Schedule> measure_schedules(const Settings& settings);
-std::vector<Whole> measure_works(const Settings& settings);
+std::vector<Whole> measure_commands(const Settings& settings);
 
-/// Names of the whole commands measured by measure_works.
+/// Names of the whole commands measured by measure_commands.
 std::vector<std::string> work_names();
 
 }  // namespace csgsim::bench

@@ -53,7 +53,7 @@ std::uint64_t instructions_of(const Settings& settings, const Words& words) {
 
 void count_instructions(const Settings& settings, const std::filesystem::path& model, Count& count) {
   try {
-    for (const Settings& side : sides_of(settings)) {
+    for (const Settings& side : build_settings(settings)) {
       const Compiled compiled = compile(side, model, count.machine, side.size);
       const std::uint64_t instructions = instructions_of(side, run_words(side, compiled, level));
       if (side.csgsim == settings.csgsim) {

@@ -137,7 +137,7 @@ class Classifier {
  public:
   explicit Classifier(const TraceScene& scene) : scene_(scene), sequences_(scene.tree(), uncounted_) {}
 
-  software::Seen seen(std::span<const Hit> hits, const RTCRay& ray) {
+  software::VisibleSurface seen(std::span<const Hit> hits, const RTCRay& ray) {
     const view::View& view = scene_.view();
     const glm::dvec3 direction{ray.dir_x, ray.dir_y, ray.dir_z};
     events_.clear();
@@ -201,7 +201,7 @@ void compare(const std::string& name, const view::Camera& camera) {
   for (std::size_t pixel = 0; pixel < rays.size(); ++pixel) {
     RTCRayHit ray = rays[pixel];
     embree.gather_all(ray, hits);
-    const software::Seen seen = classifier.seen(hits, ray.ray);
+    const software::VisibleSurface seen = classifier.seen(hits, ray.ray);
     owners += seen.owner != traced.pixels[pixel].seen.owner ? 1U : 0U;
     depths += seen.depth != traced.pixels[pixel].seen.depth ? 1U : 0U;
   }
@@ -211,7 +211,8 @@ void compare(const std::string& name, const view::Camera& camera) {
       all, all_hits, owners, depths);
   for (const char* const directory : {"bvh", "kd-tree", "excell"}) {
     const auto space = software::directory_of(directory).make(scene.shapes(), {});
-    fmt::print("| `{}`, classified | {:.3f} | exact |\n", directory, software::traced_seconds(scene, *space, {}));
+    fmt::print("| `{}`, classified | {:.3f} | exact |\n", directory,
+               software::measure_trace_seconds(scene, *space, {}));
   }
 }
 

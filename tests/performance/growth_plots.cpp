@@ -44,7 +44,7 @@ std::vector<plots::Plot> plots_of_growths(const std::vector<Growth>& growths) {
 }
 
 std::vector<std::filesystem::path> draw_growths(const Results& results) {
-  return plots::draw(plots_of_growths(results.growths), results.settings.folder);
+  return plots::write_plots(plots_of_growths(results.growths), results.settings.folder);
 }
 
 }  // namespace csgsim::bench

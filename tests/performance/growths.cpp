@@ -44,8 +44,8 @@ void add_step(const Settings& settings, std::size_t side, const Step& step, cons
   Words compile_line = compile_words(settings, step.model, compiled, step.size);
   compile_line.insert(compile_line.end(), measured.options.begin(), measured.options.end());
   const Words run_line = run_words(settings, compiled, level, step.threads);
-  if (measured.run) whole_process(compile_line);
-  compiles.timed.at(side).emplace_back([compile_line] { return whole_process(compile_line); });
+  if (measured.run) process_seconds(compile_line);
+  compiles.timed.at(side).emplace_back([compile_line] { return process_seconds(compile_line); });
   runs.timed.at(side).emplace_back([&settings, run_line] { return run(settings, run_line).wall; });
   if (side != 0) return;
   compiles.growth.command = command_text(compile_line);
@@ -66,7 +66,7 @@ std::vector<Growth> growth_of(const Settings& settings, const std::string& again
                               const Measured& measured) {
   Part compiles{{against, "compile", {}, {}}, {}};
   Part runs{{against, "run", {}, {}}, {}};
-  const std::vector<Settings> sides = sides_of(settings);
+  const std::vector<Settings> sides = build_settings(settings);
   for (std::size_t side = 0; side < sides.size(); ++side) {
     for (const Step& step : steps) add_step(sides[side], side, step, measured, compiles, runs);
   }

@@ -60,7 +60,7 @@ constexpr std::array parts{
     Part{"growth", [](const auto& settings, auto& results) { results.growths = measure_growths(settings); }},
     Part{"counts", [](const auto& settings, auto& results) { results.counts = measure_counts(settings); }},
     Part{"schedule", [](const auto& settings, auto& results) { results.schedules = measure_schedules(settings); }},
-    Part{"works", [](const auto& settings, auto& results) { results.works = measure_works(settings); }},
+    Part{"works", [](const auto& settings, auto& results) { results.works = measure_commands(settings); }},
 };
 
 std::vector<std::string> levels_of(const std::string& text) { return parse_names(text, "level", level_names()); }

@@ -74,7 +74,7 @@ void replay_segment(const isa::Program& program, std::uint32_t number, const mac
     const std::vector<TileShare> shares = shares_of(stretch.instructions(), machine);
     StretchShares& shared = out.stretches.emplace_back(StretchShares{number, {}});
     for (functional::Tile& tile : tiles) shared.tiles.push_back(execute(tile, stretch, shares));
-    index += stretch.size() + isa::skipped_after(stretch.instructions().back(), enabled_in(tiles));
+    index += stretch.size() + isa::skipped_instruction_count(stretch.instructions().back(), enabled_in(tiles));
   }
   for (const functional::Tile& tile : tiles) out.work += tile.work();
 }

@@ -72,7 +72,7 @@ std::string rivals(const Results& results) {
          fmt::format("\nCommand of csgsim in the last row: `{}`.\n\n", printable(results.rivals.back().csgsim_command));
 }
 
-std::string points_text(const std::vector<Point>& points) {
+std::string points_json_text(const std::vector<Point>& points) {
   std::string text;
   for (const Point& point : points)
     text += fmt::format("{}{:g}: {}", text.empty() ? "" : ", ", point.x, milliseconds(point.y));
@@ -95,9 +95,9 @@ std::string growths(const Results& results) {
       "| against | part | exponent | ms at each size |{}\n|---|---|--:|---|{}\n",
       beside ? " other's exponent | other's ms |" : "", beside ? "--:|---|" : "");
   for (const Growth& row : results.growths) {
-    text +=
-        fmt::format("| {} | {} | {} | {} |", row.against, row.part, power_text(row.points), points_text(row.points));
-    if (beside) text += fmt::format(" {} | {} |", power_text(row.others), points_text(row.others));
+    text += fmt::format("| {} | {} | {} | {} |", row.against, row.part, power_text(row.points),
+                        points_json_text(row.points));
+    if (beside) text += fmt::format(" {} | {} |", power_text(row.others), points_json_text(row.others));
     text += "\n";
   }
   text += "\nCommands of the largest sizes:\n\n";

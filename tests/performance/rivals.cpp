@@ -69,7 +69,7 @@ Rival rival_of(const Settings& settings, const std::filesystem::path& model, con
                    "-o",
                    (settings.folder / "csgsim.png").native()};
   Rival rival{model.stem().native(), command_text(words), {}, 0, command_text(ours), 0};
-  const std::array<Timed, 2> timed{[&] { return seconds_of(words); }, [&] { return whole_process(ours); }};
+  const std::array<Timed, 2> timed{[&] { return seconds_of(words); }, [&] { return process_seconds(ours); }};
   try {
     const std::vector<double> medians = medians_in_turn(timed, settings.rounds);
     rival.rival = medians[0];

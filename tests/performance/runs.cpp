@@ -20,7 +20,7 @@ std::filesystem::path stats_path(const Settings& settings) { return settings.fol
 
 }  // namespace
 
-std::vector<Settings> sides_of(const Settings& settings) {
+std::vector<Settings> build_settings(const Settings& settings) {
   std::vector<Settings> sides{settings};
   if (settings.beside.empty()) return sides;
   Settings& other = sides.emplace_back(settings);
@@ -67,7 +67,7 @@ Words compile_words(const Settings& settings, const std::filesystem::path& model
 Compiled compile(const Settings& settings, const std::filesystem::path& model, const std::string& machine,
                  const std::string& size) {
   Compiled compiled{program_path(settings, model, machine, size), machine};
-  whole_process(compile_words(settings, model, compiled, size));
+  process_seconds(compile_words(settings, model, compiled, size));
   return compiled;
 }
 
@@ -80,12 +80,12 @@ Words run_words(const Settings& settings, const Compiled& compiled, const std::s
 }
 
 Ran run(const Settings& settings, const Words& words) {
-  whole_process(words);
+  process_seconds(words);
   const nlohmann::json stats = nlohmann::json::parse(std::ifstream(stats_path(settings)));
   return {stats.at("clocks"), stats.at("simulated_seconds"), stats.at("wall_seconds")};
 }
 
-double whole_process(const Words& words) { return run_to_end(words).wall; }
+double process_seconds(const Words& words) { return run_to_end(words).wall; }
 
 ProcessCost run_to_end(const Words& words) {
   const std::optional<ProcessCost> cost = run_process(words);

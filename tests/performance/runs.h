@@ -49,7 +49,7 @@ Words run_words(const Settings& settings, const Compiled& compiled, const std::s
 Ran run(const Settings& settings, const Words& words);
 
 /// Runs a process of csgsim. Throws InputError if it fails.
-double whole_process(const Words& words);
+double process_seconds(const Words& words);
 ProcessCost run_to_end(const Words& words);
 
 }  // namespace csgsim::bench

@@ -41,10 +41,11 @@ Schedule schedule_of(const Settings& settings, const std::filesystem::path& mode
   const std::vector<double> medians = medians_in_turn(timed, settings.rounds);
   const Replay shortest = shortest_replay(program, kinds::load(program.machine));
   Schedule schedule{
-      model.stem().native(), machine, std::max(medians[0] - by_tiles(shortest, 1), 0.0), {}, {}, medians[1]};
+      model.stem().native(), machine, std::max(medians[0] - makespan_by_tiles(shortest, 1), 0.0), {}, {}, medians[1]};
   for (const unsigned threads : max_threads) {
-    schedule.tiles.push_back({static_cast<double>(threads), schedule.rest + by_tiles(shortest, threads)});
-    schedule.segments.push_back({static_cast<double>(threads), schedule.rest + by_segments(shortest, threads)});
+    schedule.tiles.push_back({static_cast<double>(threads), schedule.rest + makespan_by_tiles(shortest, threads)});
+    schedule.segments.push_back(
+        {static_cast<double>(threads), schedule.rest + makespan_by_segments(shortest, threads)});
   }
   return schedule;
 }
@@ -64,7 +65,7 @@ double makespan(std::span<const double> jobs, unsigned threads) {
   return last;
 }
 
-double by_tiles(const Replay& replay, unsigned threads) {
+double makespan_by_tiles(const Replay& replay, unsigned threads) {
   double all = 0;
   std::vector<double> jobs;
   for (const StretchShares& stretch : replay.stretches) {
@@ -75,7 +76,7 @@ double by_tiles(const Replay& replay, unsigned threads) {
   return all;
 }
 
-double by_segments(const Replay& replay, unsigned threads) {
+double makespan_by_segments(const Replay& replay, unsigned threads) {
   std::vector<double> jobs;
   for (const StretchShares& stretch : replay.stretches) {
     jobs.resize(std::max<std::size_t>(jobs.size(), stretch.segment + 1));

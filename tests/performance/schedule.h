@@ -12,9 +12,9 @@ namespace csgsim::bench {
 double makespan(std::span<const double> jobs, unsigned threads);
 
 /// Seconds of all tiles on `threads` threads, which synchronize after each stretch.
-double by_tiles(const Replay& replay, unsigned threads);
+double makespan_by_tiles(const Replay& replay, unsigned threads);
 
 /// Seconds if each thread takes whole segments, and they synchronize at the end.
-double by_segments(const Replay& replay, unsigned threads);
+double makespan_by_segments(const Replay& replay, unsigned threads);
 
 }  // namespace csgsim::bench

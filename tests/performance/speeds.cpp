@@ -11,7 +11,7 @@ std::string name_of(const std::filesystem::path& model) { return model.stem().na
 
 /// Measures the levels of one model on one machine, in turns.
 std::vector<Speed> speeds_of(const Settings& settings, const std::filesystem::path& model, const std::string& machine) {
-  const std::vector<Settings> sides = sides_of(settings);
+  const std::vector<Settings> sides = build_settings(settings);
   std::vector<Speed> speeds(settings.levels.size());
   std::array<std::vector<Timed>, 2> timed;
   for (std::size_t side = 0; side < sides.size(); ++side) {

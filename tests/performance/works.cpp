@@ -96,7 +96,7 @@ Steps million_compile(const Settings& settings) {
 }
 
 Steps million_run(const Settings& settings) {
-  if (!std::filesystem::exists(million(settings).program)) whole_process(million_compile(settings).front().words);
+  if (!std::filesystem::exists(million(settings).program)) process_seconds(million_compile(settings).front().words);
   return {{run_words(settings, million(settings), "functional")}};
 }
 
@@ -145,7 +145,7 @@ Whole measure(const Settings& settings, const WorkRow& row) {
   Whole whole{std::string(row.name), std::string(row.what), {}, {}, 0, 0, row.halfspaces};
   std::array<std::vector<Timed>, 2> timed;
   std::array<double*, 2> memories{&whole.memory, &whole.other_memory};
-  const std::vector<Settings> sides = sides_of(settings);
+  const std::vector<Settings> sides = build_settings(settings);
   for (std::size_t side = 0; side < sides.size(); ++side) {
     const Steps steps = row.steps(sides[side]);
     if (side == 0)
@@ -164,7 +164,7 @@ std::vector<std::string> work_names() {
   return names;
 }
 
-std::vector<Whole> measure_works(const Settings& settings) {
+std::vector<Whole> measure_commands(const Settings& settings) {
   std::vector<Whole> all;
   for (const std::string& name : settings.works)
     all.push_back(measure(settings, *std::ranges::find(rows, name, &WorkRow::name)));

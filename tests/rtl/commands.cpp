@@ -10,7 +10,7 @@
 
 namespace csgsim::rtl {
 
-std::uint32_t pick(std::uint32_t least, std::uint32_t most) {
+std::uint32_t random_between(std::uint32_t least, std::uint32_t most) {
   return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(least, most + 1));
 }
 
@@ -21,13 +21,13 @@ void set_figures(const Words& words, const std::map<std::string, std::uint32_t*>
   }
 }
 
-void add_instructions(std::span<const isa::Program> programs, std::set<isa::Opcode>& sent) {
+void collect_opcodes(std::span<const isa::Program> programs, std::set<isa::Opcode>& sent) {
   for (const isa::Program& program : programs)
     for (const isa::Segment& segment : program.segments)
       for (const isa::Instruction& instruction : segment.instructions) sent.insert(instruction.opcode);
 }
 
-std::size_t possible_instructions(const machines::Machine& machine) {
+std::size_t possible_opcode_count(const machines::Machine& machine) {
   const auto fits = [&](const isa::OpcodeInfo& row) {
     if (isa::needs_global_or(row.opcode)) return machines::has_global_or(machine);
     return machine.evaluator_degree > 1 || row.opcode != isa::Opcode::squares;

@@ -29,16 +29,16 @@ using Words = std::vector<std::string>;
 using AnyFrames = std::function<rc::Gen<std::vector<isa::Program>>(const machines::Machine&, std::size_t instructions)>;
 
 /// A random number from `least` to `most`, independent of rapidcheck's current size.
-std::uint32_t pick(std::uint32_t least, std::uint32_t most);
+std::uint32_t random_between(std::uint32_t least, std::uint32_t most);
 
 /// Sets parameters of the host: words from the third on are KEY=NUMBER.
 void set_figures(const Words& words, const std::map<std::string, std::uint32_t*>& known);
 
 /// Adds the opcodes that occur in the Programs.
-void add_instructions(std::span<const isa::Program> programs, std::set<isa::Opcode>& sent);
+void collect_opcodes(std::span<const isa::Program> programs, std::set<isa::Opcode>& sent);
 
 /// Number of opcodes that a random Program for the machine may contain.
-std::size_t possible_instructions(const machines::Machine& machine);
+std::size_t possible_opcode_count(const machines::Machine& machine);
 
 /// random SEQUENCES INSTRUCTIONS ...: draws SEQUENCES random sequences. Throws if a possible opcode never occurred.
 template <class Lockstep>
@@ -47,19 +47,19 @@ int random_frames(const machines::Machine& machine, const AnyFrames& any_frames,
   const std::size_t instructions = std::stoul(words.at(2));
   Lockstep lockstep(machine);
   std::set<isa::Opcode> sent;
-  const int code = test::exit_code_of(sequences, [&] {
+  const int code = test::property_exit_code(sequences, [&] {
     return rc::check("Verilog and SystemC have equal registers and memory in every clock", [&] {
       const std::vector<isa::Program> frames = *any_frames(machine, instructions);
       const std::string difference = lockstep.run(frames, 0);
       if (!difference.empty()) RC_FAIL(difference);
-      add_instructions(frames, sent);
+      collect_opcodes(frames, sent);
     });
   });
   constexpr unsigned many = 20;  ///< fewer sequences need not contain every opcode
   if (testing::draws_from_fixed_seed() && sequences >= many && code == 0 &&
-      sent.size() != possible_instructions(machine))
+      sent.size() != possible_opcode_count(machine))
     throw std::runtime_error(
-        fmt::format("only {} of {} opcodes occurred; raise INSTRUCTIONS", sent.size(), possible_instructions(machine)));
+        fmt::format("only {} of {} opcodes occurred; raise INSTRUCTIONS", sent.size(), possible_opcode_count(machine)));
   fmt::print("{} clocks compared\n", lockstep.clocks_compared());
   return code;
 }

@@ -45,7 +45,8 @@ Lockstep::Lockstep(const machines::Machine& machine)
       machine_("machine", machine),
       rtl_(std::make_unique<Machine>()),
       host_(machine.link),
-      screen_(machine.array.width, machines::own<pixel_planes::Figures>(machine).scan_out_pixels, colour_wires()) {
+      screen_(machine.array.width, machines::kind_figures<pixel_planes::Figures>(machine).scan_out_pixels,
+              colour_wires()) {
   SC_HAS_PROCESS(Lockstep);
   SC_METHOD(watch);
 }
@@ -171,7 +172,7 @@ void Lockstep::compare_frame(std::size_t number, const systemc::RunReport& repor
                                     [&](const auto& activity) { return activity.activity == counted.at(i); });
     if (found != activities.end()) expect(counted.at(i), found->clocks, frame.counts.at(i));
   }
-  const bool tells_waits = machines::own<pixel_planes::Figures>(figures_).scan_out_buffers > 1;
+  const bool tells_waits = machines::kind_figures<pixel_planes::Figures>(figures_).scan_out_buffers > 1;
   if (tells_waits) expect("refresh_waits", report.account.count("refresh_waits"), frame.counts.back());
   if (number + 1 < frames_.size())
     expect("interval_clocks", report.interval_clocks, frames_[number + 1].begun - frame.begun);

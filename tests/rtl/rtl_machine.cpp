@@ -37,7 +37,7 @@ machines::Machine machine_of_parameters() {
   machine.link.width = CSGSIM_RTL_LINK;
   machine.link.fifo_depth = CSGSIM_RTL_FIFO_DEPTH;
   machine.clear_clocks = CSGSIM_RTL_CLEAR_CLOCKS;
-  auto& own = machines::own<pixel_planes::Figures>(machine);
+  auto& own = machines::kind_figures<pixel_planes::Figures>(machine);
   own.has_global_or = CSGSIM_RTL_HAS_OR != 0;
   own.or_fan_in = CSGSIM_RTL_FAN_IN;
   own.scan_out_pixels = CSGSIM_RTL_SCAN_PIXELS;

@@ -98,7 +98,7 @@ TEST_CASE("every scene matches its ray-traced picture except where rounding deci
     for (std::size_t i = 0; i < expected.size(); ++i) {
       if (!expected[i].is_certain) continue;
       ++judged;
-      const double off = testing::off_by(frame.colour[i], expected[i].colour);
+      const double off = testing::colour_error(frame.colour[i], expected[i].colour);
       worst = std::max(worst, off);
       if (off > bound_of(effects, shot.samples.size())) {
         if (++wrong < 4) MESSAGE("column ", i % side, " row ", i / side, ": error ", off);

@@ -72,7 +72,7 @@ DrawnScene compile_scene(const SceneFile& file, std::uint32_t width, std::uint32
   sampling.height = height;
   options.scene = scene;
   options.effects = effects::all();
-  model::Tree tree = effects::reshaped(read::read_csg_file(file.model), scene);
+  model::Tree tree = effects::reshape_model(read::read_csg_file(file.model), scene);
   facet::Geometry facets = facet::make_geometry(tree);
   view::View view = view::make_view(facets, tree, file.camera, sampling);
   isa::Program program = emit::compile(tree, facets, view, machine, options);

@@ -9,7 +9,7 @@
 #include "tests/support/test.h"
 
 using namespace csgsim;
-using software::Seen;
+using software::VisibleSurface;
 
 namespace {
 
@@ -34,7 +34,7 @@ Drawn drawn(const std::string& csg, const view::Camera& camera, const std::strin
   emit::Options options;
   options.scene = scene;
   options.effects = effects::all();
-  model::Tree tree = effects::reshaped(read::read_csg_text(csg, "test"), scene);
+  model::Tree tree = effects::reshape_model(read::read_csg_text(csg, "test"), scene);
   facet::Geometry facets = facet::make_geometry(tree);
   view::View view = view::make_view(facets, tree, camera, sampling);
   isa::Program program = emit::compile(tree, facets, view, machine, options);
@@ -47,7 +47,7 @@ std::vector<software::TracedPixel> traced(const testing::Compiled& compiled, con
                                           software::TraceOptions options) {
   const software::Tree tree = software::make_tree(compiled.tree, software::Shape::balanced);
   const software::TraceScene scene(compiled.tree, compiled.scene, compiled.view, tree);
-  for (const lighting::SeenLight& light : lighting::make_lighting(look, compiled.view.camera).lights)
+  for (const lighting::CameraSpaceLight& light : lighting::make_lighting(look, compiled.view.camera).lights)
     options.lights.push_back(
         {light.is_point, light.is_point ? scene.place_of(light.where) : scene.direction_of(light.where)});
   if (options.mirrors.empty()) options.mirrors.assign(scene.facets().facets.size(), 0);
@@ -183,9 +183,9 @@ TEST_CASE("the machine's mirrors equal ray-traced ones except at their edges") {
   std::size_t differ = 0;
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     if (pixels[i].mirrored.empty()) continue;
-    mirrored += expected(i) == Seen::nothing_seen ? 0U : 1U;
+    mirrored += expected(i) == VisibleSurface::nothing_seen ? 0U : 1U;
     std::array<double, 3> colour{1, 1, 1};
-    if (expected(i) != Seen::nothing_seen)
+    if (expected(i) != VisibleSurface::nothing_seen)
       colour = palette[with.compiled.tree.primitives[expected(i)].location.line - 1];
     int off = 0;
     for (int channel = 0; channel < 3; ++channel) {

@@ -49,7 +49,7 @@ class Collatz : public studies::StudyOf<CollatzRow> {
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override { return {file_}; }
-  [[nodiscard]] std::set<std::string> varied() const override { return {"addends"}; }
+  [[nodiscard]] std::set<std::string> varied_options() const override { return {"addends"}; }
 
   std::vector<studies::PointRequest> request_points() override {
     const std::string text = read_file(file_, {"a file of numbers", 1000, "make it shorter"});

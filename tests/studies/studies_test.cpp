@@ -61,8 +61,8 @@ class Place {
   /// Runs a command line.
   static void run(const Words& words) {
     shell::CommandLine line("csgsim: a study that lives here alone", "csgsim");
-    app::add_study(line, testing::collatz_row);
-    app::add_gather(line, rows);
+    app::add_study_command(line, testing::collatz_row);
+    app::add_gather_command(line, rows);
     line.run(words, {});
   }
 
@@ -99,12 +99,12 @@ TEST_CASE("a new study writes a table and JSON and plots and a report") {
 }
 
 TEST_CASE("a study's default folder is named after the model and the study") {
-  CHECK(studies::default_folder("a/part.scad", "sweep") == "part-sweep");
-  CHECK(studies::default_folder("-", "sweep") == "model-sweep");
-  CHECK(studies::default_folder("a/models/", "corpus") == "models-corpus");
-  CHECK(studies::default_folder("a/models", "corpus") == "models-corpus");
-  CHECK(studies::default_folder("a/models/.", "corpus") == "models-corpus");
-  CHECK(studies::default_folder(".", "corpus") == std::filesystem::current_path().stem().native() + "-corpus");
+  CHECK(studies::default_output_folder("a/part.scad", "sweep") == "part-sweep");
+  CHECK(studies::default_output_folder("-", "sweep") == "model-sweep");
+  CHECK(studies::default_output_folder("a/models/", "corpus") == "models-corpus");
+  CHECK(studies::default_output_folder("a/models", "corpus") == "models-corpus");
+  CHECK(studies::default_output_folder("a/models/.", "corpus") == "models-corpus");
+  CHECK(studies::default_output_folder(".", "corpus") == std::filesystem::current_path().stem().native() + "-corpus");
 }
 
 TEST_CASE("a study without -o writes into its default folder") {

@@ -17,10 +17,10 @@
 namespace csgsim::testing {
 
 machines::Machine machine_of(const isa::ArrayShape& array) {
-  machines::Machine machine = machines::blank(pixel_planes::kind);
+  machines::Machine machine = machines::blank_machine(pixel_planes::kind);
   machine.array = array;
   machine.clock_hz = 10'000'000;
-  machines::own<pixel_planes::Figures>(machine).or_fan_in =
+  machines::kind_figures<pixel_planes::Figures>(machine).or_fan_in =
       64;  // the value of pixel-planes-4, on which the latency of queries depends
   machine.evaluator_degree = 2;
   return machine;
@@ -48,7 +48,7 @@ machines::Machine machine_for(const Setup& setup) {
   machines::Machine machine = machine_of({setup.sampling.width, setup.sampling.height, setup.memory_bits});
   if (setup.kind != machine.kind) {
     const machines::Machine whole = machine;
-    machine = machines::blank(*setup.kind);
+    machine = machines::blank_machine(*setup.kind);
     machine.array = whole.array;
     machine.clock_hz = whole.clock_hz;
   }
@@ -59,7 +59,7 @@ machines::Machine machine_for(const Setup& setup) {
     machine.array.height = setup.square.height;
   }
   if (setup.kind == &pixel_planes::kind) {
-    machines::own<pixel_planes::Figures>(machine).has_global_or = setup.has_global_or;
+    machines::kind_figures<pixel_planes::Figures>(machine).has_global_or = setup.has_global_or;
   }
   if (!setup.machine.empty()) {
     machine = kinds::load(setup.machine);

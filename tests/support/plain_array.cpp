@@ -12,7 +12,7 @@ bool majority(bool a, bool b, bool c) { return (a ? 1 : 0) + (b ? 1 : 0) + (c ? 
 
 }  // namespace
 
-PixelState after(AluFunction function, bool constant, PixelState state) {
+PixelState next_state(AluFunction function, bool constant, PixelState state) {
   const auto less = [&state](bool carry_in) {
     state.carry = majority(state.x, !state.y, carry_in);
     state.enable = state.enable && !state.carry;
@@ -116,7 +116,7 @@ void PlainArray::select(std::uint32_t width, std::uint32_t height) {
 }
 
 /// Tree bits from `first` on go, one bit each, to the function, then to the part beyond the field, then to the sign.
-void PlainArray::carry_out(const array::ArrayStep& step, std::uint32_t leaves, Pixel& pixel) {
+void PlainArray::execute_step(const array::ArrayStep& step, std::uint32_t leaves, Pixel& pixel) {
   const auto work = [&](AluFunction function, bool constant, bool x, bool y, bool latch,
                         std::vector<bool>::size_type to) {
     PixelState state{.x = x,
@@ -128,7 +128,7 @@ void PlainArray::carry_out(const array::ArrayStep& step, std::uint32_t leaves, P
                      .flag = pixel.flag};
     const bool writes = array::info(function).writes;
     if (writes) state.memory = pixel.memory[to];
-    state = after(function, constant, state);
+    state = next_state(function, constant, state);
     pixel.enable = state.enable;
     pixel.carry = state.carry;
     pixel.flag = state.flag;
@@ -160,7 +160,7 @@ void PlainArray::step(const array::ArrayStep& step, const array::StreamBit& tree
       const auto number = static_cast<unsigned>(tree.token.bit) + bit;
       leaves |= static_cast<std::uint32_t>(array::value_at(tree, place.x, place.y) >> number & 1U) << bit;
     }
-    carry_out(step, leaves, pixels_[i]);
+    execute_step(step, leaves, pixels_[i]);
   }
 }
 

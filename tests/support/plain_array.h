@@ -24,7 +24,7 @@ struct PixelState {
 };
 
 /// The state that follows `state`, according to the table of ALU functions.
-PixelState after(array::AluFunction function, bool constant, PixelState state);
+PixelState next_state(array::AluFunction function, bool constant, PixelState state);
 
 /// Reference pixel processors: each is a struct of bools, and every step is executed immediately, pixel by pixel.
 class PlainArray {
@@ -50,7 +50,7 @@ class PlainArray {
   void step(const array::ArrayStep& step, const array::StreamBit& tree);
 
  private:
-  static void carry_out(const array::ArrayStep& step, std::uint32_t leaves, Pixel& pixel);
+  static void execute_step(const array::ArrayStep& step, std::uint32_t leaves, Pixel& pixel);
 
   array::PlaneShape shape_;
   std::vector<Pixel> pixels_;

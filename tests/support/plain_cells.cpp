@@ -54,16 +54,16 @@ bool PlainAlu::moves(const CellWork& work, const CellShape& cell) const {
                      [](const Move& move) { return move.distance > 0; });
 }
 
-bool PlainAlu::done(const CellWork& work, const CellShape& cell) const {
+bool PlainAlu::is_done(const CellWork& work, const CellShape& cell) const {
   return !moves(work, cell) && taken_ == work.bits;
 }
 
 void PlainAlu::clock(const CellWork& work, const AluOperands& operands, const CellShape& cell) {
-  if (moves(work, cell)) return move_on(work, cell);
+  if (moves(work, cell)) return advance_shift(work, cell);
   if (taken_ < work.bits) take(work, operands, std::min(alu_width(cell, work.bits), work.bits - taken_));
 }
 
-void PlainAlu::move_on(const CellWork& work, const CellShape& cell) {
+void PlainAlu::advance_shift(const CellWork& work, const CellShape& cell) {
   while (work.moves.at(move_).distance == 0) ++move_;
   const Move& move = work.moves.at(move_);
   moved_ += cell.shift_bits;
@@ -156,7 +156,7 @@ void PlainCells::work(std::uint32_t cell, const PlainBeat& beat) {
 
 /// The known root bits replace the upper bits of the field, which the remainder no longer needs. Bit k of the root
 /// is tried against k + 3 bits of the field.
-void PlainCells::try_root(std::uint32_t cell, const PlainBeat& beat) {
+void PlainCells::try_root_bit(std::uint32_t cell, const PlainBeat& beat) {
   Root& root = roots_[cell];
   std::uint64_t& value = fetched_[cell][0];
   const std::uint32_t bits = beat.accesses.target.field.width / 2U;
@@ -194,7 +194,7 @@ std::uint64_t PlainCells::read(std::uint32_t cell, isa::Field field) const {
 }
 
 /// Part of the field inside one of its words.
-isa::Field PlainCells::part_in(const FieldWords& words, std::uint32_t word) const {
+isa::Field PlainCells::part_of_word(const FieldWords& words, std::uint32_t word) const {
   const std::uint32_t word_base = (words.first + word) * shape_.word_bits;
   const std::uint32_t first = std::max<std::uint32_t>(words.field.base, word_base);
   const std::uint32_t end = std::min<std::uint32_t>(words.field.end(), word_base + shape_.word_bits);
@@ -213,16 +213,16 @@ void PlainCells::fetch(std::uint32_t cell, const PlainBeat& beat) {
   for (; fetched_count < end; ++fetched_count) {
     const bool of_first = fetched_count < first.count;
     const FieldWords& source = of_first ? first : second;
-    const isa::Field part = part_in(source, of_first ? fetched_count : fetched_count - first.count);
+    const isa::Field part = part_of_word(source, of_first ? fetched_count : fetched_count - first.count);
     fetched_[cell][of_first ? 0 : 1] |= read(cell, part) << (part.base - source.field.base);
   }
 }
 
-void PlainCells::act(std::uint32_t cell, const PlainBeat& beat) {
+void PlainCells::execute(std::uint32_t cell, const PlainBeat& beat) {
   const auto& [first, second] = beat.accesses.sources;
   if (words_fetched_[cell] < std::uint32_t{first.count} + second.count)
     throw std::logic_error("a cell acts before its ports have read the fields");
-  if (!alus_[cell].done(beat.work, shape_))
+  if (!alus_[cell].is_done(beat.work, shape_))
     throw std::logic_error("a cell acts before its shifter and ALU have finished");
   if (beat.instruction.opcode == isa::Opcode::root && roots_[cell].bit != beat.accesses.target.field.width / 2U)
     throw std::logic_error("a cell acts before it has found all bits of a root");
@@ -240,7 +240,7 @@ void PlainCells::store(std::uint32_t cell, const PlainBeat& beat) {
   const std::uint32_t end =
       shape_.ports == 0 ? target.count : std::min<std::uint32_t>(target.count, first + shape_.ports);
   for (std::uint32_t word = first; word < end; ++word) {
-    const isa::Field part = part_in(target, word);
+    const isa::Field part = part_of_word(target, word);
     systemc::write_field(std::span(memory_).subspan(cell * cell_words_, cell_words_), part,
                          result_[cell] >> (part.base - target.field.base));
   }
@@ -350,10 +350,10 @@ void PlainChain::work(PlainBeat& beat, std::uint32_t cell) {
   }
   cells_.fetch(cell, beat);
   if (beat.number >= beat.accesses.work_from && beat.number <= beat.accesses.result) {
-    if (beat.instruction.opcode == isa::Opcode::root) cells_.try_root(cell, beat);
+    if (beat.instruction.opcode == isa::Opcode::root) cells_.try_root_bit(cell, beat);
     cells_.work(cell, beat);
   }
-  if (beat.number == beat.accesses.result) cells_.act(cell, beat);
+  if (beat.number == beat.accesses.result) cells_.execute(cell, beat);
   if (beat.number >= beat.accesses.result) cells_.store(cell, beat);
 }
 

@@ -42,7 +42,7 @@ class PlainAlu {
   void clock(const CellWork& work, const AluOperands& operands, const CellShape& cell);
 
   /// Whether the work is complete.
-  [[nodiscard]] bool done(const CellWork& work, const CellShape& cell) const;
+  [[nodiscard]] bool is_done(const CellWork& work, const CellShape& cell) const;
 
   [[nodiscard]] std::uint64_t value() const { return value_; }  ///< low bits of the result
   // Results of a difference x - y:
@@ -55,7 +55,7 @@ class PlainAlu {
 
  private:
   [[nodiscard]] bool moves(const CellWork& work, const CellShape& cell) const;
-  void move_on(const CellWork& work, const CellShape& cell);
+  void advance_shift(const CellWork& work, const CellShape& cell);
   void take(const CellWork& work, const AluOperands& operands, std::uint32_t count);
 
   std::size_t move_ = 0;     ///< index into the moves of the work
@@ -97,11 +97,11 @@ class PlainCells {
   void work(std::uint32_t cell, const PlainBeat& beat);
 
   /// One clock of a trial for a root bit, in which the ALU adds or subtracts the next group of bits.
-  void try_root(std::uint32_t cell, const PlainBeat& beat);
+  void try_root_bit(std::uint32_t cell, const PlainBeat& beat);
 
   /// Executes a valid instruction whose F and fields have arrived, except for the write to memory. Throws
   /// std::logic_error if a field has not been read, the ALU is still busy, or a root is incomplete.
-  void act(std::uint32_t cell, const PlainBeat& beat);
+  void execute(std::uint32_t cell, const PlainBeat& beat);
 
   /// Writes memory through the ports in the clock of the beat.
   void store(std::uint32_t cell, const PlainBeat& beat);
@@ -142,7 +142,7 @@ class PlainCells {
   [[nodiscard]] std::uint64_t add_words(std::uint64_t left, std::uint64_t right, std::uint8_t& carry) const;
   [[nodiscard]] AluOperands operands_of(std::uint32_t cell, const isa::Instruction& instruction) const;
   [[nodiscard]] Result result_of(std::uint32_t cell, const isa::Instruction& instruction) const;
-  [[nodiscard]] isa::Field part_in(const FieldWords& words, std::uint32_t word) const;
+  [[nodiscard]] isa::Field part_of_word(const FieldWords& words, std::uint32_t word) const;
 
   CellShape shape_;
   std::uint64_t word_mask_;

@@ -6,7 +6,7 @@ namespace csgsim::testing {
 
 /// A 10 MHz frame buffer of the given shape with a picture of the same size.
 inline machines::Machine planes(isa::ArrayShape shape) {
-  machines::Machine machine = machines::blank(pixel_planes::kind);
+  machines::Machine machine = machines::blank_machine(pixel_planes::kind);
   machine.name = "test";
   machine.array = shape;
   machine.picture = {shape.width, shape.height};

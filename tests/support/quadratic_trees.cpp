@@ -26,13 +26,13 @@ QuadraticWay::Tree::Tree(std::uint32_t leaves, std::uint32_t leaf) : tokens(arra
 void QuadraticWay::Tree::clock(Token token, NodeStreams in, const Wires& wires) {
   for (unsigned k = tokens.levels(); k-- > 0;) {
     const Token here = tokens.at(k, token);
-    if (here.active()) act(k, here, at(k, in), wires);
+    if (here.active()) clock_level(k, here, at(k, in), wires);
   }
   tokens.shift(token);
 }
 
 /// A stream delayed by d clocks is worth 2^d times the original and counts as 0 for the first d bits.
-void QuadraticWay::Tree::act(unsigned level_index, Token token, NodeStreams in, const Wires& wires) {
+void QuadraticWay::Tree::clock_level(unsigned level_index, Token token, NodeStreams in, const Wires& wires) {
   Level& level = levels[level_index];
   const auto times = [&](unsigned delay, bool bit) { return token.bit >= static_cast<int>(delay) && bit; };
   const unsigned half = level.below;

@@ -80,7 +80,7 @@ class QuadraticWay {
 
     Tree(std::uint32_t leaves, std::uint32_t leaf);
     void clock(Token token, NodeStreams in, const Wires& wires);
-    void act(unsigned level_index, Token token, NodeStreams in, const Wires& wires);
+    void clock_level(unsigned level_index, Token token, NodeStreams in, const Wires& wires);
     [[nodiscard]] NodeStreams at(unsigned level, NodeStreams in) const {
       return level == 0 ? in : levels[level - 1].out;
     }

@@ -139,7 +139,7 @@ std::array<unsigned, 3> reaches_of(const Instruction& instruction) {
   const unsigned held = linear.width - 1U;
   const unsigned of_field = std::min(instruction.fields[0].width + linear.shift + 1U, held);
   const unsigned cut = std::min(linear.width + 3U, isa::max_linear_width);
-  return {isa::cuts_sum(instruction.opcode) ? cut : of_field, held, isa::max_linear_width};
+  return {isa::may_exceed_width(instruction.opcode) ? cut : of_field, held, isa::max_linear_width};
 }
 
 void pick_linear(Instruction& instruction, isa::ArrayShape region) {

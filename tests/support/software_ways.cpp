@@ -19,8 +19,8 @@ using software::Shape;
 constexpr std::array shapes{Shape::written, Shape::left_deep, Shape::balanced};
 constexpr std::array prunings{Pruning::none, Pruning::cells, Pruning::inside};
 
-std::vector<Way> made_ways() {
-  std::vector<Way> ways;
+std::vector<MethodVariant> make_variants() {
+  std::vector<MethodVariant> ways;
   for (const Shape shape : shapes) {
     for (const software::MethodRow* const method : software::methods()) {
       if (method->takes != software::Takes::events) {
@@ -46,17 +46,17 @@ const char* name_of(Pruning pruning) {
 
 }  // namespace
 
-std::string to_text(const Way& way) {
+std::string to_text(const MethodVariant& way) {
   return fmt::format("{} {} {}", software::name_of(way.choice), name_of(way.pruning),
                      software::shapes()[static_cast<std::size_t>(way.shape)].name);
 }
 
-const std::vector<Way>& all_ways() {
-  static const std::vector<Way> ways = made_ways();
+const std::vector<MethodVariant>& all_variants() {
+  static const std::vector<MethodVariant> ways = make_variants();
   return ways;
 }
 
-Way way_of(const std::string& choice, Pruning pruning, Shape shape) {
+MethodVariant variant_named(const std::string& choice, Pruning pruning, Shape shape) {
   return {software::choice_of(choice), pruning, shape};
 }
 
@@ -65,28 +65,28 @@ SoftwareScene::SoftwareScene(const model::Tree& tree, const facet::Geometry& geo
   for (std::size_t i = 0; i < shapes.size(); ++i) trees_[i] = software::make_tree(tree, shapes[i]);
 }
 
-bool SoftwareScene::is_too_deep(const Way& way) const {
+bool SoftwareScene::is_too_deep(const MethodVariant& way) const {
   constexpr std::uint32_t most_levels = 20;
   return way.choice.method->name.starts_with("bit-parallel") && tree(way.shape).depth() > most_levels;
 }
 
-std::unique_ptr<software::Method> SoftwareScene::make(const Way& way, bool counts) const {
+std::unique_ptr<software::Method> SoftwareScene::make(const MethodVariant& way, bool counts) const {
   const software::Subject subject{tree_, geometry_, view_, tree(way.shape), way.pruning};
   const software::Coherent coherence =
       way.choice.coherence == nullptr ? software::Coherent::all_points : way.choice.coherence->coherence;
   return way.choice.method->make(coherence, subject, counts);
 }
 
-software::Picture SoftwareScene::draw(const Way& way, bool counts) const {
+software::Picture SoftwareScene::draw(const MethodVariant& way, bool counts) const {
   const std::unique_ptr<software::Method> method = make(way, counts);
   return software::draw(rays_, *method);
 }
 
-std::string SoftwareScene::fault_of(const Way& way, const std::vector<Seen>& expected) const {
+std::string SoftwareScene::describe_mismatch(const MethodVariant& way, const std::vector<Seen>& expected) const {
   const software::Picture picture = draw(way);
   if (picture.seen.size() != expected.size()) return to_text(way) + ": different number of pixels";
   for (std::size_t i = 0; i < expected.size(); ++i) {
-    const software::Seen& seen = picture.seen[i];
+    const software::VisibleSurface& seen = picture.seen[i];
     if (seen.depth == expected[i].depth && seen.owner == expected[i].owner) continue;
     return fmt::format("{}: pixel {}, {} has owner {} at depth {}, expected {} at {}", to_text(way), i % rays_.width(),
                        i / rays_.width(), seen.owner, seen.depth, expected[i].owner, expected[i].depth);
@@ -94,11 +94,11 @@ std::string SoftwareScene::fault_of(const Way& way, const std::vector<Seen>& exp
   return "";
 }
 
-std::string SoftwareScene::fault_of_some(std::uint64_t number, std::size_t ways,
-                                         const std::vector<Seen>& expected) const {
+std::string SoftwareScene::describe_some_mismatch(std::uint64_t number, std::size_t ways,
+                                                  const std::vector<Seen>& expected) const {
   for (std::size_t i = 0; i < ways; ++i) {
-    const Way& way = all_ways()[(number * ways + i) % all_ways().size()];
-    std::string fault = is_too_deep(way) ? "" : fault_of(way, expected);
+    const MethodVariant& way = all_variants()[(number * ways + i) % all_variants().size()];
+    std::string fault = is_too_deep(way) ? "" : describe_mismatch(way, expected);
     if (!fault.empty()) return fault;
   }
   return "";
@@ -113,7 +113,7 @@ std::string fault_of_display(const software::DisplaySubject& subject, bool is_la
     if (!row->is_exact || row->name == "rays" || (is_large && row->name != "scan-line")) continue;
     const software::Picture picture = row->run(subject, false).picture;
     for (std::size_t i = 0; i < expected.size(); ++i) {
-      const software::Seen& seen = picture.seen[i];
+      const software::VisibleSurface& seen = picture.seen[i];
       if (seen.depth == expected[i].depth && seen.owner == expected[i].owner) continue;
       const std::uint32_t width = subject.view.sampling.width;
       return fmt::format("{}: pixel {}, {} has owner {} at depth {}, expected {} at {}", row->name, i % width,
@@ -125,12 +125,12 @@ std::string fault_of_display(const software::DisplaySubject& subject, bool is_la
 
 }  // namespace
 
-std::string fault_of_software(const std::string& csg, const model::Tree& tree, const facet::Geometry& geometry,
-                              const view::View& view, const observe::Frame& frame) {
+std::string describe_software_mismatch(const std::string& csg, const model::Tree& tree, const facet::Geometry& geometry,
+                                       const view::View& view, const observe::Frame& frame) {
   constexpr std::size_t ways = 6;
   std::uint64_t number = 0;
   for (const char letter : csg) number = 31 * number + static_cast<unsigned char>(letter);
-  if (number / all_ways().size() % static_cast<std::uint64_t>(cases(1, 4)) != 0) return "";
+  if (number / all_variants().size() % static_cast<std::uint64_t>(cases(1, 4)) != 0) return "";
   std::vector<Seen> expected;
   for (std::size_t i = 0; i < frame.depth.size(); ++i) expected.push_back({frame.depth[i], frame.owner[i]});
   const SoftwareScene software(tree, geometry, view);
@@ -144,8 +144,8 @@ std::string fault_of_software(const std::string& csg, const model::Tree& tree, c
     std::string fault = fault_of_display(subject, is_large, expected);
     if (!fault.empty()) return fault;
   }
-  return is_large ? software.fault_of(way_of("status"), expected)
-                  : software.fault_of_some(number % all_ways().size(), ways, expected);
+  return is_large ? software.describe_mismatch(variant_named("status"), expected)
+                  : software.describe_some_mismatch(number % all_variants().size(), ways, expected);
 }
 
 }  // namespace csgsim::testing

@@ -20,21 +20,21 @@
 namespace csgsim::testing {
 
 /// Software rendering method with its options.
-struct Way {
+struct MethodVariant {
   software::Choice choice;
   software::Pruning pruning = software::Pruning::none;
   software::Shape shape = software::Shape::written;
 };
 
 /// Formatted as METHOD/COHERENCE PRUNING SHAPE.
-std::string to_text(const Way& way);
+std::string to_text(const MethodVariant& way);
 
 /// Each method in each shape, with every coherence and pruning that it supports.
-const std::vector<Way>& all_ways();
+const std::vector<MethodVariant>& all_variants();
 
 /// Looks up a method by the name that `choice_of` accepts.
-Way way_of(const std::string& choice, software::Pruning pruning = software::Pruning::none,
-           software::Shape shape = software::Shape::written);
+MethodVariant variant_named(const std::string& choice, software::Pruning pruning = software::Pruning::none,
+                            software::Shape shape = software::Shape::written);
 
 /// Scene to be drawn with many methods. Keeps references.
 class SoftwareScene {
@@ -46,15 +46,15 @@ class SoftwareScene {
     return trees_[static_cast<std::size_t>(shape)];
   }
   /// Whether the tree is deeper than the method supports.
-  [[nodiscard]] bool is_too_deep(const Way& way) const;
-  [[nodiscard]] std::unique_ptr<software::Method> make(const Way& way, bool counts) const;
-  [[nodiscard]] software::Picture draw(const Way& way, bool counts = false) const;
+  [[nodiscard]] bool is_too_deep(const MethodVariant& way) const;
+  [[nodiscard]] std::unique_ptr<software::Method> make(const MethodVariant& way, bool counts) const;
+  [[nodiscard]] software::Picture draw(const MethodVariant& way, bool counts = false) const;
   /// Describes the first pixel at which the method's picture differs from the expected one; empty if none does.
-  [[nodiscard]] std::string fault_of(const Way& way, const std::vector<Seen>& expected) const;
-  /// fault_of() for `ways` consecutive elements of all_ways() from element `number` * `ways` on, cyclically. Methods
-  /// that do not support the tree's depth are omitted.
-  [[nodiscard]] std::string fault_of_some(std::uint64_t number, std::size_t ways,
-                                          const std::vector<Seen>& expected) const;
+  [[nodiscard]] std::string describe_mismatch(const MethodVariant& way, const std::vector<Seen>& expected) const;
+  /// describe_mismatch() for `ways` consecutive elements of all_variants() from element `number` * `ways` on,
+  /// cyclically. Methods that do not support the tree's depth are omitted.
+  [[nodiscard]] std::string describe_some_mismatch(std::uint64_t number, std::size_t ways,
+                                                   const std::vector<Seen>& expected) const;
 
  private:
   const model::Tree& tree_;
@@ -67,7 +67,7 @@ class SoftwareScene {
 /// Describes a difference between the given picture and those of some software methods, which depend on the text, and
 /// of the methods that draw facet by facet; empty if all agree. With a reduced number of cases only every fourth text
 /// is checked.
-std::string fault_of_software(const std::string& csg, const model::Tree& tree, const facet::Geometry& geometry,
-                              const view::View& view, const observe::Frame& frame);
+std::string describe_software_mismatch(const std::string& csg, const model::Tree& tree, const facet::Geometry& geometry,
+                                       const view::View& view, const observe::Frame& frame);
 
 }  // namespace csgsim::testing

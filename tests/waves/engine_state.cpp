@@ -81,8 +81,8 @@ EngineState::EngineState(const isa::Program& program, const machines::Machine& m
   Watcher watcher(program.shape.memory_bits, segment, x, y);
   engine::Observer* const watchers[] = {&watcher};
   const engine::RunResult run = engine::make_reference_engine(machine)->run(program, watchers);
-  const machines::Timeline timeline = machines::timeline(program, machine, {watcher.skips, run.met});
-  const auto spans = machines::at_pixel(timeline, program, machine, segment, x, y);
+  const machines::Timeline timeline = machines::timeline(program, machine, {watcher.skips, run.pixel_activity});
+  const auto spans = machines::spans_at_pixel(timeline, program, machine, segment, x, y);
   std::uint64_t number = 0;
   for (std::uint32_t s = 0; s < segment; ++s) number += program.segments[s].instructions.size();
   boundaries_.push_back({nullptr, 0, 0, 0, std::vector<bool>(program.shape.memory_bits), false});
@@ -97,14 +97,14 @@ EngineState::EngineState(const isa::Program& program, const machines::Machine& m
 
 std::uint64_t EngineState::first_clock() const { return boundaries_[1].begin; }
 
-const EngineState::Boundary* EngineState::before(std::uint64_t clock) const {
+const EngineState::Boundary* EngineState::boundary_before(std::uint64_t clock) const {
   const auto after = std::upper_bound(boundaries_.begin(), boundaries_.end(), clock,
                                       [](std::uint64_t at, const Boundary& one) { return at < one.end; });
   return after == boundaries_.begin() || after == boundaries_.end() ? nullptr : &*std::prev(after);
 }
 
 std::optional<std::uint64_t> EngineState::field_at(isa::Field field, std::uint64_t clock) const {
-  const Boundary* const last = before(clock);
+  const Boundary* const last = boundary_before(clock);
   if (last == nullptr) return std::nullopt;
   const Boundary& next = *(last + 1);
   if (clock > next.begin && writes(*next.instruction, field)) return std::nullopt;
@@ -115,13 +115,13 @@ std::optional<std::uint64_t> EngineState::field_at(isa::Field field, std::uint64
 }
 
 std::optional<bool> EngineState::enable_at(std::uint64_t clock) const {
-  const Boundary* const last = before(clock);
+  const Boundary* const last = boundary_before(clock);
   if (last == nullptr || clock > (last + 1)->begin) return std::nullopt;
   return last->enable;
 }
 
 std::optional<std::uint64_t> EngineState::instruction_at(std::uint64_t clock) const {
-  const Boundary* const last = before(clock);
+  const Boundary* const last = boundary_before(clock);
   if (last == nullptr || clock < (last + 1)->begin) return std::nullopt;
   return (last + 1)->number;
 }

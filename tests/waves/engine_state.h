@@ -42,7 +42,7 @@ class EngineState {
   };
 
   /// The last boundary at which the clock has not begun; null if there is none, or if it is the last of all.
-  [[nodiscard]] const Boundary* before(std::uint64_t clock) const;
+  [[nodiscard]] const Boundary* boundary_before(std::uint64_t clock) const;
 
   std::vector<Boundary> boundaries_;  ///< starts with the clearing
 };

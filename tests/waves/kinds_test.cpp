@@ -86,7 +86,7 @@ TEST_CASE("a wave of any machine shows its parts and the reference's values in e
 TEST_CASE("a wave of tree levels is rejected for a machine without trees") {
   const Folder folder;
   const std::string file = folder / "p.csgt";
-  succeeded(run("compile " + model("basics_csg") + " --view-all --size 8x4 --machine scan-line -o " + file));
+  require_success(run("compile " + model("basics_csg") + " --view-all --size 8x4 --machine scan-line -o " + file));
   const Outcome outcome =
       run("wave " + file + " --machine scan-line --pixel 1,1 --probe tree.x:1 -o " + (folder / "w.vcd"));
   CHECK(outcome.code == 1);

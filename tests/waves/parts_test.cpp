@@ -153,7 +153,7 @@ TEST_CASE("stretches of a lane are in order and adjacent ones show different val
   }
 }
 TEST_CASE("a file of lanes without a pixel accepts only windows of clocks and needs .json") {
-  misused("wave traces/x.csgt --at owner -o parts.json", "name one, as in --pixel 100,20");
-  misused("wave traces/x.csgt --window i3 -o parts.json", "FIRST:END");
-  misused("wave traces/x.csgt --lanes -o parts.vcd", "a name that ends in .json");
+  check_misuse("wave traces/x.csgt --at owner -o parts.json", "name one, as in --pixel 100,20");
+  check_misuse("wave traces/x.csgt --window i3 -o parts.json", "FIRST:END");
+  check_misuse("wave traces/x.csgt --lanes -o parts.vcd", "a name that ends in .json");
 }

@@ -185,7 +185,7 @@ TEST_CASE("a curved surface has the root and depth in a wave that explain report
   const Folder folder;
   const std::string scene =
       " " + model("carburettor") + " --camera 220,-255,135,2,0,5 --size 64x64 --machine pixel-powers --pixel 32,32 ";
-  succeeded(run("explain" + scene + "--json " + (folder / "story.json")));
+  require_success(run("explain" + scene + "--json " + (folder / "story.json")));
   const auto story = json(folder / "story.json");
   const auto surface = std::ranges::find_if(story["events"], [](const auto& event) {
     return event["what"] == "surface" && event.contains("decision") && event["decision"].contains("worked_out");
@@ -194,7 +194,7 @@ TEST_CASE("a curved surface has the root and depth in a wave that explain report
   const auto& worked_out = (*surface)["decision"]["worked_out"];
   const auto value_after = [&](const nlohmann::json& number, const std::string& field) {
     const std::string file = folder / "w.vcd";
-    succeeded(run("wave" + scene + "--window i" + number.dump() + " -o " + file));
+    require_success(run("wave" + scene + "--window i" + number.dump() + " -o " + file));
     const Vcd vcd(content(file));
     const auto value = vcd.number_at("frame_buffer.pixel_32_32." + field, vcd.last_time());
     REQUIRE(value.has_value());

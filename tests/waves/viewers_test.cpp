@@ -5,7 +5,7 @@ using namespace csgsim::testing::cli;
 
 TEST_CASE("the commands for Surfer name each variable once and start with the pixels") {
   const Folder folder;
-  succeeded(
+  require_success(
       run("wave " + model("old_example011") + " --size 16x16 --probe 8,8 --window 50:80 -o " + (folder / "w.vcd")));
   const csgsim::test::Vcd vcd(content(folder / "w.vcd"));
   std::vector<std::string> named;

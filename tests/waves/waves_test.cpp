@@ -137,8 +137,8 @@ TEST_CASE("probed pixels that are simulated alone have the waves of the whole ma
       CAPTURE(window);
       const std::string words = "wave " + (folder / "p.csgt") + " --machine " + machine +
                                 " --pixel 35,20 --pixel 64,3 " + window + tree + " -o ";
-      succeeded(run(words + (folder / "probed.vcd")));
-      succeeded(run(words + (folder / "whole.vcd") + " --whole"));
+      require_success(run(words + (folder / "probed.vcd")));
+      require_success(run(words + (folder / "whole.vcd") + " --whole"));
       CHECK(content(folder / "probed.vcd") == content(folder / "whole.vcd"));
       CHECK(content(folder / "probed.vcd").size() > 3000);
       CHECK_NOTHROW(Vcd(content(folder / "probed.vcd")));
@@ -158,9 +158,9 @@ TEST_CASE("the wave of stepped trees equals that of computed trees") {
       CAPTURE(more);
       const std::string words =
           "wave " + (folder / "p.csgt") + " --machine " + machine + " --pixel 35,20 --pixel 35,3 " + more + tree;
-      succeeded(run(words + " -o " + (folder / "stepped.vcd")));
-      succeeded(run(words + " --evaluator stepped -o " + (folder / "asked.vcd")));
-      succeeded(run(words + " --evaluator worked-out -o " + (folder / "worked_out.vcd")));
+      require_success(run(words + " -o " + (folder / "stepped.vcd")));
+      require_success(run(words + " --evaluator stepped -o " + (folder / "asked.vcd")));
+      require_success(run(words + " --evaluator worked-out -o " + (folder / "worked_out.vcd")));
       CHECK(content(folder / "stepped.vcd") == content(folder / "worked_out.vcd"));
       CHECK(content(folder / "asked.vcd") == content(folder / "worked_out.vcd"));
     }
@@ -255,7 +255,7 @@ TEST_CASE("a window's padding ends at the frame's start and at the largest clock
   const Case one{"pixel-planes-4", "--size 24x16", {{12, 8}}, ""};
   compiled(one, folder / "p.csgt");
   const std::string words = "wave " + (folder / "p.csgt") + " --pixel 12,8 --padding 7 -o " + (folder / "w.vcd");
-  succeeded(run(words + " --window 3:18446744073709551615"));
+  require_success(run(words + " --window 3:18446744073709551615"));
   const std::string file = content(folder / "w.vcd");
   CHECK(file.find("$enddefinitions $end\n#100000\n$dumpvars") != std::string::npos);
   CHECK(file.find("$dumpoff") == std::string::npos);
@@ -267,9 +267,9 @@ TEST_CASE("windows whose padding overlaps are merged into one") {
   compiled(apart, folder / "p.csgt");
   const std::string words =
       "wave " + (folder / "p.csgt") + " --pixel 12,8 --window purpose:merge -o " + (folder / "w.vcd");
-  succeeded(run(words));
+  require_success(run(words));
   CHECK(content(folder / "w.vcd").find("$dumpoff") != std::string::npos);
-  succeeded(run(words + " --padding 1000000"));
+  require_success(run(words + " --padding 1000000"));
   CHECK(content(folder / "w.vcd").find("$dumpoff") == std::string::npos);
 }
 

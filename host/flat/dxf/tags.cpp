@@ -52,14 +52,14 @@ std::optional<Tag> Tags::next() {
   return Tag{*code, value, line_};
 }
 
-double real(const Tag& tag) {
+double parse_real(const Tag& tag) {
   const std::optional<double> value = parse<double>(tag.value);
   if (!value || !std::isfinite(*value))
     fail(tag.line, tag.value, "not a number, but group " + std::to_string(tag.code) + " must be one");
   return *value;
 }
 
-int integer(const Tag& tag) {
+int parse_integer(const Tag& tag) {
   const std::optional<int> value = parse<int>(tag.value);
   if (!value) fail(tag.line, tag.value, "not a whole number, but group " + std::to_string(tag.code) + " must be one");
   return *value;

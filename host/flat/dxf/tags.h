@@ -31,7 +31,7 @@ class Tags {
 };
 
 /// Both functions throw InputError for a value that is not a number or not finite.
-double real(const Tag& tag);
-int integer(const Tag& tag);
+double parse_real(const Tag& tag);
+int parse_integer(const Tag& tag);
 
 }  // namespace csgsim::flat::dxf

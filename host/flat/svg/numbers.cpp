@@ -66,7 +66,7 @@ bool Numbers::take(char character) {
   return true;
 }
 
-std::optional<double> whole_number(std::string_view text) {
+std::optional<double> parse_single_number(std::string_view text) {
   Numbers numbers(text);
   const std::optional<double> value = numbers.number();
   return numbers.at_end() ? value : std::nullopt;

@@ -37,6 +37,6 @@ class Numbers {
 };
 
 /// Parses a text that consists of one number.
-std::optional<double> whole_number(std::string_view text);
+std::optional<double> parse_single_number(std::string_view text);
 
 }  // namespace csgsim::flat::svg

@@ -85,7 +85,7 @@ void Path::check_corners() {
 void Path::end_subpath() {
   if (current_.empty()) return;
   if (glm::distance(current_.front(), current_.back()) > closed_within) {
-    for (Outline& outline : stroked(current_, stroke_, max_corners_)) done_.push_back(std::move(outline));
+    for (Outline& outline : stroke_outlines(current_, stroke_, max_corners_)) done_.push_back(std::move(outline));
   } else {
     done_.push_back(std::move(current_));
   }

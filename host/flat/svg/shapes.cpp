@@ -23,7 +23,9 @@ struct Element {
   pugi::xml_node node;
 
   /// The attribute's value, or 0 if it is not a number.
-  [[nodiscard]] double number(const char* name) const { return whole_number(node.attribute(name).value()).value_or(0); }
+  [[nodiscard]] double number(const char* name) const {
+    return parse_single_number(node.attribute(name).value()).value_or(0);
+  }
 
   [[nodiscard]] glm::dvec2 point(const char* x, const char* y) const { return {number(x), number(y)}; }
 };
@@ -48,7 +50,7 @@ std::string_view presentation(pugi::xml_node node, const char* property) {
 
 Stroke stroke(pugi::xml_node node) {
   Stroke result;
-  const double width = whole_number(presentation(node, "stroke-width")).value_or(0);
+  const double width = parse_single_number(presentation(node, "stroke-width")).value_or(0);
   if (width >= min_stroke_width) result.width = width;
   const std::string_view cap = presentation(node, "stroke-linecap");
   if (cap == "butt") result.cap = Cap::butt;
@@ -99,9 +101,9 @@ std::optional<std::vector<Outline>> read_shape(pugi::xml_node element, std::size
   if (name == "circle") return Outlines{ellipse(here.point("cx", "cy"), glm::dvec2(here.number("r")))};
   if (name == "ellipse") return Outlines{ellipse(here.point("cx", "cy"), here.point("rx", "ry"))};
   if (name == "polygon") return Outlines{points(element)};
-  if (name == "polyline") return stroked(points(element), stroke(element), max_corners);
+  if (name == "polyline") return stroke_outlines(points(element), stroke(element), max_corners);
   if (name == "line") {
-    return stroked({here.point("x1", "y1"), here.point("x2", "y2")}, stroke(element), max_corners);
+    return stroke_outlines({here.point("x1", "y1"), here.point("x2", "y2")}, stroke(element), max_corners);
   }
   return std::nullopt;
 }

@@ -42,7 +42,7 @@ void check_corners(const Outline& line, const Stroke& stroke, double radius, std
 
 }  // namespace
 
-std::vector<Outline> stroked(const Outline& line, const Stroke& stroke, std::size_t max_corners) {
+std::vector<Outline> stroke_outlines(const Outline& line, const Stroke& stroke, std::size_t max_corners) {
   const double radius = stroke.width * scale / 2;
   if (!(radius <= largest)) throw InputError("a stroke of the drawing is too wide; make it narrower");
   check_corners(line, stroke, radius, max_corners);

@@ -23,6 +23,6 @@ struct Stroke {
 
 /// The area covered by the line, as outlines to be filled by the even-odd rule, in units of 1e-4. Throws InputError if
 /// it needs more than `max_corners` corners.
-std::vector<Outline> stroked(const Outline& line, const Stroke& stroke, std::size_t max_corners);
+std::vector<Outline> stroke_outlines(const Outline& line, const Stroke& stroke, std::size_t max_corners);
 
 }  // namespace csgsim::flat::svg

@@ -76,7 +76,7 @@ std::string format_file(const Options& options) {
   return options.format.empty() ? options.output : "." + options.format;
 }
 
-bool writes_blocks(const Options& options) { return ends_in("a" + format_file(options), block_ending); }
+bool writes_blocks(const Options& options) { return has_extension("a" + format_file(options), block_ending); }
 
 const convert::Format& requested_format(const Options& options) {
   const convert::Format* const format = convert::format_of(format_file(options));

@@ -278,7 +278,7 @@ void diff(const Options& options, const OptionList& command) {
   write_page(page, comparison, a, b, options, command);
   const bool same_clocks = comparison.a.result.clocks == comparison.b.result.clocks;
   const bool has_other_clocks =
-      !same_clocks && !comparison.other_instruction && machines::same_hardware(a.machine, b.machine);
+      !same_clocks && !comparison.other_instruction && machines::is_same_hardware(a.machine, b.machine);
   if (!comparison.divergence && !comparison.picture && !has_other_clocks) return;
   if (!options.no_stories) print_stories(comparison, a, b);
   throw InputError("A and B differ");

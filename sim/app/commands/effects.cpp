@@ -41,7 +41,7 @@ struct Options {
 /// A picture drawn with a subset of the effects.
 struct Variant {
   isa::Program program;
-  Drawn drawn;
+  DrawnRun drawn;
   double seconds = 0;  ///< wall time of compilation and simulation
 };
 
@@ -51,7 +51,7 @@ Variant draw_without(const ModelRequest& all, const std::vector<std::string>& wi
   const auto begin = std::chrono::steady_clock::now();
   isa::Program program = compile_model(all.without_effects(without), machine).program;
   const std::chrono::duration<double> compiled = std::chrono::steady_clock::now() - begin;
-  Drawn drawn = draw(program, machine);
+  DrawnRun drawn = draw(program, machine);
   const double seconds = compiled.count() + drawn.seconds;
   return {std::move(program), std::move(drawn), seconds};
 }
@@ -195,8 +195,8 @@ report::Page page_of(const Options& options, const Bill& bill) {
 void run(const Options& options) {
   const machines::Machine machine = machine_of(options.model);
   Variant all = draw_without(options.model, {}, machine);  // an invalid model leaves no folder
-  const fs::path to =
-      options.folder.empty() ? studies::default_folder(options.model.model, "effects") : fs::path(options.folder);
+  const fs::path to = options.folder.empty() ? studies::default_output_folder(options.model.model, "effects")
+                                             : fs::path(options.folder);
   const studies::StudyFolder folder(to, "effects", options.model.inputs());
   ReportFile report(options.report, options.model.inputs());
   const Bill bill = make_bill(options.model, machine, std::move(all));

@@ -27,7 +27,7 @@ void run(const Options& options, const OptionList& command) {
   refuse_clashes(options.model.inputs(), std::to_array<std::filesystem::path>({options.json}));
   std::optional<OutputFile> file;
   if (!options.json.empty()) file.emplace(options.json);
-  const story::Answer answer = session::explain(options, command);
+  const story::PixelExplanation answer = session::explain(options, command);
   if (!file) {
     fmt::print("{}", answer.text);
     return;

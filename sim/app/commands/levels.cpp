@@ -28,7 +28,7 @@ struct Options {
   std::string progress = "auto";
 };
 
-bool are_equal(const Drawn& one, const Drawn& other) {
+bool are_equal(const DrawnRun& one, const DrawnRun& other) {
   return one.result.clocks == other.result.clocks && one.stats == other.stats &&
          one.frame.colour == other.frame.colour && one.frame.depth == other.frame.depth &&
          one.frame.owner == other.frame.owner;
@@ -42,11 +42,11 @@ void compare_levels(const Options& options) {
   fmt::print("{} at {} x {}\n{:<12}{:>12}{:>12}{:>16}{:>20}  {}\n", printable(shown_name(options.model.model)),
              picture.width, picture.height, "level", "clocks", "wall s", "clocks/s", "wall / " + levels.front(),
              "picture, depth, owner, counts");
-  std::optional<Drawn> first;
+  std::optional<DrawnRun> first;
   for (const std::string& level : levels) {
     std::fflush(stdout);  // finished rows are visible while the next level runs
     announce_memory(machine, program.shape, level);
-    const Drawn drawn = draw(program, machine, level, shows_progress(options.progress));
+    const DrawnRun drawn = draw(program, machine, level, shows_progress(options.progress));
     if (!first) first = drawn;
     const bool same = are_equal(drawn, *first);
     const auto rate = static_cast<std::uint64_t>(static_cast<double>(drawn.result.clocks) / drawn.seconds);
@@ -65,7 +65,7 @@ void add_levels(CommandLine& line) {
   options->model.add_to(command);
   command.option("--levels", options->levels, "Comma-separated levels to run; the others are compared with the first")
       .list_of(level_names(), "level");
-  add_progress(command, options->progress);
+  add_progress_option(command, options->progress);
   command.add_quiet_option();
   command.set_action([options] { compare_levels(*options); });
 }

@@ -50,7 +50,7 @@ void print_parameters_of(const Described& described) {
 void print_parameters(machines::Machine machine) {
   for (machines::Figure& figure : machine.figures) figure.value = machines::used_value(figure, machine);
   print_parameters_of(machine);
-  const std::vector<std::string> ideal = machines::idealisations(machine);
+  const std::vector<std::string> ideal = machines::ideal_parameters(machine);
   if (!ideal.empty()) fmt::print("\n  idealized, unlike any hardware: {}\n", fmt::join(ideal, ", "));
 }
 

@@ -27,7 +27,7 @@ void run(Options& options, const OptionList& command) {
   RunOutputs outputs(options.run, options.model.inputs());
   const Compiled compiled = compile(options, studies::choose_bits);
   run_program(command, compiled.subject(options), options.run, outputs, advice_of(options, compiled),
-              judge_of(options, compiled));
+              make_judge(options, compiled));
 }
 
 void add_render(CommandLine& line) {
@@ -41,7 +41,7 @@ void add_render(CommandLine& line) {
                "  csgsim render carburettor.csg -o carburettor.gif --frames 60 --orbit 360");
   options->add_to(command);
   options->frames.add_to(command);
-  add_verbose(command, options->run);
+  add_verbose_option(command, options->run);
   command.add_quiet_option();
   command.set_action([options, &command] { run(*options, command); });
 }

@@ -42,7 +42,7 @@ std::vector<std::string> words_of(const RecordedRun& run, const Options& options
   const std::string here = fs::current_path(error).native();
   std::vector<std::string> words{recorded_command(run), "--progress=" + options.run.progress};
   const auto add = [&](const std::string& name, const std::string& file) {
-    if (!file.empty()) words.push_back(fmt::format("--{}={}", name, in_folder(name, file, here)));
+    if (!file.empty()) words.push_back(fmt::format("--{}={}", name, resolve_in_folder(name, file, here)));
   };
   add("output", options.run.picture);
   add("depth", options.run.depth);
@@ -72,14 +72,14 @@ void rerun(CommandLine& line, const Options& options) {
   const std::vector<Setting> settings = recorded_settings(run, line.options_of(recorded_command(run)));
   const std::vector<std::string> words = words_of(run, options);
   if (!options.from.empty()) change_folder(options.from);
-  refuse(run, changes_since(run), options.anyway);
+  refuse(run, describe_changes_since(run), options.anyway);
   Comparison comparison;
   line.run(words, settings,
            {[&](const nlohmann::ordered_json& configuration) {
-              refuse(run, changes_between(run, configuration), options.anyway);
+              refuse(run, describe_configuration_changes(run, configuration), options.anyway);
             },
             [&](const nlohmann::ordered_json& stats) {
-              comparison = {true, differences(run, stats)};
+              comparison = {true, describe_count_differences(run, stats)};
             }});
   if (!comparison.is_done) throw InputError(run.file + ": no run could be compared; use an unmodified stats file");
   if (!comparison.differing.empty()) {
@@ -99,7 +99,7 @@ void add_rerun(CommandLine& line) {
   command.option("--from", options->from, "Folder in which the recorded run was started, if not the current one")
       .check(not_empty);
   command.flag("--anyway", options->anyway, "Continue even if csgsim or an input file has changed");
-  add_progress(command, options->run.progress);
+  add_progress_option(command, options->run.progress);
   command.add_quiet_option();
   command.set_action([&line, options] { rerun(line, *options); });
 }

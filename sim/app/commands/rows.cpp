@@ -36,7 +36,7 @@ struct Options {
 };
 
 constexpr InputKind command_set_file{
-    .what = "a .toml file", .most_bytes = std::size_t{1} << 20U, .advice = "a command set has at most 64 commands"};
+    .what = "a .toml file", .max_bytes = std::size_t{1} << 20U, .advice = "a command set has at most 64 commands"};
 
 std::optional<bit_serial_memory::CommandSet> read_set(const std::string& file) {
   if (file.empty()) return std::nullopt;

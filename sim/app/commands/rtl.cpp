@@ -48,7 +48,7 @@ struct Subject {
 void refuse_model_only_options(const ModelRequest& options, const OptionList& command) {
   const std::string fix = "name one after the machine";
   refuse_model_options(command, {"size", "memory-bits", "set", "output"}, fix);
-  const std::vector<std::string> of_scene = divide_sets(options.sets).scene;
+  const std::vector<std::string> of_scene = divide_settings(options.sets).scene;
   if (!of_scene.empty()) throw UsageError("--set", fmt::format("'{}' is for models; {}", of_scene.front(), fix));
 }
 

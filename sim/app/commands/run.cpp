@@ -18,13 +18,13 @@ void add_run(CommandLine& line) {
                "  csgsim run traces/carburettor.csgt -o carburettor.png --checkpoint run.csgs --checkpoint-every 500\n"
                "  csgsim run traces/carburettor.csgt -o carburettor.png --resume run.csgs");
   options->add_to(command);
-  add_verbose(command, options->run);
+  add_verbose_option(command, options->run);
   command.add_quiet_option();
   command.set_action([options, &command] {
     refuse_model(options->program);
     refuse_misuse(*options);
     RunOutputs outputs(options->run, options->files_read());
-    const Loaded loaded = load(*options);
+    const LoadedProgram loaded = load(*options);
     run_program(command, loaded.subject(), options->run, outputs, advice_of(*options, loaded.machine), {},
                 options->checkpoints);
   });

@@ -41,8 +41,8 @@ bool is_knob(const std::string& name) { return std::ranges::find(viewer::knobs, 
 /// Options that csgsim render does not have.
 bool is_own(const std::string& name) { return name == "port" || name == "patience" || name == "evaluation-time"; }
 
-viewer::Beginning beginning_of(const Options& options, const OptionList& command) {
-  viewer::Beginning beginning{options.model.model, {}, viewer::Json::object()};
+viewer::StartCommand beginning_of(const Options& options, const OptionList& command) {
+  viewer::StartCommand beginning{options.model.model, {}, viewer::Json::object()};
   for (const OptionValue& one : command.values()) {
     if (one.is_operand || one.values.empty() || !command.is_given(one.name)) continue;
     if (is_own(one.name)) continue;

@@ -53,7 +53,7 @@ struct Options {
 };
 
 wave::Pixel pixel_of(const std::string& text, const std::string& option, const isa::Program& program) {
-  const Pixel pixel = pixel_named(program, text, option);
+  const Pixel pixel = parse_pixel(program, text, option);
   return {pixel.x, pixel.y};
 }
 
@@ -68,7 +68,7 @@ wave::TreeLevel tree_level_of(const std::string& text) {
 }
 
 /// Whether the file holds the activities of the machine's units, as lanes.
-bool has_lanes(const Options& options) { return options.lanes || ends_in(options.output, ".json"); }
+bool has_lanes(const Options& options) { return options.lanes || has_extension(options.output, ".json"); }
 
 /// Whether signals of pixels are recorded.
 bool has_pixels(const Options& options) { return !options.pixels.empty() || !options.probes.empty(); }
@@ -112,7 +112,7 @@ Windows windows_of(const Options& options, const std::optional<waves::WindowRequ
   if (requested) {
     waves::WindowRequest request = *requested;
     if (request.kind == waves::WindowRequest::Kind::primitive)
-      request.begin = primitive_named(program, request.name, "--window");
+      request.begin = parse_primitive(program, request.name, "--window");
     const auto windows =
         for_option("--window", [&] { return waves::find_windows(request, program, machine, known, pixels); });
     return {windows, windows.front().begin, fmt::format("{}", options.window)};
@@ -147,10 +147,10 @@ void refuse_pixel_options(const OptionList& command) {
 
 /// Rejects options that contradict each other. Returns the requested window, or nothing where --at replaces it.
 std::optional<waves::WindowRequest> checked_window(const Options& options, const OptionList& command) {
-  if (options.lanes && !is_unnamed_stream(options.output) && !ends_in(options.output, ".json"))
+  if (options.lanes && !is_unnamed_stream(options.output) && !has_extension(options.output, ".json"))
     throw UsageError("--lanes",
                      fmt::format("a file of lanes needs a name that ends in .json, not '{}'", options.output));
-  if (!ends_in(options.output, ".vcd") && !ends_in(options.output, ".fst") && has_views(options))
+  if (!has_extension(options.output, ".vcd") && !has_extension(options.output, ".fst") && has_views(options))
     throw UsageError("--output", fmt::format("'{}' must end in .vcd or .fst for a waveform, or in .json for unit "
                                              "activities",
                                              options.output));
@@ -215,8 +215,8 @@ void record(const Options& options, const OptionList& command) {
   const bool is_whole = has_lanes(options) && !command.is_given("window") && options.at.empty();
   const Windows windows =
       is_whole ? whole_frame(known) : windows_of(options, requested, program, machine, known, request.pixels);
-  request.windows = waves::pad(windows.windows, options.padding);
-  waves::WaveFile waveform(files.front(), ends_in(options.output, ".fst"));
+  request.windows = waves::pad_windows(windows.windows, options.padding);
+  waves::WaveFile waveform(files.front(), has_extension(options.output, ".fst"));
   request.write = [&](std::string_view text) { waveform.write(text); };
   const auto fidelity = options.whole ? waves::Fidelity::whole : waves::Fidelity::probed;
   const auto form =

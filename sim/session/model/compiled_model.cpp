@@ -39,7 +39,7 @@ namespace {
 
 /// The kind of model; throws InputError for a Program.
 Subject model_subject(const ModelRequest& request) {
-  const Subject subject = subject_in(request.model);
+  const Subject subject = detect_input_kind(request.model);
   if (subject == Subject::program)
     throw InputError(request.model + ": that is a Program; use csgsim run " + shell_word(request.model));
   if (!request.imports_from.empty() && !std::filesystem::is_directory(request.imports_from))
@@ -105,7 +105,7 @@ ModelFile read_model_text(const ModelRequest& request, const std::optional<std::
   const Subject kind = replacement && subject == Subject::mesh ? Subject::csg : subject;
   model::Tree tree = read_tree(kind, text, name, how);
   tree.file = name;
-  return {effects::reshaped(std::move(tree), request.scene()), hash.text()};
+  return {effects::reshape_model(std::move(tree), request.scene()), hash.text()};
 }
 
 }  // namespace
@@ -136,7 +136,7 @@ void warn_of_coarse_depth(const view::View& view) {
 }
 
 /// Warns, once per message, about the substitute for layers that do not fit into memory.
-void warn_of_pattern(const emit::NoRoom& layers, const std::string& file, const machines::Machine& machine) {
+void warn_of_pattern(const emit::OutOfPixelMemory& layers, const std::string& file, const machines::Machine& machine) {
   static std::mutex mutex;
   static std::set<std::string> reported;
   const std::string line = fmt::format(
@@ -160,9 +160,9 @@ isa::Program compile_with_room(const CompiledModel& model, view::View view, cons
   };
   try {
     return compiled(std::move(view));
-  } catch (const emit::NoRoom& layers) {
-    std::optional<scene::Scene> by_pattern = effects::by_screen_door(emit.scene);
-    if (!by_pattern || emit::transparency_in(emit, model.tree, camera) == nullptr) throw;
+  } catch (const emit::OutOfPixelMemory& layers) {
+    std::optional<scene::Scene> by_pattern = effects::with_screen_doors(emit.scene);
+    if (!by_pattern || emit::find_transparency_effect(emit, model.tree, camera) == nullptr) throw;
     emit.scene = std::move(*by_pattern);
     isa::Program program = compiled(view::make_view(model.scene, model.tree, camera, model.choices.sampling));
     warn_of_pattern(layers, model.tree.file, machine);

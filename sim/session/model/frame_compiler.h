@@ -30,7 +30,7 @@ class FrameCompiler {
   [[nodiscard]] isa::Program compile(const view::Camera& camera);
 
   /// The work that the last frame saved by reusing results of earlier frames.
-  [[nodiscard]] const csg::Reused& reused() const { return kept_.reused(); }
+  [[nodiscard]] const csg::ReuseCounts& reused() const { return kept_.reused(); }
 
  private:
   const machines::Machine& machine_;

@@ -123,7 +123,7 @@ const ModelRequest::LoadedScene& ModelRequest::loaded_scene() const {
   try {
     const std::vector<scene::Section> sections = effects::sections();
     loaded.scene =
-        scene::read_scene(loaded.text, printable(scene_file), divide_sets(sets).scene, sections, &loaded.values);
+        scene::read_scene(loaded.text, printable(scene_file), divide_settings(sets).scene, sections, &loaded.values);
   } catch (const scene::SetError& error) {
     throw UsageError(error.what());
   }
@@ -140,7 +140,7 @@ ModelRequest ModelRequest::without_effects(const std::vector<std::string>& names
   return fewer;
 }
 
-ModelRequest model_request_in(std::span<const std::string> words) {
+ModelRequest parse_model_request(std::span<const std::string> words) {
   ModelRequest request;
   OptionList options("view");
   request.add_to(options);
@@ -287,7 +287,7 @@ emit::Options emit_options_of(const ModelRequest& request) {
   emit.scene = request.scene();
   emit.effects = effects::all();
   emit.pruning = parse_pruning(request.pruning);
-  emit.prices_on = request.pruning == all_that_pay ? weighed_prices_on : prices_on;
+  emit.prices_on = request.pruning == automatic_pruning ? weighed_prices_on : prices_on;
   emit.work = work_of(request);
   return emit;
 }

@@ -104,7 +104,7 @@ struct ModelRequest {
 };
 
 /// Parses words of a command line: the model and its options. Throws UsageError.
-ModelRequest model_request_in(std::span<const std::string> words);
+ModelRequest parse_model_request(std::span<const std::string> words);
 
 /// Names of the strategies.
 std::vector<std::string> strategy_names();

@@ -60,7 +60,7 @@ std::vector<std::uint32_t> matching(const std::vector<std::string>& names, Is is
 
 }  // namespace
 
-std::uint32_t primitive_named(const isa::Program& program, const std::string& text, const std::string& option) {
+std::uint32_t parse_primitive(const isa::Program& program, const std::string& text, const std::string& option) {
   const std::vector<std::string>& names = program.facts->primitives;
   if (const std::optional<std::uint32_t> index = parse_index(text)) {
     if (*index < names.size()) return *index;
@@ -76,7 +76,7 @@ std::uint32_t primitive_named(const isa::Program& program, const std::string& te
   return meant.front();
 }
 
-Pixel pixel_named(const isa::Program& program, const std::string& text, const std::string& option) {
+Pixel parse_pixel(const isa::Program& program, const std::string& text, const std::string& option) {
   const auto place = numbers<std::uint32_t>(text, ',', 2, option, "x,y");
   if (place[0] < program.shape.width && place[1] < program.shape.height) return {place[0], place[1]};
   throw UsageError(option, fmt::format("there is no pixel {} in a picture of {} x {}", text, program.shape.width,

@@ -11,7 +11,7 @@ namespace csgsim::session {
 
 /// The primitive that an option names by its index, `3` or `p3`, by its name, `cylinder@9:9`, or by its line in the
 /// model's file, `@9` or `cylinder@9`, if the line has only one. Throws UsageError and suggests the nearest name.
-std::uint32_t primitive_named(const isa::Program& program, const std::string& text, const std::string& option);
+std::uint32_t parse_primitive(const isa::Program& program, const std::string& text, const std::string& option);
 
 /// A pixel of a picture.
 struct Pixel {
@@ -20,6 +20,6 @@ struct Pixel {
 };
 
 /// The pixel that an option names as `x,y`. Throws UsageError.
-Pixel pixel_named(const isa::Program& program, const std::string& text, const std::string& option);
+Pixel parse_pixel(const isa::Program& program, const std::string& text, const std::string& option);
 
 }  // namespace csgsim::session

@@ -27,7 +27,7 @@ isa::Program read_program(const std::string& path) {
     return with_memory_for("the Program " + path, [&] { return isa::load_program(path); });
   } catch (const InputError& error) {
     const std::string_view message = error.what();
-    const bool may_be_program = path == standard_stream || ends_in(path, ".csgt");
+    const bool may_be_program = path == standard_stream || has_extension(path, ".csgt");
     if (may_be_program || message.find(": unknown instruction ") == message.npos) throw;
     throw InputError(fmt::format("{}; is this a Program? csgsim compile writes Programs, .csgt", message));
   }

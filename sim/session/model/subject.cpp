@@ -40,21 +40,21 @@ std::string beginning_of(const std::filesystem::path& path) {
 
 std::optional<Subject> named_subject(const std::filesystem::path& path) {
   const auto row =
-      std::ranges::find_if(named_subjects, [&](const NamedSubject& one) { return ends_in(path, one.ending); });
+      std::ranges::find_if(named_subjects, [&](const NamedSubject& one) { return has_extension(path, one.ending); });
   return row == named_subjects.end() ? std::nullopt : std::optional(row->subject);
 }
 
 }  // namespace
 
-Subject subject_in(const std::filesystem::path& path) {
+Subject detect_input_kind(const std::filesystem::path& path) {
   const Subject by_name = path == standard_stream ? Subject::csg : named_subject(path).value_or(Subject::csg);
   const std::string begin = beginning_of(path);
-  return isa::begins_as_program(std::as_bytes(std::span(begin))) ? Subject::program : by_name;
+  return isa::looks_like_program(std::as_bytes(std::span(begin))) ? Subject::program : by_name;
 }
 
 bool is_model(const std::filesystem::path& path) { return !is_program(path); }
 
-bool is_program(const std::filesystem::path& path) { return subject_in(path) == Subject::program; }
+bool is_program(const std::filesystem::path& path) { return detect_input_kind(path) == Subject::program; }
 
 bool has_model_name(const std::filesystem::path& path) {
   return named_subject(path).value_or(Subject::program) != Subject::program;
@@ -66,7 +66,7 @@ std::string model_endings() {
   std::vector<std::string> endings;
   for (const NamedSubject& one : named_subjects)
     if (one.subject != Subject::program) endings.emplace_back(one.ending);
-  return "models end in " + alternatives(endings);
+  return "models end in " + alternatives_text(endings);
 }
 
 void refuse_model(const std::filesystem::path& path) {

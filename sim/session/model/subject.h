@@ -39,7 +39,7 @@ inline constexpr auto named_subjects = std::to_array<NamedSubject>({{".csg", Sub
 /// Kind of an input; every command uses this function. A file that begins like a Program is one, regardless of its
 /// name. Otherwise the extension decides, and an unknown extension stands for a model's text, as does standard input.
 /// The content of a pipe is not inspected, since it can be read only once.
-Subject subject_in(const std::filesystem::path& path);
+Subject detect_input_kind(const std::filesystem::path& path);
 
 bool is_model(const std::filesystem::path& path);
 bool is_program(const std::filesystem::path& path);

@@ -181,7 +181,7 @@ int heading_position(std::string_view subject) {
   return static_cast<int>(std::ranges::find(subjects, subject) - subjects.begin());
 }
 
-std::string in_folder(std::string_view option, const std::string& value, const std::string& folder) {
+std::string resolve_in_folder(std::string_view option, const std::string& value, const std::string& folder) {
   const FileRole role = known_option(option).role;
   if (role == FileRole::none) return value;
   if (role == FileRole::input || role == FileRole::output) return file_in(value, folder);

@@ -35,6 +35,6 @@ int heading_position(std::string_view subject);
 
 /// The option's value, with relative file names moved into that folder. `-` and values that name no file stay
 /// unchanged.
-std::string in_folder(std::string_view option, const std::string& value, const std::string& folder);
+std::string resolve_in_folder(std::string_view option, const std::string& value, const std::string& folder);
 
 }  // namespace csgsim::session

@@ -18,7 +18,7 @@
 
 namespace csgsim::session {
 
-bool ends_in(const std::filesystem::path& path, std::string_view extension) {
+bool has_extension(const std::filesystem::path& path, std::string_view extension) {
   return std::ranges::equal(path.extension().string(), extension,
                             [](unsigned char letter, unsigned char wanted) { return std::tolower(letter) == wanted; });
 }

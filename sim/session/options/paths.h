@@ -11,7 +11,7 @@
 namespace csgsim::session {
 
 /// Whether the path has this extension, as in `.png`, in upper or lower case.
-bool ends_in(const std::filesystem::path& path, std::string_view extension);
+bool has_extension(const std::filesystem::path& path, std::string_view extension);
 
 /// The files read for models or Programs and machines. Built-in machines have no file.
 std::vector<std::filesystem::path> input_files(const std::vector<std::string>& subjects,

@@ -17,7 +17,7 @@ inline bool shows_progress(const std::string& progress) {
 }
 
 /// Adds --progress.
-inline void add_progress(OptionList& command, std::string& progress) {
+inline void add_progress_option(OptionList& command, std::string& progress) {
   command.option("--progress", progress, "Show progress: auto (if standard error is a terminal) or none")
       .one_of({"auto", "none"}, "progress setting");
 }

@@ -45,7 +45,7 @@ csg::Pruning all_or_none(bool is_done) {
 }  // namespace
 
 csg::Pruning parse_pruning(const std::string& text) {
-  if (text == all_that_pay || text == "all" || text == "none") return all_or_none(text != "none");
+  if (text == automatic_pruning || text == "all" || text == "none") return all_or_none(text != "none");
   const std::vector<std::string_view> words = split(text, "+");
   const bool are_left_out = words.front().starts_with(left_out);
   csg::Pruning pruning = all_or_none(are_left_out);
@@ -60,14 +60,14 @@ csg::Pruning parse_pruning(const std::string& text) {
   return pruning;
 }
 
-std::vector<std::string> prunings_of(const std::string& text) {
+std::vector<std::string> parse_prunings(const std::string& text) {
   std::vector<std::string> prunings = parse_words(text);
   for (const std::string& one : prunings) parse_pruning(one);
   return prunings;
 }
 
 std::vector<std::string> pruning_words() {
-  std::vector<std::string> words{std::string(all_that_pay), "all", "none"};
+  std::vector<std::string> words{std::string(automatic_pruning), "all", "none"};
   for (const NamedPruning& one : named) words.emplace_back(one.name);
   for (const NamedPruning& one : named) words.push_back(std::string(left_out) + std::string(one.name));
   return words;

@@ -11,14 +11,14 @@
 namespace csgsim::session {
 
 /// The selection of all prunings, each applied where it is worth its time (csg::Prices).
-inline constexpr std::string_view all_that_pay = "auto";
+inline constexpr std::string_view automatic_pruning = "auto";
 
 /// Parses a selection of prunings: `auto`, `all`, `none`, those to apply (`space+hidden`), or those to leave out
 /// (`no-space+no-hidden`). Throws UsageError.
 csg::Pruning parse_pruning(const std::string& text);
 
 /// Splits and validates a comma-separated list of selections. Throws UsageError.
-std::vector<std::string> prunings_of(const std::string& text);
+std::vector<std::string> parse_prunings(const std::string& text);
 
 /// The words from which a selection is composed.
 std::vector<std::string> pruning_words();

@@ -47,12 +47,12 @@ void refuse_form(const std::string& set) {
   const std::vector<std::string> near = suggested_keys(key);
   throw UsageError(option, fmt::format("'{}' is neither a machine parameter nor a scene key; {}", key,
                                        near.empty() ? "csgsim manual machines NAME and csgsim manual scenes list them"
-                                                    : fmt::format("did you mean {}?", alternatives(near))));
+                                                    : fmt::format("did you mean {}?", alternatives_text(near))));
 }
 
 }  // namespace
 
-Sets divide_sets(const std::vector<std::string>& settings) {
+Sets divide_settings(const std::vector<std::string>& settings) {
   Sets all;
   for (const std::string& set : settings) {
     refuse_form(set);
@@ -80,7 +80,7 @@ namespace {
 
 template <class Source>
 machines::Machine load_from(const Source& source, const std::string& name, const std::vector<std::string>& sets) {
-  const std::vector<std::string> figures = divide_sets(sets).figures;
+  const std::vector<std::string> figures = divide_settings(sets).figures;
   machines::Machine plain = kinds::load(source);
   if (figures.empty()) return plain;
   for (const std::string& figure : figures) {
@@ -106,7 +106,7 @@ machines::Machine load_machine(const isa::MachineRecord& record, const std::vect
 
 std::vector<std::string> with_parameters(const std::vector<std::string>& names,
                                          const std::vector<std::string>& settings) {
-  const std::vector<std::string> figures = divide_sets(settings).figures;
+  const std::vector<std::string> figures = divide_settings(settings).figures;
   if (figures.empty()) return names;
   std::vector<std::string> edited;
   std::set<std::string> taken;
@@ -123,9 +123,9 @@ std::vector<std::string> with_parameters(const std::vector<std::string>& names,
   }
   for (const std::string& figure : figures) {
     if (!taken.contains(figure))
-      throw UsageError("--set " + figure,
-                       fmt::format("none of {} has that parameter; machines of the kind {} have it",
-                                   fmt::format("{}", fmt::join(names, ", ")), kinds::kinds_with(key_of(figure))));
+      throw UsageError("--set " + figure, fmt::format("none of {} has that parameter; machines of the kind {} have it",
+                                                      fmt::format("{}", fmt::join(names, ", ")),
+                                                      kinds::names_of_kinds_with(key_of(figure))));
   }
   return edited;
 }
@@ -135,7 +135,7 @@ void add_parameter_sets(OptionList& command, std::vector<std::string>& settings,
 }
 
 void refuse_scene_sets(const std::vector<std::string>& settings, const std::string& option) {
-  const std::vector<std::string> of_scene = divide_sets(settings).scene;
+  const std::vector<std::string> of_scene = divide_settings(settings).scene;
   if (!of_scene.empty())
     throw UsageError(option, "'" + of_scene.front() +
                                  "' is a key of a scene, which has no effect here; only machine parameters can be set");

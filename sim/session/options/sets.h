@@ -18,7 +18,7 @@ struct Sets {
 
 /// Divides the settings by the owner of their keys. Throws UsageError for a key that belongs to neither, with the
 /// nearest key of both.
-Sets divide_sets(const std::vector<std::string>& settings);
+Sets divide_settings(const std::vector<std::string>& settings);
 
 /// Throws InputError for an unknown machine name or an invalid parameter change in the name; files are not read.
 void check_machine(const std::string& name);

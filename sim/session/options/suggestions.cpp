@@ -60,7 +60,7 @@ std::vector<std::string> all_keys() {
     for (const machines::FigureSchema& figure : kind->schema) keys.emplace(figure.key);
   }
   const auto add_section = [&](const scene::Section& section) {
-    for (const scene::KeyValue& one : section.blank())
+    for (const scene::KeyValue& one : section.blank_machine())
       keys.insert(fmt::format("{}.{}{}", section.name, section.is_list ? "0." : "", one.key.name));
   };
   for (const scene::Section& section : scene::common_sections()) add_section(section);
@@ -134,13 +134,13 @@ std::string set_for(std::string_view word) {
   const std::vector<std::string> keys = all_keys();
   const std::vector<std::string> found = is_known(keys, word) ? std::vector{std::string(word)} : keys_with(word, keys);
   if (found.empty()) return {};
-  if (found.size() > 1) return fmt::format("--set KEY=VALUE with a key such as {}", alternatives(found));
+  if (found.size() > 1) return fmt::format("--set KEY=VALUE with a key such as {}", alternatives_text(found));
   return fmt::format("--set {}={}", found.front(), found.front().ends_with(".on") ? "true" : "VALUE");
 }
 
 }  // namespace
 
-std::string alternatives(std::span<const std::string> words) {
+std::string alternatives_text(std::span<const std::string> words) {
   if (words.empty()) return {};
   const std::span<const std::string> first = words.first(words.size() - 1);
   return first.empty() ? words.back() : fmt::format("{} or {}", fmt::join(first, ", "), words.back());
@@ -167,7 +167,7 @@ std::string suggested_option(std::string_view word, std::span<const std::string>
   if (const std::string_view replaced = replacement_for(word, known); !replaced.empty()) return std::string(replaced);
   if (std::string other = with_other_dashes(word, known); !other.empty()) return other;
   if (const std::vector<std::string> longer = options_that_begin_with(word, known); !longer.empty())
-    return alternatives(longer);
+    return alternatives_text(longer);
   if (is_known(known, "--set")) {
     if (std::string set = set_for(without_dashes(word)); !set.empty()) return set;
   }

@@ -22,6 +22,6 @@ std::vector<std::string> suggested_keys(std::string_view key);
 bool is_option_name(std::string_view word);
 
 /// The words as a list: `a`, `a or b`, `a, b or c`.
-std::string alternatives(std::span<const std::string> words);
+std::string alternatives_text(std::span<const std::string> words);
 
 }  // namespace csgsim::session

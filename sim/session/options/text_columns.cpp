@@ -28,7 +28,7 @@ std::vector<std::size_t> widths_of(std::span<const std::vector<std::string>> row
 
 }  // namespace
 
-std::string in_columns(std::span<const std::vector<std::string>> rows, std::string_view alignments) {
+std::string format_columns(std::span<const std::vector<std::string>> rows, std::string_view alignments) {
   const std::vector<std::size_t> widths = widths_of(rows, alignments.size());
   std::string text;
   for (const std::vector<std::string>& row : rows) {

@@ -12,6 +12,6 @@ namespace csgsim::session {
 /// Formats rows in columns as wide as their widest cell, two blanks apart. `alignments` has one character per column:
 /// `<` aligns left, `>` right. In a row with fewer cells, the last cell may extend beyond its column. Lines have no
 /// trailing blanks.
-std::string in_columns(std::span<const std::vector<std::string>> rows, std::string_view alignments);
+std::string format_columns(std::span<const std::vector<std::string>> rows, std::string_view alignments);
 
 }  // namespace csgsim::session

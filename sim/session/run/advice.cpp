@@ -113,8 +113,8 @@ std::vector<observe::Knob> pruning_knob(const ModelRequest& request, const Setti
 
 }  // namespace
 
-std::vector<observe::Knob> setting_knobs(const CompiledModel& model, const ModelRequest& request,
-                                         const machines::Machine& machine, const engine::RunResult& result) {
+std::vector<observe::Knob> measure_setting_knobs(const CompiledModel& model, const ModelRequest& request,
+                                                 const machines::Machine& machine, const engine::RunResult& result) {
   const SettingTrials trials(model, machine, result);
   std::vector<observe::Knob> knobs = pruning_knob(request, trials);
   for (const TriedSetting& setting : tried_settings) {
@@ -125,8 +125,8 @@ std::vector<observe::Knob> setting_knobs(const CompiledModel& model, const Model
   return knobs;
 }
 
-std::vector<observe::Knob> knobs_of(const Advice& advice, const isa::Program& program, const machines::Machine& machine,
-                                    const engine::RunResult& result) {
+std::vector<observe::Knob> measure_parameter_knobs(const Advice& advice, const isa::Program& program,
+                                                   const machines::Machine& machine, const engine::RunResult& result) {
   if (!advice.is_asked || result.interval_clocks == 0) return {};
   engine::RunResult complete = result;
   // The cycle level counts clocks but does not record the run-time outcomes from which clocks are computed.

@@ -25,12 +25,12 @@ struct Advice {
 };
 
 /// The tried changes that help, best first; empty if advice was not requested.
-std::vector<observe::Knob> knobs_of(const Advice& advice, const isa::Program& program, const machines::Machine& machine,
-                                    const engine::RunResult& result);
+std::vector<observe::Knob> measure_parameter_knobs(const Advice& advice, const isa::Program& program,
+                                                   const machines::Machine& machine, const engine::RunResult& result);
 
 /// The worth of options of csgsim render, each changed by one step, and of the selection of prunings that helps most.
 /// Each variant is compiled, and also simulated if its run may skip instructions.
-std::vector<observe::Knob> setting_knobs(const CompiledModel& model, const ModelRequest& request,
-                                         const machines::Machine& machine, const engine::RunResult& result);
+std::vector<observe::Knob> measure_setting_knobs(const CompiledModel& model, const ModelRequest& request,
+                                                 const machines::Machine& machine, const engine::RunResult& result);
 
 }  // namespace csgsim::session

@@ -150,7 +150,7 @@ Json configuration_of(const OptionList& options, const RunSubject& subject) {
   return configuration;
 }
 
-void put_configuration(Json& stats, Json configuration, const observe::Frame& picture) {
+void insert_configuration(Json& stats, Json configuration, const observe::Frame& picture) {
   configuration["picture"] = {{"hash", observe::hash_of(picture)}};
   const Json wall = stats["wall_seconds"];
   stats.erase("wall_seconds");

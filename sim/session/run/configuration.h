@@ -35,7 +35,7 @@ nlohmann::ordered_json configuration_of(const OptionList& options, const RunSubj
 nlohmann::ordered_json machine_json(const machines::Machine& machine);
 
 /// Inserts the configuration before the wall time, which is the last key of a stats file.
-void put_configuration(nlohmann::ordered_json& stats, nlohmann::ordered_json configuration,
-                       const observe::Frame& picture);
+void insert_configuration(nlohmann::ordered_json& stats, nlohmann::ordered_json configuration,
+                          const observe::Frame& picture);
 
 }  // namespace csgsim::session

@@ -47,7 +47,7 @@ struct Explained {
   std::optional<CompiledModel> model;  ///< without its Program
 };
 
-bool is_of_program(const ExplainRequest& request, const InPlace& in_place) {
+bool is_of_program(const ExplainRequest& request, const ContentReplacement& in_place) {
   if (in_place.program != nullptr) return true;
   return !in_place.text && !is_model(request.model.model);
 }
@@ -58,7 +58,7 @@ ProgramOnMachine program_in_place(const isa::Program& program, const ModelReques
   return {machine_for(program, request.model, chosen_machine, request.sets), program};
 }
 
-Explained explained_by(const ExplainRequest& request, const OptionList& options, const InPlace& in_place) {
+Explained explained_by(const ExplainRequest& request, const OptionList& options, const ContentReplacement& in_place) {
   if (is_of_program(request, in_place)) {
     ProgramOnMachine found = in_place.program ? program_in_place(*in_place.program, request.model, options)
                                               : program_of(request.model, options);
@@ -89,7 +89,7 @@ Seen seen_at(const std::string& text, const view::View& view) {
   return {{static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row)}, in_eye.z};
 }
 
-void add_point(const std::string& point, double distance, story::Answer& answer) {
+void add_point(const std::string& point, double distance, story::PixelExplanation& answer) {
   answer.text =
       fmt::format("point {} is {:.6g} model units in front of the eye, along the view axis\n", point, distance) +
       answer.text;
@@ -98,18 +98,18 @@ void add_point(const std::string& point, double distance, story::Answer& answer)
 
 std::optional<std::uint32_t> missed_in(const ExplainRequest& request, const isa::Program& program) {
   if (request.why_not.empty()) return std::nullopt;
-  return primitive_named(program, request.why_not, "--why-not");
+  return parse_primitive(program, request.why_not, "--why-not");
 }
 
-story::Answer answer_of(const ExplainRequest& request, const Explained& subject) {
+story::PixelExplanation answer_of(const ExplainRequest& request, const Explained& subject) {
   const isa::Program& program = subject.program;
   std::optional<story::HalfspaceFinder> finder;
   if (subject.model) finder.emplace(halfspaces_of(*subject.model));
   const bool is_point = !request.point.empty();
   const Seen seen =
-      is_point ? seen_at(request.point, finder->view()) : Seen{pixel_named(program, request.pixel, "--pixel"), 0};
-  story::Answer answer = story::answer_of({program, finder ? &*finder : nullptr}, subject.machine, seen.pixel.x,
-                                          seen.pixel.y, missed_in(request, program));
+      is_point ? seen_at(request.point, finder->view()) : Seen{parse_pixel(program, request.pixel, "--pixel"), 0};
+  story::PixelExplanation answer = story::explain_pixel({program, finder ? &*finder : nullptr}, subject.machine,
+                                                        seen.pixel.x, seen.pixel.y, missed_in(request, program));
   if (is_point) add_point(request.point, seen.distance, answer);
   return answer;
 }
@@ -134,7 +134,7 @@ std::string explain_command(const OptionList& options, const std::string& subjec
   return shell_command(list.words());
 }
 
-void refuse_misuse(const ExplainRequest& request, const OptionList& options, const InPlace& in_place) {
+void refuse_misuse(const ExplainRequest& request, const OptionList& options, const ContentReplacement& in_place) {
   if (request.pixel.empty() == request.point.empty())
     throw UsageError("explain", "name a pixel with --pixel x,y or --point X,Y,Z");
   if (!is_of_program(request, in_place)) return;
@@ -143,7 +143,8 @@ void refuse_misuse(const ExplainRequest& request, const OptionList& options, con
   refuse_model_options(options, {"machine", "set", "pixel", "why-not", "json"});
 }
 
-story::Answer explain(const ExplainRequest& request, const OptionList& options, const InPlace& in_place) {
+story::PixelExplanation explain(const ExplainRequest& request, const OptionList& options,
+                                const ContentReplacement& in_place) {
   const Explained subject = explained_by(request, options, in_place);
   return with_memory_for_picture(subject.machine.array, [&] { return answer_of(request, subject); });
 }

@@ -31,9 +31,10 @@ using GivenTexts = std::vector<std::pair<std::string, std::string>>;
 std::string explain_command(const OptionList& options, const std::string& subject, const GivenTexts& replacements);
 
 /// Throws UsageError if no pixel is given, or if an option does not apply to a Program.
-void refuse_misuse(const ExplainRequest& request, const OptionList& options, const InPlace& in_place = {});
+void refuse_misuse(const ExplainRequest& request, const OptionList& options, const ContentReplacement& in_place = {});
 
 /// Explains the requested pixel. Throws InputError, UsageError.
-story::Answer explain(const ExplainRequest& request, const OptionList& options, const InPlace& in_place = {});
+story::PixelExplanation explain(const ExplainRequest& request, const OptionList& options,
+                                const ContentReplacement& in_place = {});
 
 }  // namespace csgsim::session

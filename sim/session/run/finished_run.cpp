@@ -31,7 +31,7 @@ FinishedRun run_simulation(const RunSubject& subject, const RunRequest& request,
   const machines::Machine& machine = subject.machine;
   RunObservers observers{observe::FrameObserver(program), observe::StatsObserver(program), {}};
   const bool shows = shows_progress(request.progress);
-  observe::LongWork work = long_run(request.level);
+  observe::LongWork work = long_run_warning(request.level);
   if (shows || request.level != "functional") observers.progress.emplace(program, machine).warn(work, shows);
   const std::unique_ptr<engine::Engine> engine =
       make_engine(machine, request.level, request.threads, evaluator_form(request.evaluator, request.level));
@@ -70,9 +70,9 @@ FinishedRun finish(const OptionList& options, const RunSubject& subject, const R
   const isa::Program& program = subject.program;
   nlohmann::ordered_json configuration = wanted_configuration(options, subject, request, is_configured);
   FinishedRun run = run_simulation(subject, request, checkpoints);
-  run.knobs = knobs_of(advice, program, subject.machine, run.result);
+  run.knobs = measure_parameter_knobs(advice, program, subject.machine, run.result);
   run.stats_file = observe::to_json(run.report(subject));
-  if (!configuration.is_null()) put_configuration(run.stats_file, std::move(configuration), run.picture);
+  if (!configuration.is_null()) insert_configuration(run.stats_file, std::move(configuration), run.picture);
   if (judge) run.verdict = judge(run.picture, run.stats_file["accuracy"]);
   outputs.write_pictures(run.picture, program);
   outputs.write_stats(run.stats_file.dump(2) + "\n");

@@ -82,7 +82,7 @@ isa::Preparation prepared_for(const isa::Program& program) {
 }
 
 FrameCounts counts_of(const isa::Program& program, const engine::RunResult& result, const observe::Stats& stats,
-                      const csg::Reused& reused) {
+                      const csg::ReuseCounts& reused) {
   const isa::CompileFacts& compile = program.facts->compile;
   return {.clocks = result.clocks,
           .shown_clocks = result.shown_clocks,
@@ -132,7 +132,7 @@ class FrameDrawing {
         progress_(progress),
         configure_(std::move(configure)),
         form_(evaluator_form(request.run.evaluator, request.run.level)),
-        work_(long_run(request.run.level)) {}
+        work_(long_run_warning(request.run.level)) {}
 
   DrawnFrames of_moving_camera(FrameCompiler& compiler) {
     for (std::size_t i = 0; i < cameras_.size(); ++i) {
@@ -165,7 +165,7 @@ class FrameDrawing {
     progress_(frame, cameras_.size());
   }
 
-  void run(const isa::Program& program, const csg::Reused& reused) {
+  void run(const isa::Program& program, const csg::ReuseCounts& reused) {
     with_memory_for_run({&program, 1}, machine_.array, [&] {
       if (!engine_) engine_ = make_engine(machine_, request_.run.level, request_.run.threads, form_);
       FrameRun frame(program);
@@ -184,7 +184,8 @@ class FrameDrawing {
     });
   }
 
-  void put(const isa::Program& program, const engine::RunResult& result, FrameRun& run, const csg::Reused& reused) {
+  void put(const isa::Program& program, const engine::RunResult& result, FrameRun& run,
+           const csg::ReuseCounts& reused) {
     refuse_overflow(result);
     observe::Frame picture = std::move(run.picture).frame();
     if (!result.scanned_out.empty()) picture.colour = result.scanned_out;
@@ -224,7 +225,7 @@ Json counts_json(const FrameCounts& counts) {
   Json prepared = Json::object();
   isa::describe(counts.prepared,
                 [&](std::string_view key, std::uint64_t count) { prepared[std::string(key)] = count; });
-  const csg::Reused& reused = counts.reused;
+  const csg::ReuseCounts& reused = counts.reused;
   return {{"clocks", counts.clocks},
           {"shown_clocks", counts.shown_clocks},
           {"interval_clocks", counts.interval_clocks},

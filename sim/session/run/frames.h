@@ -47,7 +47,7 @@ struct FrameCounts {
   std::uint64_t depth_tests = 0;
   observe::Cost cost;
   isa::Preparation prepared;  ///< work of the host before it writes instructions
-  csg::Reused reused;         ///< work that results of earlier blocks and frames replaced
+  csg::ReuseCounts reused;    ///< work that results of earlier blocks and frames replaced
 
   FrameCounts& operator+=(const FrameCounts& more);
 };

@@ -10,7 +10,7 @@
 namespace csgsim::session {
 
 /// Replacement for the content of the named file, if any.
-struct InPlace {
+struct ContentReplacement {
   std::optional<std::string> text;        ///< text of a model
   const isa::Program* program = nullptr;  ///< must outlive the call
 };

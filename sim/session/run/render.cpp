@@ -23,7 +23,7 @@ void RenderRequest::add_to(OptionList& options) {
                  "Use the cheapest --z-bits and --fraction-bits with at most this number of wrong pixels");
 }
 
-Compiled compile(RenderRequest& request, const ChooseBits& choose, const InPlace& in_place) {
+Compiled compile(RenderRequest& request, const ChooseBits& choose, const ContentReplacement& in_place) {
   machines::Machine machine = machine_of(request.model);
   ModelFile file = read_model_file(request.model, in_place.text);
   if (request.max_wrong_pixels) choose(request, machine, file.tree);
@@ -34,7 +34,7 @@ Compiled compile(RenderRequest& request, const ChooseBits& choose, const InPlace
   return {std::move(machine), std::move(model), std::move(inputs), in_place.text.has_value()};
 }
 
-Judge judge_of(const RenderRequest& request, const Compiled& compiled) {
+Judge make_judge(const RenderRequest& request, const Compiled& compiled) {
   if (!request.check) return {};
   const CompiledModel& model = compiled.model;
   refuse_transparent_parts(model.choices.options, model.tree, model.camera);
@@ -46,7 +46,7 @@ Advice advice_of(const RenderRequest& request, const Compiled& compiled) {
           request.run.advice,
           "--advice tries machine parameters, settings and prunings",
           [&](const engine::RunResult& result) {
-            return setting_knobs(compiled.model, request.model, compiled.machine, result);
+            return measure_setting_knobs(compiled.model, request.model, compiled.machine, result);
           },
           {"csgsim accuracy measures wrong pixels by bits and facets, csgsim sweep the benefit of memory"}};
 }

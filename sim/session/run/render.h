@@ -53,11 +53,11 @@ using ChooseBits = std::function<void(RenderRequest&, const machines::Machine&, 
 
 /// Compiles the model, with chosen bits if --max-wrong-pixels is given. Warns about nearly coplanar faces. Throws
 /// InputError, UsageError.
-Compiled compile(RenderRequest& request, const ChooseBits& choose, const InPlace& in_place = {});
+Compiled compile(RenderRequest& request, const ChooseBits& choose, const ContentReplacement& in_place = {});
 
 /// Compares the picture with the exact one of the same half-spaces; empty without --check. Options and model have to
 /// outlive it. Throws InputError for transparent parts.
-Judge judge_of(const RenderRequest& request, const Compiled& compiled);
+Judge make_judge(const RenderRequest& request, const Compiled& compiled);
 
 /// Changes to try that may speed the run up. Options and model have to outlive the result.
 Advice advice_of(const RenderRequest& request, const Compiled& compiled);

@@ -24,7 +24,7 @@ namespace {
 
 /// The problem of a page's name, or an empty string.
 std::string html_name_problem(const std::string& name) {
-  return ends_in(name, ".html") ? "" : "'" + name + "' must end in .html";
+  return has_extension(name, ".html") ? "" : "'" + name + "' must end in .html";
 }
 
 }  // namespace

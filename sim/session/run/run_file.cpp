@@ -60,10 +60,10 @@ void refuse_misuse(const ProgramRequest& request) {
   request.checkpoints.check(request.run.level, protected_files(request));
 }
 
-Loaded load(const ProgramRequest& request, const InPlace& in_place) {
+LoadedProgram load(const ProgramRequest& request, const ContentReplacement& in_place) {
   isa::Program program = in_place.program ? *in_place.program : read_program(request.program);
   machines::Machine machine = machine_for(program, request.program, request.machine, request.sets);
-  Loaded loaded{std::move(machine), std::move(program), request.inputs()};
+  LoadedProgram loaded{std::move(machine), std::move(program), request.inputs()};
   if (in_place.program == nullptr) return loaded;
   loaded.hash = hash_of(loaded.program);
   loaded.is_in_place = true;

@@ -32,7 +32,7 @@ struct ProgramRequest {
 };
 
 /// A Program and the machine that runs it.
-struct Loaded {
+struct LoadedProgram {
   machines::Machine machine;
   isa::Program program;
   std::vector<std::filesystem::path> inputs;
@@ -48,7 +48,7 @@ struct Loaded {
 void refuse_misuse(const ProgramRequest& request);
 
 /// Reads the Program, or takes its replacement. Throws InputError, UsageError.
-Loaded load(const ProgramRequest& request, const InPlace& in_place = {});
+LoadedProgram load(const ProgramRequest& request, const ContentReplacement& in_place = {});
 
 /// Changes of machine parameters to try that may speed the run up.
 Advice advice_of(const ProgramRequest& request, const machines::Machine& machine);

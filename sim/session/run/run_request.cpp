@@ -25,12 +25,12 @@ namespace {
 
 /// The problem of a picture name that must be an EXR file, or an empty string.
 std::string exr_name_problem(const std::string& name) {
-  return ends_in(name, ".exr") || is_unnamed_stream(name) ? "" : "'" + name + "' must end in .exr";
+  return has_extension(name, ".exr") || is_unnamed_stream(name) ? "" : "'" + name + "' must end in .exr";
 }
 
 /// The problem of the name of an owner picture, or an empty string.
 std::string owner_name_problem(const std::string& name) {
-  return ends_in(name, ".exr") || ends_in(name, ".png") || is_unnamed_stream(name)
+  return has_extension(name, ".exr") || has_extension(name, ".png") || is_unnamed_stream(name)
              ? ""
              : "'" + name + "' must end in .png or .exr";
 }
@@ -45,7 +45,7 @@ systemc::EvaluatorForm evaluator_form(const std::string& evaluator, const std::s
   return systemc::EvaluatorForm::stepped;
 }
 
-observe::LongWork long_run(const std::string& level) {
+observe::LongWork long_run_warning(const std::string& level) {
   return {"the run at the " + level + " level",
           level == "functional" ? "more --threads or a smaller --size take less time"
                                 : "--level functional gives the same picture and counts much faster"};
@@ -87,7 +87,7 @@ void RunRequest::add_to(OptionList& options) {
       .between(1U, max_threads);
   options.flag("--advice", advice,
                "Try each machine parameter and each setting changed by one step, and report what the change is worth");
-  add_progress(options, progress);
+  add_progress_option(options, progress);
 }
 
 void refuse_overflow(const engine::RunResult& result) {
@@ -96,13 +96,13 @@ void refuse_overflow(const engine::RunResult& result) {
                    " enabled pixels a linear expression does not fit its width; compile the model again");
 }
 
-Drawn draw(const isa::Program& program, const machines::Machine& machine, const std::string& level,
-           bool shows_progress) {
+DrawnRun draw(const isa::Program& program, const machines::Machine& machine, const std::string& level,
+              bool shows_progress) {
   observe::FrameObserver frame(program);
   observe::StatsObserver stats(program);
   std::optional<observe::ProgressObserver> progress;
   std::vector<engine::Observer*> observers{&frame, &stats};
-  observe::LongWork work = long_run(level);
+  observe::LongWork work = long_run_warning(level);
   if (shows_progress || level != "functional") {
     progress.emplace(program, machine).warn(work, shows_progress);
     observers.push_back(&*progress);
@@ -112,7 +112,7 @@ Drawn draw(const isa::Program& program, const machines::Machine& machine, const 
       {&program, 1}, program.shape, [&] { return make_engine(machine, level, 1)->run(program, observers); });
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   refuse_overflow(result);
-  Drawn drawn{std::move(frame).frame(), stats.stats(), std::move(result), wall.count()};
+  DrawnRun drawn{std::move(frame).frame(), stats.stats(), std::move(result), wall.count()};
   if (!drawn.result.scanned_out.empty()) drawn.frame.colour = drawn.result.scanned_out;
   return drawn;
 }

@@ -53,7 +53,7 @@ std::vector<std::string> evaluator_names();
 systemc::EvaluatorForm evaluator_form(const std::string& evaluator, const std::string& level = "cycle");
 
 /// Name of a long run and advice how to shorten it, for warnings.
-observe::LongWork long_run(const std::string& level);
+observe::LongWork long_run_warning(const std::string& level);
 
 /// An engine of the level with that name.
 std::unique_ptr<engine::Engine> make_engine(const machines::Machine& machine, const std::string& level,
@@ -61,7 +61,7 @@ std::unique_ptr<engine::Engine> make_engine(const machines::Machine& machine, co
                                             systemc::EvaluatorForm form = systemc::EvaluatorForm::computed);
 
 /// A Program drawn in memory, without files.
-struct Drawn {
+struct DrawnRun {
   observe::Frame frame;  ///< the picture that the machine displays
   observe::Stats stats;
   engine::RunResult result;
@@ -70,8 +70,8 @@ struct Drawn {
 
 /// Runs the Program at that level, with progress if requested. Throws InputError if memory does not suffice, or as
 /// refuse_overflow does.
-Drawn draw(const isa::Program& program, const machines::Machine& machine, const std::string& level = "functional",
-           bool shows_progress = false);
+DrawnRun draw(const isa::Program& program, const machines::Machine& machine, const std::string& level = "functional",
+              bool shows_progress = false);
 
 /// Judges the accuracy of a finished picture: writes the result to the stats and returns lines for the summary.
 using Judge = std::function<std::string(const observe::Frame&, nlohmann::ordered_json&)>;

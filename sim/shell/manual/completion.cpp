@@ -95,7 +95,7 @@ std::string bash_operands_of(const CommandHelp& command) {
   std::vector<std::string> words;
   bool files = false;
   for (const OptionHelp& operand : command.operands) {
-    const std::vector<std::string> some = offered_words(operand);
+    const std::vector<std::string> some = completion_words(operand);
     words.insert(words.end(), some.begin(), some.end());
     files = files || offers_files(operand);
   }
@@ -105,8 +105,8 @@ std::string bash_operands_of(const CommandHelp& command) {
 std::string case_of(const CommandHelp& command) {
   std::string values;
   for (const OptionHelp& option : command.options) {
-    if (kind_of(option) == ValueKind::none) continue;
-    const std::string value = value_of(offered_words(option), offers_files(option));
+    if (value_kind(option) == ValueKind::none) continue;
+    const std::string value = value_of(completion_words(option), offers_files(option));
     values += fmt::format("        {}){} ;;\n", fmt::join(option.names, " | "), value.empty() ? " return" : value);
   }
   const std::string otherwise =
@@ -168,7 +168,7 @@ std::string zsh_word(std::string_view text) { return quoted(text, "'\\''"); }
 
 /// The zsh action that completes the value.
 std::string action_of(const OptionHelp& option, const std::string& program) {
-  switch (kind_of(option)) {
+  switch (value_kind(option)) {
     case ValueKind::words:
       return fmt::format(fmt::runtime(option.takes_several ? "_sequence compadd - {}" : "({})"),
                          word_list(option.words));
@@ -176,7 +176,7 @@ std::string action_of(const OptionHelp& option, const std::string& program) {
     case ValueKind::machines: return "_" + program + "_machines";
     case ValueKind::processors:
       return fmt::format("{{_alternative \"processors:processor:({})\" \"files:file:_files\"}}",
-                         word_list(offered_words(option)));
+                         word_list(completion_words(option)));
     case ValueKind::none:
     case ValueKind::text: break;
   }
@@ -188,10 +188,10 @@ std::string option_lines(const OptionHelp& option, const std::string& program) {
   std::string lines;
   for (const std::string& name : option.names) {
     std::string spec = others + name;
-    if (kind_of(option) != ValueKind::none) spec += name.starts_with("--") ? "=" : "+";
+    if (value_kind(option) != ValueKind::none) spec += name.starts_with("--") ? "=" : "+";
     spec += "[" + literal(option.meaning) + "]";
-    if (kind_of(option) != ValueKind::none)
-      spec += ":" + literal(value_name(option)) + ":" + action_of(option, program);
+    if (value_kind(option) != ValueKind::none)
+      spec += ":" + literal(value_placeholder(option)) + ":" + action_of(option, program);
     lines += " \\\n        " + zsh_word(spec);
   }
   return lines;
@@ -243,13 +243,13 @@ std::string fish_word(std::string_view text) {
 }
 
 std::string words_of(const OptionHelp& option) {
-  const std::vector<std::string> words = offered_words(option);
+  const std::vector<std::string> words = completion_words(option);
   return words.empty() ? "" : " -a " + fish_word(word_list(words));
 }
 
 /// `-r`: a value has to follow; `-x`: a value that is no file; `-F`: a file.
 std::string value_of(const OptionHelp& option) {
-  if (kind_of(option) == ValueKind::none) return "";
+  if (value_kind(option) == ValueKind::none) return "";
   return (offers_files(option) ? " -r -F" : " -x") + words_of(option);
 }
 

@@ -72,7 +72,7 @@ CommandHelp make_help(const Command& command) {
   return help;
 }
 
-std::vector<CommandHelp> make_helps(const std::deque<Command>& commands) {
+std::vector<CommandHelp> make_command_helps(const std::deque<Command>& commands) {
   std::vector<CommandHelp> helps;
   for (const Command& command : commands) helps.push_back(make_help(command));
   return helps;
@@ -84,10 +84,10 @@ Description describe(const std::string& program, const std::string& meaning, con
           version(),
           source_date(),
           {make_help_option(), make_own_help({"--version"}, "", "Print version, commit, build and libraries")},
-          make_helps(commands)};
+          make_command_helps(commands)};
 }
 
-ValueKind kind_of(const OptionHelp& option) {
+ValueKind value_kind(const OptionHelp& option) {
   if (option.type.empty()) return ValueKind::none;
   if (!option.words.empty()) return ValueKind::words;
   switch (known_option(settings_name(option)).role) {
@@ -101,8 +101,8 @@ ValueKind kind_of(const OptionHelp& option) {
   return ValueKind::text;
 }
 
-std::vector<std::string> offered_words(const OptionHelp& option) {
-  const ValueKind kind = kind_of(option);
+std::vector<std::string> completion_words(const OptionHelp& option) {
+  const ValueKind kind = value_kind(option);
   if (kind != ValueKind::machines && kind != ValueKind::processors) return option.words;
   const std::vector<std::string_view> names =
       kind == ValueKind::machines ? kinds::built_in_names() : processors::processor_names();
@@ -112,7 +112,7 @@ std::vector<std::string> offered_words(const OptionHelp& option) {
 }
 
 bool offers_files(const OptionHelp& option) {
-  const ValueKind kind = kind_of(option);
+  const ValueKind kind = value_kind(option);
   return kind == ValueKind::file || kind == ValueKind::machines || kind == ValueKind::processors;
 }
 

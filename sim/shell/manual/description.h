@@ -22,11 +22,11 @@ enum class ValueKind : std::uint8_t {
   text,        ///< any other text, or a number
 };
 
-ValueKind kind_of(const OptionHelp& option);
+ValueKind value_kind(const OptionHelp& option);
 
 /// Words that a shell offers for the value: its own words, or the machines or processors; empty if any text is
 /// accepted.
-std::vector<std::string> offered_words(const OptionHelp& option);
+std::vector<std::string> completion_words(const OptionHelp& option);
 
 /// Whether a shell offers files for the value.
 bool offers_files(const OptionHelp& option);
@@ -42,7 +42,7 @@ struct Description {
 };
 
 CommandHelp make_help(const Command& command);
-std::vector<CommandHelp> make_helps(const std::deque<Command>& commands);
+std::vector<CommandHelp> make_command_helps(const std::deque<Command>& commands);
 
 Description describe(const std::string& program, const std::string& meaning, const std::deque<Command>& commands);
 

@@ -79,10 +79,10 @@ std::string operand_lines(const CommandHelp& command) {
 
 std::string option_lines(const CommandHelp& command) {
   std::string text;
-  for (const auto& [subject, options] : by_subject(command.options)) {
+  for (const auto& [subject, options] : group_by_subject(command.options)) {
     text += fmt::format("\n{}:\n", subject);
     for (const OptionHelp* const option : options) {
-      const std::string value = value_name(*option);
+      const std::string value = value_placeholder(*option);
       text += line_of(fmt::format("{}{}{}", fmt::join(option->names, ", "), value.empty() ? "" : " ", value),
                       meaning_of(*option));
     }
@@ -133,7 +133,7 @@ std::string long_name(const OptionHelp& option) {
   return found == option.names.end() ? std::string() : found->substr(2);
 }
 
-std::string value_name(const OptionHelp& option) {
+std::string value_placeholder(const OptionHelp& option) {
   if (option.type.empty() || option.type == folder_type) return option.type;
   const std::string_view value = session::known_option(long_name(option)).value;
   if (!value.empty()) return std::string(value);
@@ -141,7 +141,7 @@ std::string value_name(const OptionHelp& option) {
   return option.type == "UINT" ? "N" : option.type == "FLOAT" ? "X" : "TEXT";
 }
 
-std::vector<SubjectHelp> by_subject(std::span<const OptionHelp> options) {
+std::vector<SubjectHelp> group_by_subject(std::span<const OptionHelp> options) {
   std::vector<SubjectHelp> subjects;
   for (const OptionHelp& option : options) {
     const std::string_view subject = session::known_option(long_name(option)).subject;
@@ -153,7 +153,7 @@ std::vector<SubjectHelp> by_subject(std::span<const OptionHelp> options) {
   return subjects;
 }
 
-std::string footer_lines(std::string_view footer, std::size_t columns) {
+std::string wrap_footer(std::string_view footer, std::size_t columns) {
   std::string text;
   while (!footer.empty()) {
     const std::string_view line = taken_line(footer);
@@ -173,7 +173,7 @@ std::string help_text(const CommandHelp& command) {
   std::string text = wrapped(command.meaning, 0, 0) + "\n" + usage_line(command);
   if (!command.operands.empty()) text += "\n" + operand_lines(command);
   text += option_lines(command);
-  if (!command.footer.empty()) text += "\n" + footer_lines(command.footer, help_columns);
+  if (!command.footer.empty()) text += "\n" + wrap_footer(command.footer, help_columns);
   return text;
 }
 

@@ -45,16 +45,16 @@ struct SubjectHelp {
 };
 
 /// Groups a command's options by heading, in the order of help.
-std::vector<SubjectHelp> by_subject(std::span<const OptionHelp> options);
+std::vector<SubjectHelp> group_by_subject(std::span<const OptionHelp> options);
 
 /// Placeholder of an option's value in help: `FILE`, `N`; empty for a flag.
-std::string value_name(const OptionHelp& option);
+std::string value_placeholder(const OptionHelp& option);
 
 /// The first long name without dashes; empty if there is none.
 std::string long_name(const OptionHelp& option);
 
 /// Wraps a footer. Commands continue after a backslash, as in a shell; consecutive remarks form one paragraph.
-std::string footer_lines(std::string_view footer, std::size_t columns);
+std::string wrap_footer(std::string_view footer, std::size_t columns);
 
 /// Text of `csgsim COMMAND --help`: options by heading, no line longer than help_columns.
 std::string help_text(const CommandHelp& command);

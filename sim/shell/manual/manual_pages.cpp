@@ -57,13 +57,13 @@ std::string tag(const OptionHelp& option) {
   std::vector<std::string> names;
   names.reserve(option.names.size());
   for (const std::string& name : option.names) names.push_back(bold(name));
-  const std::string value = value_name(option);
+  const std::string value = value_placeholder(option);
   return fmt::format("{}{}{}", fmt::join(names, ", "), value.empty() ? "" : " " + italic(value), several);
 }
 
 std::string entry(const OptionHelp& option) {
   std::string text = option.meaning + ".";
-  const std::vector<std::string> words = offered_words(option);
+  const std::vector<std::string> words = completion_words(option);
   if (!words.empty())
     text += fmt::format("\n{}: {}.", option.words.empty() ? "Built in" : "Values", fmt::join(words, ", "));
   if (!option.range.empty()) text += "\nRange: " + option.range + ".";
@@ -85,7 +85,7 @@ std::string operands_of(const CommandHelp& command) {
 /// Options under the headings of help.
 std::string options_of(const CommandHelp& command) {
   std::string text = ".SH OPTIONS\n";
-  for (const auto& [subject, options] : by_subject(command.options)) {
+  for (const auto& [subject, options] : group_by_subject(command.options)) {
     text += ".SS " + roff(subject) + "\n";
     for (const OptionHelp* const option : options) text += entry(*option);
   }
@@ -98,7 +98,7 @@ constexpr std::size_t example_columns = 70;
 std::string examples(const CommandHelp& command) {
   if (command.footer.empty()) return {};
   constexpr std::string_view first_line = "Example:\n";
-  std::string text = footer_lines(command.footer, example_columns);
+  std::string text = wrap_footer(command.footer, example_columns);
   if (text.starts_with(first_line)) text.erase(0, first_line.size());
   return ".SH EXAMPLES\n.nf\n" + roff(text) + ".fi\n";
 }

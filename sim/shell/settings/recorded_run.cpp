@@ -181,7 +181,7 @@ std::vector<Setting> recorded_settings(const RecordedRun& run, std::span<const S
   return settings;
 }
 
-std::vector<std::string> changes_since(const RecordedRun& run) {
+std::vector<std::string> describe_changes_since(const RecordedRun& run) {
   std::vector<std::string> changes;
   const std::string version = text_in(run, member(run, run.configuration, "version"));
   if (version != version_and_build())
@@ -201,7 +201,7 @@ std::vector<std::string> changes_since(const RecordedRun& run) {
   return changes;
 }
 
-std::vector<std::string> changes_between(const RecordedRun& run, const Json& configuration) {
+std::vector<std::string> describe_configuration_changes(const RecordedRun& run, const Json& configuration) {
   std::vector<std::string> changes;
   const auto hash = [&](const Json& of, const char* what) { return member(run, member(run, of, what), "hash"); };
   if (hash(run.configuration, "machine") != hash(configuration, "machine"))
@@ -213,7 +213,7 @@ std::vector<std::string> changes_between(const RecordedRun& run, const Json& con
   return changes;
 }
 
-std::vector<std::string> differences(const RecordedRun& run, const Json& stats) {
+std::vector<std::string> describe_count_differences(const RecordedRun& run, const Json& stats) {
   std::vector<std::string> found;
   if (picture_of(run.stats) != picture_of(stats)) found.emplace_back("the picture");
   const Json before = counts_of(run.stats);

@@ -36,13 +36,14 @@ std::vector<Setting> recorded_settings(const RecordedRun& run, std::span<const S
 
 /// Messages about what has changed since the run: the version, the input files. Throws InputError for an unreadable
 /// file.
-std::vector<std::string> changes_since(const RecordedRun& run);
+std::vector<std::string> describe_changes_since(const RecordedRun& run);
 
 /// Messages about changes that only the configuration of the new run reveals: the machine, and the model with its
 /// included files.
-std::vector<std::string> changes_between(const RecordedRun& run, const nlohmann::ordered_json& configuration);
+std::vector<std::string> describe_configuration_changes(const RecordedRun& run,
+                                                        const nlohmann::ordered_json& configuration);
 
 /// Messages about counts that differ, with both values; at most the first few.
-std::vector<std::string> differences(const RecordedRun& run, const nlohmann::ordered_json& stats);
+std::vector<std::string> describe_count_differences(const RecordedRun& run, const nlohmann::ordered_json& stats);
 
 }  // namespace csgsim::shell

@@ -57,7 +57,7 @@ class Reader {
   };
 
   [[noreturn]] void fail(const toml::source_position& place, std::string_view message) const {
-    throw InputError(fmt::format("{}: {}", show(place, shown_), message));
+    throw InputError(fmt::format("{}: {}", position_text(place, shown_), message));
   }
 
   [[nodiscard]] const SettableCommand* command_named(std::string_view name) const {
@@ -132,7 +132,7 @@ class Reader {
 
   void keep(const SettableOption& option, const toml::key& key, const toml::node& node, bool is_wanted,
             bool is_own = true) {
-    Setting setting{option.name, values_of(option, node), show(key.source().begin, shown_)};
+    Setting setting{option.name, values_of(option, node), position_text(key.source().begin, shown_)};
     if (is_wanted) found_.push_back({std::move(setting), key.source().begin, is_own});
   }
 
@@ -181,7 +181,7 @@ class Reader {
     if (value == nullptr) fail_type(option, node, wanted);
     if (value->get().find('\0') != std::string::npos)
       fail(node.source().begin, option.name + " contains a zero byte, which a command line cannot hold; remove it");
-    return in_folder(option.name, value->get(), folder_);
+    return resolve_in_folder(option.name, value->get(), folder_);
   }
 
   /// A list becomes a comma-separated text, except for file names, which are single values.

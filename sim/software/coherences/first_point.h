@@ -16,9 +16,9 @@ namespace csgsim::software {
 
 /// One precomputed bit per primitive: whether the solid contains a point that is in this primitive only (thesis 4.5.1).
 template <class Count>
-class Alone {
+class SolePrimitivePoints {
  public:
-  Alone(const Tree& tree, Count& count) : is_in_(tree.leaf_of.size()) {
+  SolePrimitivePoints(const Tree& tree, Count& count) : is_in_(tree.leaf_of.size()) {
     if (tree.is_constant()) return;
     StatusTree<Count> status(tree);
     for (std::uint32_t primitive = 0; primitive < is_in_.size(); ++primitive) {
@@ -65,7 +65,7 @@ class FirstPoint {
   [[nodiscard]] std::uint64_t words() const { return alone_.words(); }
 
  private:
-  Alone<Count> alone_;
+  SolePrimitivePoints<Count> alone_;
 };
 
 }  // namespace csgsim::software

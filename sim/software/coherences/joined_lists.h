@@ -21,7 +21,7 @@ template <class Count>
 class JoinedLists {
  public:
   JoinedLists(const Tree& tree, Count& count) : alone_(tree, count), roots_(tree.leaf_of.size(), none) {
-    elements_.push_back({{}, none, Class::out});
+    elements_.push_back({{}, none, PointClass::out});
     found_.emplace(0, 0);
   }
 
@@ -34,7 +34,8 @@ class JoinedLists {
     count(Operation::load);
     count(Operation::compare);
     count(Operation::branch);
-    return is_in_kept(elements_[at_].kept, is_first_alone(begin, end), events[0].primitive(), alone_, evaluate, count);
+    return is_in_cached(elements_[at_].kept, is_first_alone(begin, end), events[0].primitive(), alone_, evaluate,
+                        count);
   }
 
   /// The empty set has an array of links indexed by primitive. An element has a pointer to its links, its class, and
@@ -52,7 +53,7 @@ class JoinedLists {
   struct Element {
     std::vector<std::uint32_t> active;  ///< primitives, sorted
     std::uint32_t first_link;
-    Class kept;
+    PointClass kept;
   };
   struct Link {
     std::uint32_t primitive;
@@ -139,12 +140,12 @@ class JoinedLists {
     count.list_element();
     count(Operation::store_long, 3 + set.size() / 2);
     count(Operation::load_long, set.size() / 2);
-    elements_.push_back({std::move(set), none, Class::unknown});
+    elements_.push_back({std::move(set), none, PointClass::unknown});
     found_.emplace(hash, element);
     return element;
   }
 
-  Alone<Count> alone_;
+  SolePrimitivePoints<Count> alone_;
   std::vector<std::uint32_t> roots_;  ///< per primitive, the element of the set with only this primitive
   std::vector<Element> elements_;
   std::vector<Link> links_;

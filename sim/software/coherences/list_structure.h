@@ -61,14 +61,14 @@ class ListElements {
     count(Operation::compare);
     count(Operation::branch);
     Element& one = elements_[element];
-    return is_in_kept(one.kept, is_first, one.primitive, alone_, evaluate, count);
+    return is_in_cached(one.kept, is_first, one.primitive, alone_, evaluate, count);
   }
 
   /// The preceding surface along a ray; none for the first.
   [[nodiscard]] std::uint32_t parent_of(std::uint32_t element) const { return elements_[element].parent; }
   [[nodiscard]] std::uint32_t primitive_of(std::uint32_t element) const { return elements_[element].primitive; }
   /// Counts following pointers back to the first element.
-  void count_back(std::size_t elements, Count& count) const {
+  void count_walk_back(std::size_t elements, Count& count) const {
     count(Operation::load_long, elements);
     count(Operation::load, elements);
     count(Operation::branch_taken, elements);
@@ -85,11 +85,11 @@ class ListElements {
     std::uint32_t parent;
     std::uint32_t sibling;
     std::uint32_t child;
-    Class kept;
+    PointClass kept;
   };
 
   std::uint32_t add_element(std::uint32_t primitive, std::uint32_t parent, std::uint32_t sibling, Count& count) {
-    elements_.push_back({primitive, parent, sibling, none, Class::unknown});
+    elements_.push_back({primitive, parent, sibling, none, PointClass::unknown});
     count.list_element();
     count(Operation::call);
     count(Operation::store, 2);
@@ -99,7 +99,7 @@ class ListElements {
     return static_cast<std::uint32_t>(elements_.size() - 1);
   }
 
-  Alone<Count> alone_;
+  SolePrimitivePoints<Count> alone_;
   std::vector<std::uint32_t> roots_;  ///< per primitive, the element of sequences that begin with it
   std::vector<Element> elements_;
 };

@@ -14,21 +14,21 @@
 namespace csgsim::software {
 
 /// Classification of the points after an event.
-enum class Class : std::uint8_t { unknown, out, in };
+enum class PointClass : std::uint8_t { unknown, out, in };
 
-constexpr Class class_of(bool is_in) { return is_in ? Class::in : Class::out; }
+constexpr PointClass point_class_of(bool is_in) { return is_in ? PointClass::in : PointClass::out; }
 
 /// Whether a point is inside. If its stored class `kept` is unknown, the class is looked up for a point behind one
 /// surface only, or else computed by `evaluate()`, and stored.
 template <class Count, class Evaluate>
-bool is_in_kept(Class& kept, bool is_first, std::uint32_t primitive, const Alone<Count>& alone,
-                const Evaluate& evaluate, Count& count) {
-  if (kept != Class::unknown) {
+bool is_in_cached(PointClass& kept, bool is_first, std::uint32_t primitive, const SolePrimitivePoints<Count>& alone,
+                  const Evaluate& evaluate, Count& count) {
+  if (kept != PointClass::unknown) {
     count.look_up();
-    return kept == Class::in;
+    return kept == PointClass::in;
   }
   const bool is_in = is_first ? alone.is_in(primitive, count) : evaluate();
-  kept = class_of(is_in);
+  kept = point_class_of(is_in);
   count(Operation::store);
   return is_in;
 }
@@ -49,11 +49,11 @@ class OneList {
   bool is_in(std::span<const Event> events, std::size_t begin, std::size_t end, const Evaluate& evaluate,
              Count& count) {
     for (std::size_t i = begin; i < end; ++i) follow(events[i].primitive(), i, count);
-    Class& kept = list_[end - 1].kept;
+    PointClass& kept = list_[end - 1].kept;
     count(Operation::load);
     count(Operation::compare);
-    count(kept == Class::unknown ? Operation::branch_taken : Operation::branch);
-    return is_in_kept(kept, is_first_alone(begin, end), events[0].primitive(), alone_, evaluate, count);
+    count(kept == PointClass::unknown ? Operation::branch_taken : Operation::branch);
+    return is_in_cached(kept, is_first_alone(begin, end), events[0].primitive(), alone_, evaluate, count);
   }
 
   /// An element has a pointer to the next, and a primitive with its class.
@@ -62,7 +62,7 @@ class OneList {
  private:
   struct Element {
     std::uint32_t primitive;
-    Class kept;
+    PointClass kept;
   };
 
   void follow(std::uint32_t primitive, std::size_t place, Count& count) {
@@ -76,14 +76,14 @@ class OneList {
     }
     count(Operation::branch_taken);
     list_.resize(place);
-    list_.push_back({primitive, Class::unknown});
+    list_.push_back({primitive, PointClass::unknown});
     max_length_ = std::max<std::uint64_t>(max_length_, list_.size());
     count.list_element();
     count(Operation::store, 2);
     count(Operation::store_long, 2);
   }
 
-  Alone<Count> alone_;
+  SolePrimitivePoints<Count> alone_;
   std::vector<Element> list_;
   std::uint64_t max_length_ = 0;
 };

@@ -43,7 +43,7 @@ class Sequences {
   bool is_in(std::uint32_t element, std::size_t tied, Count& count) {
     const bool is_first = tied == 1 && elements_.parent_of(element) == none;
     return elements_.is_in(
-        element, is_first, [&] { return evaluated(element, count); }, count);
+        element, is_first, [&] { return evaluate_sequence(element, count); }, count);
   }
 
   /// The owner of the visible surface if the last `tied` surfaces, in any order, are at the same depth and enter the
@@ -52,21 +52,21 @@ class Sequences {
     follow_back(element);
     std::sort(events_.end() - static_cast<std::ptrdiff_t>(tied), events_.end());
     const std::span<const Event> events(events_);
-    return owners_.seen(events.first(events.size() - tied), events.last(tied), count);
+    return owners_.visible_owner(events.first(events.size() - tied), events.last(tied), count);
   }
 
   /// The owner of the visible surface of a ray, from its events before the surface and those at the surface's depth.
   std::uint32_t owner(std::span<const Event> before, std::span<const Event> at, Count& count) {
-    return owners_.seen(before, at, count);
+    return owners_.visible_owner(before, at, count);
   }
 
   /// The primitives that contain the point after an element: those that occur an odd number of times from
   /// the element back to the first surface.
-  std::vector<std::uint32_t> held_at(std::uint32_t element, Count& count) {
+  std::vector<std::uint32_t> primitives_at(std::uint32_t element, Count& count) {
     std::vector<std::uint32_t> met;
     for (std::uint32_t at = element; at != none; at = elements_.parent_of(at))
       met.push_back(elements_.primitive_of(at));
-    elements_.count_back(met.size(), count);
+    elements_.count_walk_back(met.size(), count);
     for (const std::uint32_t primitive : met) held_[primitive] ^= 1U;
     std::vector<std::uint32_t> held;
     for (const std::uint32_t primitive : met) {
@@ -78,7 +78,8 @@ class Sequences {
 
   /// The first visible event of a ray; `farthest` if there is none. `event_count` receives the number of events up to
   /// the last one at that depth, or of all events.
-  Seen along(std::span<const Event> events, std::uint32_t farthest, Count& count, std::size_t* event_count = nullptr) {
+  VisibleSurface along(std::span<const Event> events, std::uint32_t farthest, Count& count,
+                       std::size_t* event_count = nullptr) {
     std::uint32_t element = none;
     for (std::size_t begin = 0; begin < events.size();) {
       std::size_t end = begin;
@@ -90,12 +91,13 @@ class Sequences {
       count(Operation::branch, end - begin);
       if (is_in(element, end - begin, count)) {
         if (event_count != nullptr) *event_count = end;
-        return {events[begin].depth, owners_.seen(events.first(begin), events.subspan(begin, end - begin), count)};
+        return {events[begin].depth,
+                owners_.visible_owner(events.first(begin), events.subspan(begin, end - begin), count)};
       }
       begin = end;
     }
     if (event_count != nullptr) *event_count = events.size();
-    return {farthest, Seen::nothing_seen};
+    return {farthest, VisibleSurface::nothing_seen};
   }
 
   [[nodiscard]] std::uint64_t words() const { return elements_.words() + evaluator_.words(); }
@@ -113,11 +115,11 @@ class Sequences {
     }
   }
 
-  bool evaluated(std::uint32_t element, Count& count) {
+  bool evaluate_sequence(std::uint32_t element, Count& count) {
     primitives_.clear();
     for (; element != none; element = elements_.parent_of(element))
       primitives_.push_back(elements_.primitive_of(element));
-    elements_.count_back(primitives_.size(), count);
+    elements_.count_walk_back(primitives_.size(), count);
     evaluator_.start(count);
     for (const std::uint32_t primitive : primitives_) evaluator_.flip(primitive, count);
     return evaluator_.evaluate(count);

@@ -9,7 +9,7 @@ namespace csgsim::software::convert {
 namespace {
 
 /// One object, in millimetres.
-std::string write(const Surface& surface, const Writing&) {
+std::string write(const Surface& surface, const WriteOptions&) {
   std::string text =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<amf unit=\"millimeter\">\n <object id=\"0\">\n  <mesh>\n"
       "   <vertices>\n";

@@ -109,7 +109,7 @@ Bintree blocks(const model::Tree& tree, std::uint32_t resolution, const facet::F
   Bintree bintree{.resolution = resolution, .code = "0"};
   if (tree.root == model::no_index) return bintree;
   const Bodies bodies = make_bodies(tree, faceting, work);
-  const facet::Box box = convex::extent(facet::make_geometry(tree, faceting), csg::make_positive(tree));
+  const facet::Box box = convex::extent(facet::make_geometry(tree, faceting), csg::make_positive_tree(tree));
   const glm::dvec3 size = box.high - box.low;
   bintree.side = std::max({size.x, size.y, size.z});
   bintree.low = box.centre() - bintree.side / 2.0;

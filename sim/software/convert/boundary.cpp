@@ -15,7 +15,7 @@ namespace csgsim::software::convert {
 
 Outlines boundary(const model::Tree& tree, const facet::Faceting& faceting, const Work& work, unsigned threads) {
   if (tree.root == model::no_index) return {};
-  const csg::PositiveTree positive = csg::make_positive(tree);
+  const csg::PositiveTree positive = csg::make_positive_tree(tree);
   const Bodies bodies = make_bodies(tree, faceting, work);
   const auto joined = [&](const std::vector<bool>& whole) {
     ExactOutlines exact(bodies);

@@ -15,7 +15,7 @@ namespace csgsim::software::convert {
 
 namespace {
 
-using Point = SeenKernel::Point_2;
+using Point = ProjectionKernel::Point_2;
 
 /// Finds intersections of the sides of an outline.
 class Crossings {
@@ -23,7 +23,7 @@ class Crossings {
   explicit Crossings(std::vector<glm::dvec3>& points) : points_(points) {}
 
   void find(const Outline& outline) {
-    const Seen seen(points_, outline.outward);
+    const PlaneProjection seen(points_, outline.outward);
     std::vector<Seg> segments;
     for (const Side& side : outline.sides) {
       const Side line{std::min(side[0], side[1]), std::max(side[0], side[1])};
@@ -84,13 +84,13 @@ class Crossings {
   void add_if_on(const Seg& seg, std::uint32_t point, const Point& place) {
     if (point == seg.line[0] || point == seg.line[1]) return;
     if (!CGAL::are_strictly_ordered_along_line(seg.from, place, seg.to)) return;
-    const SeenKernel::Vector_2 way = seg.to - seg.from;
+    const ProjectionKernel::Vector_2 way = seg.to - seg.from;
     found_[key_of(seg.line)].push_back({((place - seg.from) * way) / way.squared_length(), point});
   }
 
   /// Fraction of a line before another line that crosses it; 0.5 if rounding makes them parallel.
   static double part_before(const Seg& line, const Seg& other) {
-    const SeenKernel::Vector_2 across = other.to - other.from;
+    const ProjectionKernel::Vector_2 across = other.to - other.from;
     const double start = CGAL::determinant(across, line.from - other.from);
     const double end = CGAL::determinant(across, line.to - other.from);
     return start == end ? 0.5 : std::clamp(start / (start - end), 0.0, 1.0);
@@ -106,11 +106,11 @@ class Crossings {
 
 }  // namespace
 
-bool split_at_crossings(std::span<const std::size_t> outline_indices, Outlines& outlines) {
+bool try_split_at_crossings(std::span<const std::size_t> outline_indices, Outlines& outlines) {
   Crossings crossings(outlines.points);
   for (const std::size_t one : outline_indices) crossings.find(outlines.outlines[one]);
-  const Ends ends = crossings.points_by_line();
-  for (Outline& outline : outlines.outlines) split_at(ends, outline.sides);
+  const PointsOnSides ends = crossings.points_by_line();
+  for (Outline& outline : outlines.outlines) try_split_sides(ends, outline.sides);
   return !ends.empty();
 }
 

@@ -42,12 +42,12 @@ void drop_unused(LocalTree& tree, std::vector<Operand>& operands) {
   std::vector<bool> is_kept = used_operands(tree, operands.size());
   for (std::size_t i = 0; i < operands.size(); ++i)
     is_kept[i] = !operands[i].known.is_known && (is_kept[i] || operands[i].owns);
-  keep(is_kept, tree, operands);
+  keep_operands(is_kept, tree, operands);
 }
 
 }  // namespace
 
-void keep(const std::vector<bool>& is_kept, LocalTree& tree, std::vector<Operand>& operands) {
+void keep_operands(const std::vector<bool>& is_kept, LocalTree& tree, std::vector<Operand>& operands) {
   std::vector<std::uint32_t> numbers(operands.size(), 0);
   std::uint32_t kept = 0;
   for (std::size_t i = 0; i < operands.size(); ++i) {
@@ -86,7 +86,7 @@ Known Division::look(const Region& region, const Bounds& bounds, Operand& operan
   return {};
 }
 
-Division::Fate Division::keep(const Region& region, Fate fate) {
+Division::Fate Division::keep_operands(const Region& region, Fate fate) {
   if (fate != Fate::none) parts_.push_back({region, fate});
   return fate;
 }
@@ -110,7 +110,7 @@ Division::Fate Division::divide(const Region& region, const LocalTree& tree, std
     Operand& operand = operands[i];
     if (operand.known.is_known || !(is_used[i] || operand.owns)) continue;
     Known known = look(region, bounds, operand);
-    if (operand.owns && known.is_known && known.value != Both{}) return Fate::none;
+    if (operand.owns && known.is_known && known.value != SideValues{}) return Fate::none;
     operand.known = known;
     if (!known.is_known) ++cutting;
   }
@@ -130,7 +130,7 @@ Division::Fate Division::divide(const Region& region, const LocalTree& tree, std
     if (!within.empty()) return split(region, left, operands, i, within);
     operands[i].known = outside;
   }
-  if (left.value().is_known) return keep(region, left.value().value.behind ? Fate::front : Fate::back);
+  if (left.value().is_known) return keep_operands(region, left.value().value.behind ? Fate::front : Fate::back);
   // The operand nearest to the root may decide most.
   for (std::size_t i = left.nodes().size(); i-- > 0;) {
     const LocalTree::Node& node = left.nodes()[i];
@@ -173,7 +173,7 @@ Division::Fate Division::split(const Region& region, const LocalTree& tree, cons
   }
   if (all == Fate::mixed || all == Fate::none) return all;
   parts_.resize(before);
-  return keep(region, all);
+  return keep_operands(region, all);
 }
 
 /// Divides the region by a wall if each side then has fewer operands; returns whether it did, and sets `fate`.
@@ -210,7 +210,7 @@ bool Division::halve(const Region& region, const Bounds& bounds, const LocalTree
   fate = one == other ? one : Fate::mixed;
   if (fate == Fate::front || fate == Fate::back) {
     parts_.resize(before);
-    keep(region, fate);
+    keep_operands(region, fate);
   }
   return true;
 }

@@ -28,7 +28,7 @@ struct Operand {
 };
 
 /// Removes the operands that are not kept. The tree must not refer to them.
-void keep(const std::vector<bool>& is_kept, LocalTree& tree, std::vector<Operand>& operands);
+void keep_operands(const std::vector<bool>& is_kept, LocalTree& tree, std::vector<Operand>& operands);
 
 /// Divides a face of a body by other bodies into parts that are on the boundary and parts that are not.
 class Division {
@@ -53,7 +53,7 @@ class Division {
   Fate divide(const Region& region, const LocalTree& tree, std::vector<Operand> operands);
   [[nodiscard]] Known value_in(const Operand& operand) const;
   [[nodiscard]] Known look(const Region& region, const Bounds& bounds, Operand& operand) const;
-  Fate keep(const Region& region, Fate fate);
+  Fate keep_operands(const Region& region, Fate fate);
   bool halve(const Region& region, const Bounds& bounds, const LocalTree& tree, const std::vector<Operand>& operands,
              Fate& fate);
   Fate split(const Region& region, const LocalTree& tree, const std::vector<Operand>& operands, std::size_t by,

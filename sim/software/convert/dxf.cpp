@@ -11,7 +11,7 @@ namespace csgsim::software::convert {
 namespace {
 
 /// Lines on layer 0, as OpenSCAD writes them; a file of this form needs no header.
-std::string write(const Surface& surface, const Writing&) {
+std::string write(const Surface& surface, const WriteOptions&) {
   std::string text = "0\nSECTION\n2\nENTITIES\n";
   const auto out = std::back_inserter(text);
   for (const std::vector<glm::dvec2>& round : flat_rounds(surface)) {

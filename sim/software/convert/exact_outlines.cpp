@@ -47,7 +47,7 @@ void ExactOutlines::close() {
   std::vector<Side> open;
   for (const std::vector<PlaneSide>& sides : plane_sides_)
     for (const PlaneSide& one : sides) open.push_back(one.side);
-  cancel(open);
+  cancel_opposite_sides(open);
   find_on_open(open, found);
   split_at_points(found);
   for (std::size_t i = 0; i < outlines_.size(); ++i) {
@@ -58,12 +58,12 @@ void ExactOutlines::close() {
 }
 
 void ExactOutlines::cancel_plane_sides(std::vector<PlaneSide>& sides) {
-  cancel(sides, [](const PlaneSide& one) -> const Side& { return one.side; });
+  cancel_opposite_sides(sides, [](const PlaneSide& one) -> const Side& { return one.side; });
 }
 
 /// Splits sides at those points that lie on them exactly.
 void ExactOutlines::split_at_points(OnLines& found) {
-  Ends ends;
+  PointsOnSides ends;
   for (auto& [key, one] : found) {
     std::ranges::sort(one.points);
     one.points.erase(std::unique(one.points.begin(), one.points.end()), one.points.end());
@@ -77,7 +77,7 @@ void ExactOutlines::split_at_points(OnLines& found) {
     std::vector<PlaneSide> ended;
     for (const PlaneSide& one : sides) {
       std::vector<Side> parts{one.side};
-      split_at(ends, parts);
+      try_split_sides(ends, parts);
       for (const Side& part : parts) ended.push_back({part, one.along});
     }
     cancel_plane_sides(ended);
@@ -91,14 +91,14 @@ void ExactOutlines::find_within(std::size_t outline, OnLines& found) const {
   std::vector<Side> sides;
   sides.reserve(plane_sides_[outline].size());
   for (const PlaneSide& one : plane_sides_[outline]) sides.push_back(one.side);
-  const NearPoints near(points_.places(), ends_of(sides));
+  const NearPoints near(points_.positions(), end_points_of(sides));
   for (const PlaneSide& one : plane_sides_[outline]) find_beside(outline, one, near, found);
 }
 
 /// Finds the ends of unmatched sides on other unmatched sides. `open` is sorted.
 void ExactOutlines::find_on_open(const std::vector<Side>& open, OnLines& found) const {
   if (open.empty()) return;
-  const NearPoints near(points_.places(), ends_of(open));
+  const NearPoints near(points_.positions(), end_points_of(open));
   for (std::size_t i = 0; i < outlines_.size(); ++i) {
     for (const PlaneSide& one : plane_sides_[i]) {
       const auto first = std::ranges::lower_bound(open, key_of(one.side), {}, key_of);
@@ -110,7 +110,7 @@ void ExactOutlines::find_on_open(const std::vector<Side>& open, OnLines& found) 
 void ExactOutlines::find_beside(std::size_t outline, const PlaneSide& one, const NearPoints& near,
                                 OnLines& found) const {
   const Side line = ordered(one.side);
-  const glm::dvec3 farthest = glm::max(glm::abs(points_.places()[line[0]]), glm::abs(points_.places()[line[1]]));
+  const glm::dvec3 farthest = glm::max(glm::abs(points_.positions()[line[0]]), glm::abs(points_.positions()[line[1]]));
   const double error = 4 * error_of_place * std::max({farthest.x, farthest.y, farthest.z});
   const std::vector<PointAlong> beside = near.beside(line[0], line[1], error);
   if (beside.empty()) return;
@@ -146,7 +146,7 @@ void ExactOutlines::add_whole(const std::vector<bool>& whole) {
 
 glm::dvec3 ExactOutlines::place(std::uint32_t point) const {
   if (vertices_[point] != nullptr) return *vertices_[point];
-  return bodies_->reference + points_.places()[point] * bodies_->planes.unit();
+  return bodies_->reference + points_.positions()[point] * bodies_->planes.unit();
 }
 
 }  // namespace csgsim::software::convert

@@ -31,7 +31,7 @@ std::uint64_t cell_at(const glm::dvec3& place) {
 
 /// Calls visit(hash) for each cell that may contain an equal point with a differently rounded position.
 template <class Visit>
-void for_cells_near(const glm::dvec3& place, const Visit& visit) {
+void for_each_near_cell(const glm::dvec3& place, const Visit& visit) {
   std::array<std::array<std::uint64_t, 2>, 3> cells{};
   for (int axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
@@ -71,10 +71,10 @@ std::size_t ExactPoints::TripleHash::operator()(const Triple& triple) const {
 std::uint32_t ExactPoints::add(const Triple& planes) {
   const auto [entry, is_new] = known_.try_emplace(planes, 0);
   if (!is_new) return entry->second;
-  const glm::dvec3 place = planes_.exact_place(planes);
+  const glm::dvec3 place = planes_.exact_position(planes);
   const auto added = static_cast<std::uint32_t>(places_.size());
   std::uint32_t found = added;
-  for_cells_near(place, [&](std::uint64_t cell) {
+  for_each_near_cell(place, [&](std::uint64_t cell) {
     const auto [begin, end] = at_.equal_range(cell);
     for (auto one = begin; one != end && found == added; ++one)
       if (planes_.is_on_all(triples_[one->second], planes)) found = one->second;

@@ -26,7 +26,7 @@ class ExactPoints {
   /// Keeps the points, but forgets the planes that define them, which only speeds up repeated queries.
   void forget_planes() { known_.clear(); }
 
-  [[nodiscard]] std::span<const glm::dvec3> places() const { return places_; }
+  [[nodiscard]] std::span<const glm::dvec3> positions() const { return places_; }
   [[nodiscard]] const Triple& planes(std::uint32_t point) const { return triples_[point]; }
   [[nodiscard]] Meeting meeting(std::uint32_t point) const {
     const Triple& planes = triples_[point];

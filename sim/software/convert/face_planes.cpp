@@ -55,7 +55,7 @@ bool FacePlanes::may_share(const facet::Plane& canonical, bool positive, std::ui
 std::optional<std::uint32_t> FacePlanes::find(const facet::Plane& canonical, bool positive) const {
   const facet::Key<4> key = key_of(canonical);
   std::optional<std::uint32_t> first;
-  facet::for_cells_near(key, [&](const facet::Key<4>& cell) {
+  facet::for_each_near_cell(key, [&](const facet::Key<4>& cell) {
     const auto [begin, end] = at_.equal_range(facet::hash_of(cell));
     for (auto one = begin; one != end; ++one) {
       const std::uint32_t plane = one->second;

@@ -18,7 +18,7 @@ Rounds flat_rounds(const Surface& surface) {
     if (!std::ranges::all_of(corners, is_upper)) continue;
     for (std::size_t i = 0; i < 3; ++i) outline.sides.push_back({corners[i], corners[(i + 1) % 3]});
   }
-  cancel(outline.sides);
+  cancel_opposite_sides(outline.sides);
   Rounds rounds;
   for (const std::vector<std::uint32_t>& round : rounds_of(outline)) {
     std::vector<glm::dvec2>& points = rounds.emplace_back();

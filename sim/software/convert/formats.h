@@ -11,7 +11,7 @@
 namespace csgsim::software::convert {
 
 /// Options for writing a file.
-struct Writing {
+struct WriteOptions {
   bool is_text = false;  ///< text form, if the format also has a binary form
 };
 
@@ -24,7 +24,7 @@ struct Format {
   bool has_text = false;   ///< whether a text form exists in addition to the binary form
   /// Returns the content of the file. A flat format receives the surface of the plates (flat_rounds.h). Throws
   /// InputError if the format cannot represent the surface.
-  std::string (*write)(const Surface& surface, const Writing& writing);
+  std::string (*write)(const Surface& surface, const WriteOptions& writing);
 
   [[nodiscard]] std::string_view name() const { return ending.substr(1); }
 };

@@ -39,7 +39,7 @@ class Evaluation {
         divide_(bodies, sheet_, found_, work) {}
 
   void add(std::uint32_t body) {
-    const std::vector<std::uint32_t> near = bodies_.meeting(bodies_.bodies[body].box);
+    const std::vector<std::uint32_t> near = bodies_.bodies.bodies_meeting(bodies_.bodies[body].box);
     if (!std::ranges::binary_search(near, body)) return;
     work_.charge(near.size(), converting);
     std::vector<Operand> operands(near.size());
@@ -129,7 +129,7 @@ class Evaluation {
     if (any) {
       left = tree.reduced(known, is_left);
       if (left->value().is_known) return;
-      keep(is_left, *left, operands);
+      keep_operands(is_left, *left, operands);
     }
     const LocalTree& here = left ? *left : tree;
     if (faces.size() == 1) {
@@ -190,7 +190,7 @@ class Evaluation {
     }
     const LocalTree left = tree.reduced(known, may_differ);
     if (!left.value().is_known) return false;
-    const Both value = left.value().value;
+    const SideValues value = left.value().value;
     if (value.behind == value.before) return true;
     const auto is_open = [](const Operand& operand) { return operand.owns && !operand.known.is_known; };
     if (std::ranges::any_of(operands, is_open)) return false;

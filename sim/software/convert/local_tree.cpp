@@ -12,20 +12,20 @@ using Kind = Node::Kind;
 
 /// Combined value of an operator's operands.
 struct Sum {
-  Both value{};            ///< value of the known operands
+  SideValues value{};      ///< value of the known operands
   std::uint32_t open = 0;  ///< number of unknown operands
 };
 
 /// The value that decides an operator regardless of its other operands.
 bool deciding(Kind kind) { return kind == Kind::unite; }
 
-Both identity_of(Kind kind) { return {!deciding(kind), !deciding(kind)}; }
+SideValues identity_of(Kind kind) { return {!deciding(kind), !deciding(kind)}; }
 
-bool is_decided(Kind kind, const Both& value) {
+bool is_decided(Kind kind, const SideValues& value) {
   return value.behind == deciding(kind) && value.before == deciding(kind);
 }
 
-void combine(Kind kind, Both& sum, const Both& value) {
+void combine(Kind kind, SideValues& sum, const SideValues& value) {
   if (kind == Kind::unite) {
     sum = {sum.behind || value.behind, sum.before || value.before};
   } else {
@@ -33,7 +33,7 @@ void combine(Kind kind, Both& sum, const Both& value) {
   }
 }
 
-Both complement(const Both& value) { return {!value.behind, !value.before}; }
+SideValues complement(const SideValues& value) { return {!value.behind, !value.before}; }
 
 Kind kind_of(csg::PositiveOperator op) { return op == csg::PositiveOperator::unite ? Kind::unite : Kind::intersect; }
 

@@ -12,17 +12,17 @@
 namespace csgsim::software::convert {
 
 /// Whether the points just behind and just in front of a plane are inside a solid.
-struct Both {
+struct SideValues {
   bool behind = false;
   bool before = false;
 
-  bool operator==(const Both&) const = default;
+  bool operator==(const SideValues&) const = default;
 };
 
 /// The value of an operand or of a tree on both sides of a plane, if known.
 struct Known {
   bool is_known = false;
-  Both value{};
+  SideValues value{};
 };
 
 /// The part of a tree that depends on some primitives, in a region without others: each leaf represents one of them.
@@ -33,7 +33,7 @@ class LocalTree {
     enum class Kind : std::uint8_t { unite, intersect, leaf, constant };
     Kind kind = Kind::leaf;
     bool complemented = false;    ///< for a leaf
-    Both value{};                 ///< for a constant
+    SideValues value{};           ///< for a constant
     std::uint32_t operand = 0;    ///< for a leaf: index of the primitive among the given ones
     std::uint32_t parent = none;  ///< none for the root
   };

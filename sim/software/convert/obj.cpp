@@ -9,7 +9,7 @@ namespace csgsim::software::convert {
 namespace {
 
 /// Triangles, because some programs cut a polygon that is not convex into wrong ones.
-std::string write(const Surface& surface, const Writing&) {
+std::string write(const Surface& surface, const WriteOptions&) {
   std::string text = "# csgsim\n";
   const auto out = std::back_inserter(text);
   for (const glm::dvec3& point : surface.points) fmt::format_to(out, "v {} {} {}\n", point.x, point.y, point.z);

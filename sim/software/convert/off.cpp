@@ -9,7 +9,7 @@ namespace csgsim::software::convert {
 
 namespace {
 
-std::string write(const Surface& surface, const Writing&) {
+std::string write(const Surface& surface, const WriteOptions&) {
   const std::vector<std::vector<std::uint32_t>> polygons = polygons_of(surface);
   std::string text = fmt::format("OFF\n{} {} 0\n", surface.points.size(), polygons.size());
   const auto out = std::back_inserter(text);

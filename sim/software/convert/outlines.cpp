@@ -46,7 +46,7 @@ class Rounding {
     std::vector<Side> rounded;
     rounded.reserve(sides.size());
     for (const Side& side : sides) rounded.push_back({numbers_[side[0]], numbers_[side[1]]});
-    cancel(rounded);
+    cancel_opposite_sides(rounded);
     return rounded;
   }
 
@@ -56,7 +56,7 @@ class Rounding {
   static constexpr std::uint32_t none = 0xffffffffU;
 
   void join_short_edges() {
-    Sets sets(points().size());
+    DisjointSets sets(points().size());
     for (const ExactOutlines::Plane& outline : exact_.outlines()) {
       for (const Side& side : outline.sides) {
         const glm::dvec3& one = points()[numbers_[side[0]]];
@@ -78,14 +78,14 @@ class Rounding {
 void append(std::vector<Side>& sides, const std::vector<Triangle>& triangles) {
   for (const Triangle& triangle : triangles)
     for (std::size_t i = 0; i < 3; ++i) sides.push_back({triangle[i], triangle[(i + 1) % 3]});
-  cancel(sides);
+  cancel_opposite_sides(sides);
 }
 
 /// Divides the remaining sums into fronts and backs. Returns false if sides cross.
 bool divide_sums(std::span<const std::size_t> sums, Outlines& outlines) {
   for (const std::size_t sum : sums) {
     if (outlines.outlines[sum].sides.empty()) continue;
-    const std::optional<TwoSides> two = two_sides(outlines.points, outlines.outlines[sum]);
+    const std::optional<TwoSidedTriangles> two = triangulate_two_sided(outlines.points, outlines.outlines[sum]);
     if (!two) return false;
     outlines.outlines[sum].sides.clear();
     append(outlines.outlines[sum].sides, two->front);
@@ -125,7 +125,7 @@ void split_at_all_points(double tolerance, Outlines& outlines) {
 void end_everywhere(std::span<const std::size_t> sums, double tolerance, Outlines& outlines) {
   constexpr int max_crossing_rounds = 3;
   split_at_all_points(tolerance, outlines);
-  for (int round = 0; round < max_crossing_rounds && split_at_crossings(sums, outlines); ++round)
+  for (int round = 0; round < max_crossing_rounds && try_split_at_crossings(sums, outlines); ++round)
     split_at_all_points(tolerance, outlines);
 }
 

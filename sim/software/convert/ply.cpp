@@ -51,7 +51,7 @@ std::string binary(const Surface& surface) {
   return bytes;
 }
 
-std::string write(const Surface& surface, const Writing& writing) {
+std::string write(const Surface& surface, const WriteOptions& writing) {
   if (surface.points.size() > std::size_t{std::numeric_limits<Index>::max()})
     throw InputError("a PLY file cannot hold more than 2,147,483,647 points; make the facets coarser");
   return writing.is_text ? text(surface) : binary(surface);

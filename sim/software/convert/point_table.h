@@ -22,7 +22,7 @@ class PointTable {
     const glm::dvec3 place = (point - centre_) * scale_;
     const facet::Key<3> key{place.x, place.y, place.z};
     std::uint32_t found = none;
-    facet::for_cells_near(key, [&](const facet::Key<3>& cell) {
+    facet::for_each_near_cell(key, [&](const facet::Key<3>& cell) {
       const auto [first, last] = at_.equal_range(facet::hash_of(cell));
       for (auto one = first; one != last; ++one)
         if (facet::are_near(key, keys_[one->second])) found = std::min(found, one->second);

@@ -34,7 +34,7 @@ class PlaneFaces {
       Outline outline;
       for (const std::size_t i : triangles)
         for (std::size_t corner = 0; corner < 3; ++corner) outline.sides.push_back(side(i, corner));
-      cancel(outline.sides);
+      cancel_opposite_sides(outline.sides);
       std::vector<std::vector<std::uint32_t>> rounds = rounds_of(outline);
       // A polygon of n corners consists of n - 2 triangles. A polygon that touches itself stays in triangles, as does
       // one bent by rounding, which OpenSCAD would reject.
@@ -66,7 +66,7 @@ class PlaneFaces {
 
   const Surface& surface_;
   std::size_t first_;
-  Sets parts_;
+  DisjointSets parts_;
   std::map<Side, std::size_t> from_;  ///< triangles by their sides
   std::map<std::uint32_t, std::vector<std::size_t>> triangles_;
 };

@@ -12,12 +12,12 @@
 
 namespace csgsim::software::convert {
 
-using SeenKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using ProjectionKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 /// Projects points along the axis closest to a plane's outward normal, as seen from outside.
-class Seen {
+class PlaneProjection {
  public:
-  Seen(const std::vector<glm::dvec3>& points, const glm::dvec3& outward) : points_(points) {
+  PlaneProjection(const std::vector<glm::dvec3>& points, const glm::dvec3& outward) : points_(points) {
     int axis = 0;
     for (int other = 1; other < 3; ++other)
       if (std::abs(outward[other]) > std::abs(outward[axis])) axis = other;
@@ -26,7 +26,7 @@ class Seen {
     if (outward[axis] < 0) std::swap(across_, up_);
   }
 
-  [[nodiscard]] SeenKernel::Point_2 operator()(std::uint32_t point) const {
+  [[nodiscard]] ProjectionKernel::Point_2 operator()(std::uint32_t point) const {
     return {points_[point][across_], points_[point][up_]};
   }
 

@@ -11,9 +11,9 @@
 namespace csgsim::software::convert {
 
 /// Disjoint sets of the numbers from 0; each is represented by its smallest number.
-class Sets {
+class DisjointSets {
  public:
-  explicit Sets(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0U); }
+  explicit DisjointSets(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0U); }
 
   std::uint32_t find(std::uint32_t number) {
     while (parents_[number] != number) number = parents_[number] = parents_[parents_[number]];

@@ -7,7 +7,7 @@ namespace csgsim::software::convert {
 namespace {
 
 /// Appends the parts of a side that is split at these points.
-void split_at(const Side& side, std::span<const std::uint32_t> points, std::vector<Side>& sides) {
+void try_split_sides(const Side& side, std::span<const std::uint32_t> points, std::vector<Side>& sides) {
   const bool is_forward = side[0] < side[1];
   std::uint32_t at = side[0];
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -19,7 +19,7 @@ void split_at(const Side& side, std::span<const std::uint32_t> points, std::vect
 
 }  // namespace
 
-std::vector<std::uint32_t> ends_of(std::span<const Side> sides) {
+std::vector<std::uint32_t> end_points_of(std::span<const Side> sides) {
   std::vector<std::uint32_t> ends;
   ends.reserve(2 * sides.size());
   for (const Side& side : sides) ends.insert(ends.end(), side.begin(), side.end());
@@ -28,16 +28,16 @@ std::vector<std::uint32_t> ends_of(std::span<const Side> sides) {
   return ends;
 }
 
-bool split_at(const Ends& points_on_sides, std::vector<Side>& sides) {
+bool try_split_sides(const PointsOnSides& points_on_sides, std::vector<Side>& sides) {
   const auto is_ended = [&](const Side& side) { return points_on_sides.contains(key_of(side)); };
   if (std::ranges::none_of(sides, is_ended)) return false;
   std::vector<Side> ended;
   ended.reserve(sides.size());
   for (const Side& side : sides) {
     const auto found = points_on_sides.find(key_of(side));
-    split_at(side, found == points_on_sides.end() ? std::span<const std::uint32_t>{} : found->second, ended);
+    try_split_sides(side, found == points_on_sides.end() ? std::span<const std::uint32_t>{} : found->second, ended);
   }
-  cancel(ended);
+  cancel_opposite_sides(ended);
   sides = std::move(ended);
   return true;
 }

@@ -26,7 +26,7 @@ inline std::uint64_t key_of(const Side& side) {
 /// Removes elements whose sides are degenerate, and pairs of elements whose sides are opposite. Sorts the rest.
 /// `side_of(element)` returns the side of an element.
 template <class One, class SideOf>
-void cancel(std::vector<One>& all, const SideOf& side_of) {
+void cancel_opposite_sides(std::vector<One>& all, const SideOf& side_of) {
   std::erase_if(all, [&](const One& one) { return side_of(one)[0] == side_of(one)[1]; });
   std::sort(all.begin(), all.end(), [&](const One& one, const One& other) {
     const std::uint64_t key = key_of(side_of(one));
@@ -47,17 +47,17 @@ void cancel(std::vector<One>& all, const SideOf& side_of) {
   all.erase(kept, all.end());
 }
 
-inline void cancel(std::vector<Side>& sides) {
-  cancel(sides, [](const Side& side) -> const Side& { return side; });
+inline void cancel_opposite_sides(std::vector<Side>& sides) {
+  cancel_opposite_sides(sides, [](const Side& side) -> const Side& { return side; });
 }
 
 /// The end points of the sides, ascending and without duplicates.
-std::vector<std::uint32_t> ends_of(std::span<const Side> sides);
+std::vector<std::uint32_t> end_points_of(std::span<const Side> sides);
 
 /// Points on sides, by the sides' keys, sorted from the lower to the higher end point.
-using Ends = std::unordered_map<std::uint64_t, std::vector<std::uint32_t>>;
+using PointsOnSides = std::unordered_map<std::uint64_t, std::vector<std::uint32_t>>;
 
 /// Splits each side at its points in `points_on_sides`. Returns whether any was split.
-bool split_at(const Ends& points_on_sides, std::vector<Side>& sides);
+bool try_split_sides(const PointsOnSides& points_on_sides, std::vector<Side>& sides);
 
 }  // namespace csgsim::software::convert

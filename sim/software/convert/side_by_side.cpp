@@ -112,9 +112,9 @@ bool is_whole(const Bodies& bodies, const Body& body) {
 std::vector<bool> side_by_side(const Bodies& bodies, const csg::PositiveTree& tree, const Work& work) {
   const auto count = static_cast<std::uint32_t>(bodies.bodies.size());
   std::vector<std::vector<std::uint32_t>> near(count);
-  Sets groups(count);
+  DisjointSets groups(count);
   for (std::uint32_t i = 0; i < count; ++i) {
-    near[i] = bodies.meeting(bodies.bodies[i].box);
+    near[i] = bodies.bodies_meeting(bodies.bodies[i].box);
     work.charge(near[i].size(), converting);
     for (const std::uint32_t other : near[i]) groups.join(i, other);
   }

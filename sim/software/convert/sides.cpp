@@ -57,14 +57,14 @@ std::vector<std::size_t> split_at_points(std::span<const std::size_t> outline_in
     for (const Side& side : outlines.outlines[one].sides) lines.push_back(ordered(side));
   std::ranges::sort(lines);
   lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
-  Ends ends;
+  PointsOnSides ends;
   for (const Side& line : lines)
     for (const PointAlong& one : near.beside(line[0], line[1], tolerance))
       if (one.along > 0 && one.along < 1) ends[key_of(line)].push_back(one.point);
   std::vector<std::size_t> changed;
   if (ends.empty()) return changed;
   for (const std::size_t one : outline_indices)
-    if (split_at(ends, outlines.outlines[one].sides)) changed.push_back(one);
+    if (try_split_sides(ends, outlines.outlines[one].sides)) changed.push_back(one);
   return changed;
 }
 
@@ -90,7 +90,7 @@ void join_straight(Outlines& outlines, double tolerance) {
 std::optional<Side> open_side(const Outlines& outlines) {
   std::vector<Side> all;
   for (const Outline& outline : outlines.outlines) all.insert(all.end(), outline.sides.begin(), outline.sides.end());
-  cancel(all);
+  cancel_opposite_sides(all);
   if (all.empty()) return std::nullopt;
   return all.front();
 }

@@ -101,7 +101,7 @@ std::string text(const Surface& surface) {
   return lines + "endsolid csgsim\n";
 }
 
-std::string write(const Surface& surface, const Writing& writing) {
+std::string write(const Surface& surface, const WriteOptions& writing) {
   return writing.is_text ? text(surface) : binary(surface);
 }
 

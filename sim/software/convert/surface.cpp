@@ -123,7 +123,7 @@ class Pairing {
 
 /// Corners connected along edges share a point; others are separated.
 void part_points(Surface& surface, const std::vector<std::uint32_t>& others) {
-  Sets corners(others.size());
+  DisjointSets corners(others.size());
   for (std::uint32_t i = 0; i < others.size(); ++i) {
     corners.join(i, next_corner(others[i]));
     corners.join(next_corner(i), others[i]);
@@ -307,7 +307,7 @@ double volume_error(const Surface& surface, const Triangle& triangle, const Long
 
 Measures measure(const Surface& surface) {
   Measures measures;
-  Sets points(surface.points.size());
+  DisjointSets points(surface.points.size());
   for (const Triangle& triangle : surface.triangles) {
     points.join(triangle[0], triangle[1]);
     points.join(triangle[1], triangle[2]);

@@ -17,7 +17,7 @@ glm::dvec2 turned(const glm::dvec2& point) { return {point.x, 0 - point.y}; }
 
 /// As OpenSCAD writes it: a path in millimetres, in a view box of whole numbers. OpenSCAD's import() moves the corner
 /// of the box to the origin, so it moves this file like OpenSCAD's own.
-std::string write(const Surface& surface, const Writing&) {
+std::string write(const Surface& surface, const WriteOptions&) {
   const Rounds rounds = flat_rounds(surface);
   glm::dvec2 low(std::numeric_limits<double>::infinity());
   glm::dvec2 high = -low;

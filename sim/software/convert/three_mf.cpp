@@ -136,7 +136,7 @@ std::string model_part(const Surface& surface) {
   return std::move(writer.text);
 }
 
-std::string write(const Surface& surface, const Writing&) {
+std::string write(const Surface& surface, const WriteOptions&) {
   const std::string model = model_part(surface);
   constexpr std::size_t max_bytes = 0xffffffffU;
   if (model.size() >= max_bytes) throw InputError("the 3MF file would exceed 4 GiB; make the facets coarser");

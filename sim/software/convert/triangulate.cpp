@@ -16,7 +16,7 @@ namespace csgsim::software::convert {
 
 namespace {
 
-using Kernel = SeenKernel;
+using Kernel = ProjectionKernel;
 using Point = Kernel::Point_2;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
 /// Winding number of a face, once known.
@@ -43,7 +43,7 @@ bool turns_left(const Point& before, const Point& here, const Point& after) {
   return CGAL::determinant(in, out) > min_sine * std::sqrt(in.squared_length() * out.squared_length());
 }
 
-bool is_convex(const std::vector<std::uint32_t>& round, const Seen& seen) {
+bool is_convex(const std::vector<std::uint32_t>& round, const PlaneProjection& seen) {
   const std::size_t count = round.size();
   std::size_t lowest = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -60,7 +60,7 @@ bool is_convex(const std::vector<std::uint32_t>& round, const Seen& seen) {
 /// the projection.
 class Covering {
  public:
-  Covering(const Outline& outline, const Seen& seen) {
+  Covering(const Outline& outline, const PlaneProjection& seen) {
     for (const Side& side : outline.sides)
       for (const std::uint32_t point : side) handle_of(point, seen);
     is_possible_ = handles_.size() == triangulation_.number_of_vertices();
@@ -73,10 +73,10 @@ class Covering {
 
   [[nodiscard]] bool is_possible() const { return is_possible_; }
 
-  TwoSides two_sides() {
+  TwoSidedTriangles triangulate_two_sided() {
     if (triangulation_.dimension() < 2) return {};
     spread();
-    TwoSides found;
+    TwoSidedTriangles found;
     for (const Triangulation::Face_handle face : triangulation_.finite_face_handles()) {
       const int times = face->info().value_or(0);
       Triangle triangle{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()};
@@ -88,7 +88,7 @@ class Covering {
   }
 
  private:
-  void handle_of(std::uint32_t point, const Seen& seen) {
+  void handle_of(std::uint32_t point, const PlaneProjection& seen) {
     if (handles_.contains(point)) return;
     const Triangulation::Vertex_handle handle = triangulation_.insert(seen(point), near_);
     handle->info() = point;
@@ -131,7 +131,7 @@ class Covering {
   std::map<Side, int> surplus_;
 };
 
-std::vector<Triangle> all_of(const TwoSides& sides) {
+std::vector<Triangle> all_of(const TwoSidedTriangles& sides) {
   std::vector<Triangle> all = sides.front;
   all.insert(all.end(), sides.back.begin(), sides.back.end());
   return all;
@@ -191,11 +191,11 @@ std::vector<std::vector<std::uint32_t>> rounds_of(const Outline& outline) {
   return rounds;
 }
 
-std::optional<TwoSides> two_sides(const std::vector<glm::dvec3>& points, const Outline& outline) {
+std::optional<TwoSidedTriangles> triangulate_two_sided(const std::vector<glm::dvec3>& points, const Outline& outline) {
   try {
-    Covering covering(outline, Seen(points, outline.outward));
+    Covering covering(outline, PlaneProjection(points, outline.outward));
     if (!covering.is_possible()) return std::nullopt;
-    TwoSides sides = covering.two_sides();
+    TwoSidedTriangles sides = covering.triangulate_two_sided();
     if (is_bounded_by(all_of(sides), outline)) return sides;
   } catch (const Triangulation::Intersection_of_constraints_exception&) {
     // The caller receives an empty result.
@@ -204,14 +204,14 @@ std::optional<TwoSides> two_sides(const std::vector<glm::dvec3>& points, const O
 }
 
 std::vector<Triangle> triangulate(const std::vector<glm::dvec3>& points, const Outline& outline) {
-  const Seen seen(points, outline.outward);
+  const PlaneProjection seen(points, outline.outward);
   const std::vector<std::vector<std::uint32_t>> rounds = rounds_of(outline);
   if (rounds.size() == 1 && is_convex(rounds.front(), seen)) {
     std::vector<Triangle> triangles;
     add_fan(rounds.front(), triangles);
     return triangles;
   }
-  if (const std::optional<TwoSides> sides = two_sides(points, outline)) return all_of(*sides);
+  if (const std::optional<TwoSidedTriangles> sides = triangulate_two_sided(points, outline)) return all_of(*sides);
   std::vector<Triangle> triangles;
   for (const std::vector<std::uint32_t>& round : rounds) add_fan(round, triangles);
   return triangles;

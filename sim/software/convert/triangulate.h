@@ -21,13 +21,13 @@ std::vector<Triangle> triangulate(const std::vector<glm::dvec3>& points, const O
 
 /// Triangles enclosed by sides that run counter-clockwise around some parts of a plane, as seen from the tip of
 /// `outward`, and clockwise around others; triangles have the orientation of the sides.
-struct TwoSides {
+struct TwoSidedTriangles {
   std::vector<Triangle> front;  ///< counter-clockwise
   std::vector<Triangle> back;
 };
 
 /// Empty if sides cross.
-std::optional<TwoSides> two_sides(const std::vector<glm::dvec3>& points, const Outline& outline);
+std::optional<TwoSidedTriangles> triangulate_two_sided(const std::vector<glm::dvec3>& points, const Outline& outline);
 
 /// Whether the corners are exactly coplanar.
 bool is_flat(const std::vector<glm::dvec3>& points, const std::vector<std::uint32_t>& round);

@@ -44,7 +44,7 @@ class FacetClipper {
     const std::unique_ptr<Directory> directory = row.make(shapes, {bucket_size});
     clip_in_cells(directory->parts());
     const SpaceBuilt built = directory->built();
-    count_built(count_, built.operations);
+    add_build_counts(count_, built.operations);
     made_.overlap_tests = built.overlap_tests;
     for (std::uint32_t facet = 0; facet < parts_.size(); ++facet) add(facet);
     made_.polygons.of_primitives.push_back(made_.polygons.facets.size());
@@ -56,7 +56,7 @@ class FacetClipper {
   static constexpr double thinnest = 1e-8;
 
   [[nodiscard]] Part part(std::uint32_t facet, Region region, std::vector<Cut> cuts) const {
-    const UnitBox box = sheets_.of(facet).bounds(region).box;
+    const UnitBox box = sheets_.sheet_of(facet).bounds(region).box;
     return {std::move(region), std::move(cuts), box};
   }
 
@@ -112,7 +112,7 @@ class FacetClipper {
   /// Keeps the part on the plane's positive side, and appends the other part to the facet's parts.
   void cut(std::uint32_t facet, std::size_t number, std::uint32_t plane) {
     Part& whole = parts_[facet][number];
-    Parts halves = sheets_.of(facet).cut(whole.region, {plane, true});
+    Parts halves = sheets_.sheet_of(facet).cut(whole.region, {plane, true});
     constexpr std::size_t ends = 2;
     count_crossings(count_, ends);
     count_(Operation::store_long, 6 + 3 * (halves.in.corners.size() + halves.out.corners.size()));
@@ -128,7 +128,8 @@ class FacetClipper {
     while (made_.polygons.of_primitives.size() <= facets_.facets[facet].primitive)
       made_.polygons.of_primitives.push_back(made_.polygons.facets.size());
     if (parts_[facet].empty()) add(facet, place_of(facet), {});
-    for (Part& part : parts_[facet]) add(facet, entered(sheets_.places(facet, part.region)), std::move(part.cuts));
+    for (Part& part : parts_[facet])
+      add(facet, entered(sheets_.corner_positions(facet, part.region)), std::move(part.cuts));
   }
 
   void add(std::uint32_t facet, std::span<const glm::dvec3> corners, std::vector<Cut> cuts) {
@@ -181,14 +182,14 @@ class FacetClipper {
 }  // namespace
 
 template <class Count>
-ClippedFacets clip_each_other(const Facets& facets, const facet::Geometry& geometry, const DirectoryRow& directory,
-                              std::uint32_t bucket_size, Count& count) {
+ClippedFacets clip_facets_against_each_other(const Facets& facets, const facet::Geometry& geometry,
+                                             const DirectoryRow& directory, std::uint32_t bucket_size, Count& count) {
   return FacetClipper<Count>(facets, geometry, count).clipped(directory, bucket_size);
 }
 
-template ClippedFacets clip_each_other(const Facets&, const facet::Geometry&, const DirectoryRow&, std::uint32_t,
-                                       CountingMethod&);
-template ClippedFacets clip_each_other(const Facets&, const facet::Geometry&, const DirectoryRow&, std::uint32_t,
-                                       UncountedMethod&);
+template ClippedFacets clip_facets_against_each_other(const Facets&, const facet::Geometry&, const DirectoryRow&,
+                                                      std::uint32_t, CountingMethod&);
+template ClippedFacets clip_facets_against_each_other(const Facets&, const facet::Geometry&, const DirectoryRow&,
+                                                      std::uint32_t, UncountedMethod&);
 
 }  // namespace csgsim::software

@@ -32,7 +32,7 @@ struct ClippedFacets {
 /// Tests each pair of facets in a cell of the directory; if they cross (exact test), both are cut by each other's
 /// planes. A facet without corners gets one of its primitive's corners. `Count` is CountingMethod or UncountedMethod.
 template <class Count>
-ClippedFacets clip_each_other(const Facets& facets, const facet::Geometry& geometry, const DirectoryRow& directory,
-                              std::uint32_t bucket_size, Count& count);
+ClippedFacets clip_facets_against_each_other(const Facets& facets, const facet::Geometry& geometry,
+                                             const DirectoryRow& directory, std::uint32_t bucket_size, Count& count);
 
 }  // namespace csgsim::software

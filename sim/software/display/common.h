@@ -26,14 +26,14 @@ inline std::uint64_t words_of_polygons(const Facets& facets, const ScreenFacets&
 /// Performs the steps common to all methods: transforms polygons into the picture, draws, and collects counts.
 /// `draw(seen, ledger, displayed)` draws and adds its memory to the words.
 template <class Count, class Draw>
-Displayed displayed(const DisplaySubject& subject, const Draw& draw) {
+Displayed display_facets(const DisplaySubject& subject, const Draw& draw) {
   Displayed result;
   Ledger<Count> ledger;
   const auto begin = std::chrono::steady_clock::now();
   const ScreenFacets seen = screen_facets(subject.model, subject.geometry, subject.view, subject.facets);
   count_transformation(subject.facets.corners.size(), seen.facets.size(), seen.linears.size(),
                        ledger[Phase::transformation]);
-  result.picture.seen.assign(subject.pixels(), Seen{subject.farthest(), Seen::nothing_seen});
+  result.picture.seen.assign(subject.pixels(), VisibleSurface{subject.farthest(), VisibleSurface::nothing_seen});
   ledger[Phase::initialisation](Operation::store_long, 2 * subject.pixels());
   ledger[Phase::initialisation](Operation::branch_taken, subject.pixels());
   result.counts.polygons = result.counts.pieces = subject.facets.polygon_count();

@@ -31,7 +31,7 @@ void count_crossings(Count& count, std::size_t crossings) {
 
 /// Adds the operation counts of building a directory.
 template <class Count>
-void count_built(Count& count, const Operations& operations) {
+void add_build_counts(Count& count, const Operations& operations) {
   for (std::size_t kind = 0; kind < operation_kinds; ++kind)
     count(static_cast<Operation>(kind), operations.counts[kind]);
 }

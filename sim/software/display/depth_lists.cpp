@@ -93,7 +93,7 @@ Displayed run_depth_lists(const DisplaySubject& subject, bool counts) {
   const auto draw = [&](const ScreenFacets& seen, auto& ledger, Displayed& result) {
     draw_by_lists(subject, seen, ledger, result);
   };
-  return counts ? displayed<CountingMethod>(subject, draw) : displayed<UncountedMethod>(subject, draw);
+  return counts ? display_facets<CountingMethod>(subject, draw) : display_facets<UncountedMethod>(subject, draw);
 }
 
 }  // namespace

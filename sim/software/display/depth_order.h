@@ -29,7 +29,7 @@ class DepthOrder {
       : pieces_(pieces), longs_(longs), count_(count) {}
 
   /// Indices of the pieces from `begin` to `end`, sorted.
-  const std::vector<std::uint32_t>& of(std::uint32_t begin, std::uint32_t end) {
+  const std::vector<std::uint32_t>& sorted_pieces(std::uint32_t begin, std::uint32_t end) {
     begin_ = begin;
     order_.clear();
     ranges_.clear();

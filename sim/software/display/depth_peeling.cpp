@@ -122,7 +122,7 @@ Displayed run_depth_peeling(const DisplaySubject& subject, bool counts) {
   const auto draw = [&]<class Count>(const ScreenFacets& seen, Ledger<Count>& ledger, Displayed& result) {
     Peeling<Count>(subject, seen, ledger, result).draw();
   };
-  return counts ? displayed<CountingMethod>(subject, draw) : displayed<UncountedMethod>(subject, draw);
+  return counts ? display_facets<CountingMethod>(subject, draw) : display_facets<UncountedMethod>(subject, draw);
 }
 
 }  // namespace

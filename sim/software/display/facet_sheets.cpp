@@ -71,7 +71,7 @@ bool FacetSheets::cross(std::uint32_t one, const Region& of_one, std::uint32_t o
   return on_other && overlap(planes_, *on_one, *on_other);
 }
 
-std::vector<glm::dvec3> FacetSheets::places(std::uint32_t facet, const Region& region) const {
+std::vector<glm::dvec3> FacetSheets::corner_positions(std::uint32_t facet, const Region& region) const {
   std::vector<glm::dvec3> places;
   places.reserve(region.corners.size());
   for (const std::uint32_t corner : region.corners)

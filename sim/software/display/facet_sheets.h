@@ -19,15 +19,15 @@ class FacetSheets {
 
   /// The region of a facet, bounded by the planes of its neighbours; empty for a facet without area.
   Region whole(std::uint32_t facet);
-  [[nodiscard]] Sheet& of(std::uint32_t facet) { return sheets_[facet]; }
-  [[nodiscard]] const Sheet& of(std::uint32_t facet) const { return sheets_[facet]; }
+  [[nodiscard]] Sheet& sheet_of(std::uint32_t facet) { return sheets_[facet]; }
+  [[nodiscard]] const Sheet& sheet_of(std::uint32_t facet) const { return sheets_[facet]; }
   [[nodiscard]] std::uint32_t plane_of(std::uint32_t facet) const { return facets_.facets[facet].halfspace.plane; }
 
   /// Whether the interiors of regions of two facets in different planes intersect; exact.
   [[nodiscard]] bool cross(std::uint32_t one, const Region& of_one, std::uint32_t other, const Region& of_other) const;
 
   /// Corners relative to PlaneTable::centre(), counter-clockwise as seen from outside.
-  [[nodiscard]] std::vector<glm::dvec3> places(std::uint32_t facet, const Region& region) const;
+  [[nodiscard]] std::vector<glm::dvec3> corner_positions(std::uint32_t facet, const Region& region) const;
 
  private:
   void find_neighbours(std::uint32_t primitive);

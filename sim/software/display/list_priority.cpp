@@ -48,8 +48,8 @@ class ListPriority {
 
   void draw(const Polygons& polygons, const ScreenFacets& seen) {
     const view::EyeSpace eye = view::eye_space(subject_.view.camera, subject_.view.sampling);
-    const CellOrder order = front_to_back(polygons, eye, subject_.geometry.planes.centre(),
-                                          subject_.view.sampling.width, subject_.view.sampling.height);
+    const CellOrder order = order_front_to_back(polygons, eye, subject_.geometry.planes.centre(),
+                                                subject_.view.sampling.width, subject_.view.sampling.height);
     screen_ = screen_pieces(polygons, order.cells, seen, subject_.geometry, subject_.view);
     count_retrieval(order);
     count_pieces(polygons, order, seen, screen_);
@@ -62,7 +62,7 @@ class ListPriority {
     const std::uint64_t longs = longs_of(subject_.view.sampling);
     DepthOrder<Count> sorted(screen_.pieces, longs, ledger_[Phase::sorting]);
     for (std::size_t cell = 0; cell + 1 < screen_.begins.size(); ++cell) {
-      for (const std::uint32_t piece : sorted.of(screen_.begins[cell], screen_.begins[cell + 1]))
+      for (const std::uint32_t piece : sorted.sorted_pieces(screen_.begins[cell], screen_.begins[cell + 1]))
         draw_piece(screen_.pieces, screen_.pieces.facets[piece]);
     }
     add_counts(polygons, order, screen_);
@@ -82,7 +82,7 @@ class ListPriority {
       rays.cast(row, band);
       for (std::size_t ray = 0; ray < band.rays(); ++ray) {
         const std::size_t pixel = std::size_t{row} * rays.width() + ray;
-        const Seen expected = exact.along(band.events_of(ray), rays.farthest(), uncounted);
+        const VisibleSurface expected = exact.along(band.events_of(ray), rays.farthest(), uncounted);
         if (expected == result_.picture.seen[pixel]) continue;
         const auto column = static_cast<std::uint32_t>(pixel % rays.width());
         const auto at = static_cast<std::uint32_t>(pixel / rays.width());
@@ -91,7 +91,7 @@ class ListPriority {
         for (const Event& event : band.events_of(ray)) {
           if (!is_drawn(event, column, at)) continue;
           events.push_back(event);
-          depths.push_back(real.of(event.crossing, column, at));
+          depths.push_back(real.depth_of(event.crossing, column, at));
         }
         const bool has_lost = events.size() < band.events_of(ray).size();
         result_.faults.add(fault_of({events, depths, real.rounding(column, at), has_lost}, drawn_[pixel]));
@@ -142,7 +142,7 @@ class ListPriority {
     counts.drawn_polygons = screen.pieces.facets.size();
     counts.cells = polygons.filled_cells();
     counts.drawn_cells = order.cells.size();
-    counts.looked_parts = order.looked_at;
+    counts.visited_parts = order.looked_at;
     std::uint64_t corners = 0;
     for (const PolygonCell& cell : polygons.cells) {
       if (cell.bucket.size() > subject_.bucket_size) ++counts.overfull_cells;
@@ -173,7 +173,7 @@ class ListPriority {
          });
   }
 
-  void draw_next(PriorityPixel& pixel, Seen& seen, const Event& event) {
+  void draw_next(PriorityPixel& pixel, VisibleSurface& seen, const Event& event) {
     Count& count = ledger_[Phase::scan_conversion];
     count(Operation::load_long);
     count(Operation::branch);
@@ -193,7 +193,7 @@ class ListPriority {
 
   /// Sets the pixel if the point behind its last surfaces is inside, and otherwise clears it. The last `at` surfaces
   /// are at the pixel's depth.
-  void classify(PriorityPixel& pixel, Seen& seen, std::uint32_t primitive, std::size_t at) {
+  void classify(PriorityPixel& pixel, VisibleSurface& seen, std::uint32_t primitive, std::size_t at) {
     Count& count = ledger_[Phase::scan_conversion];
     count.point();
     pixel.is_set = sequences_.is_in(pixel.element, at, count);
@@ -201,11 +201,11 @@ class ListPriority {
       seen = {pixel.depth, at == 1 ? primitive : sequences_.owner(pixel.element, at, count)};
       count(Operation::store_long, has_depth_buffer ? 2 : 1);
     } else {
-      seen = {subject_.farthest(), Seen::nothing_seen};
+      seen = {subject_.farthest(), VisibleSurface::nothing_seen};
     }
   }
 
-  void draw_by_depth(PriorityPixel& pixel, Seen& seen, const Event& event) {
+  void draw_by_depth(PriorityPixel& pixel, VisibleSurface& seen, const Event& event) {
     Count& testing = ledger_[Phase::depth_test];
     testing(Operation::load_long);
     testing(Operation::compare_long);
@@ -221,7 +221,7 @@ class ListPriority {
   }
 
   /// Adds a surface at the same depth as the last ones.
-  void join(PriorityPixel& pixel, Seen& seen, const Event& event) {
+  void join(PriorityPixel& pixel, VisibleSurface& seen, const Event& event) {
     const std::size_t level = pixel.level + 1;
     advance(pixel, event);
     pixel.level = static_cast<std::uint32_t>(level);
@@ -229,7 +229,7 @@ class ListPriority {
   }
 
   /// Swaps a surface with the last one, which is behind it.
-  void exchange(PriorityPixel& pixel, Seen& seen, const Event& event) {
+  void exchange(PriorityPixel& pixel, VisibleSurface& seen, const Event& event) {
     Count& count = ledger_[Phase::scan_conversion];
     const Event last = pop_surface(pixel);
     pixel.element = sequences_.before(pixel.element);
@@ -271,12 +271,13 @@ Displayed list_priority(const DisplaySubject& subject) {
                                static_cast<std::uint32_t>(subject.bucket_size)};
   const Polygons polygons = clipped(subject.facets, subject.geometry, options, preprocessing);
   const double seconds = seconds_since(begin);
-  Displayed result = displayed<Count>(subject, [&](const ScreenFacets& seen, Ledger<Count>& ledger, Displayed& drawn) {
-    ledger[Phase::preprocessing] = preprocessing;
-    ListPriority<Count, has_depth_buffer> method(subject, ledger, drawn);
-    method.draw(polygons, seen);
-    if constexpr (Count::counts) method.judge();
-  });
+  Displayed result =
+      display_facets<Count>(subject, [&](const ScreenFacets& seen, Ledger<Count>& ledger, Displayed& drawn) {
+        ledger[Phase::preprocessing] = preprocessing;
+        ListPriority<Count, has_depth_buffer> method(subject, ledger, drawn);
+        method.draw(polygons, seen);
+        if constexpr (Count::counts) method.judge();
+      });
   result.preprocessing_seconds = seconds;
   return result;
 }

@@ -61,7 +61,7 @@ struct DisplayCounts {
   std::uint64_t splits = 0;          ///< spans split because the order of surfaces may change
   std::uint64_t cells = 0;           ///< cells with polygons
   std::uint64_t drawn_cells = 0;     ///< cells with polygons in the viewing cone
-  std::uint64_t looked_parts = 0;    ///< parts of space, including cells, visited to determine their order
+  std::uint64_t visited_parts = 0;   ///< parts of space, including cells, visited to determine their order
   std::uint64_t overfull_cells = 0;  ///< cells with more polygons than the bucket size
   std::uint64_t conflicts = 0;       ///< polygons drawn before others that may hide them, because no order exists
   Counts csg;                        ///< classification counts; `operations` covers all phases

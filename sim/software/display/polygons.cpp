@@ -240,14 +240,15 @@ std::size_t Polygons::filled_cells() const {
 
 template <class Count>
 Polygons clipped(const Facets& facets, const facet::Geometry& geometry, const PolygonOptions& options, Count& count) {
-  const ClippedFacets clipped = clip_each_other(facets, geometry, options.directory, options.bucket_size, count);
+  const ClippedFacets clipped =
+      clip_facets_against_each_other(facets, geometry, options.directory, options.bucket_size, count);
   const FacetShapes shapes(clipped.polygons, convex::tolerance(geometry.planes));
   const std::unique_ptr<Directory> directory = options.directory.make(shapes, {options.bucket_size});
   const std::vector<SpacePart> space = directory->parts();
   if (space.empty()) throw std::logic_error("this directory does not halve space");
   Polygons polygons = CellFiller<Count>(space, clipped, geometry, count).release();
   const SpaceBuilt built = directory->built();
-  count_built(count, built.operations);
+  add_build_counts(count, built.operations);
   polygons.overlap_tests += built.overlap_tests;
   polygons.words = built.directory_words + built.bucket_words;
   return polygons;
@@ -256,8 +257,8 @@ Polygons clipped(const Facets& facets, const facet::Geometry& geometry, const Po
 template Polygons clipped(const Facets&, const facet::Geometry&, const PolygonOptions&, CountingMethod&);
 template Polygons clipped(const Facets&, const facet::Geometry&, const PolygonOptions&, UncountedMethod&);
 
-CellOrder front_to_back(const Polygons& polygons, const view::EyeSpace& eye, const glm::dvec3& centre,
-                        std::uint32_t width, std::uint32_t height) {
+CellOrder order_front_to_back(const Polygons& polygons, const view::EyeSpace& eye, const glm::dvec3& centre,
+                              std::uint32_t width, std::uint32_t height) {
   CellOrder order;
   std::vector<std::uint32_t> open{0};
   while (!open.empty()) {

@@ -69,7 +69,7 @@ struct CellOrder {
 };
 
 /// Orders the cells from front to back and omits those that the picture cannot show. `centre`: PlaneTable::centre().
-CellOrder front_to_back(const Polygons& polygons, const view::EyeSpace& eye, const glm::dvec3& centre,
-                        std::uint32_t width, std::uint32_t height);
+CellOrder order_front_to_back(const Polygons& polygons, const view::EyeSpace& eye, const glm::dvec3& centre,
+                              std::uint32_t width, std::uint32_t height);
 
 }  // namespace csgsim::software

@@ -20,7 +20,7 @@ class RealDepths {
 
   /// The depth at which the ray of a pixel enters or leaves a primitive (`crossing` as in Event): the maximum over the
   /// planes facing the eye, or the minimum over the others. Edge-on planes have no depth.
-  [[nodiscard]] double of(std::uint32_t crossing, std::uint32_t column, std::uint32_t row) const {
+  [[nodiscard]] double depth_of(std::uint32_t crossing, std::uint32_t column, std::uint32_t row) const {
     const bool leaves = (crossing & 1U) != 0;
     double depth = leaves ? std::numeric_limits<double>::infinity() : 0;
     for (const facet::Halfspace halfspace : geometry_.solids[crossing / 2].halfspaces) {

@@ -145,7 +145,7 @@ class ScanLines {
 
   void draw_span(Span span) {
     ++result_.counts.spans;
-    const Seen seen = seen_at(span.first);
+    const VisibleSurface seen = seen_at(span.first);
     if (span.columns() == 1) return fill(span, seen, nullptr);
     const ActiveFacet* surface = nullptr;
     if (is_sure(span, seen, surface)) return fill(span, seen, surface);
@@ -156,7 +156,7 @@ class ScanLines {
   }
 
   /// Collects the sorted events at the left end, and returns the visible surface.
-  Seen seen_at(std::int32_t column) {
+  VisibleSurface seen_at(std::int32_t column) {
     Count& scanning = ledger_[Phase::scan_conversion];
     left_.clear();
     for (const std::size_t active : inside_) {
@@ -185,7 +185,7 @@ class ScanLines {
   /// Whether the order of the surfaces up to the visible one is certain throughout the span. `surface` is set to the
   /// visible one, if any. The order includes that a ray leaves a primitive at least a step behind entering it, so that
   /// the primitive is never too thin to be hit.
-  bool is_sure(Span span, const Seen& seen, const ActiveFacet*& surface) {
+  bool is_sure(Span span, const VisibleSurface& seen, const ActiveFacet*& surface) {
     over_.assign(active_.size(), {});
     for (const std::size_t active : inside_) over_[active] = over(active_[active], span);
     const OverSpan* last = nullptr;
@@ -249,13 +249,13 @@ class ScanLines {
   }
 
   /// Sets the pixels of a span: all equal, or at the depths of a surface.
-  void fill(const Span& span, const Seen& seen, const ActiveFacet* surface) {
+  void fill(const Span& span, const VisibleSurface& seen, const ActiveFacet* surface) {
     Count& count = ledger_[Phase::scan_conversion];
     const auto columns = static_cast<std::uint64_t>(span.columns());
     count(Operation::store_long, 2 * columns);
     count(Operation::branch_taken, columns);
-    Seen* pixel = &result_.picture.seen[static_cast<std::size_t>(row_) * subject_.view.sampling.width +
-                                        static_cast<std::size_t>(span.first)];
+    VisibleSurface* pixel = &result_.picture.seen[static_cast<std::size_t>(row_) * subject_.view.sampling.width +
+                                                  static_cast<std::size_t>(span.first)];
     if (surface == nullptr) {
       std::fill_n(pixel, columns, seen);
       return;
@@ -289,7 +289,7 @@ Displayed run_scan_line(const DisplaySubject& subject, bool counts) {
   const auto draw = [&]<class Count>(const ScreenFacets& seen, Ledger<Count>& ledger, Displayed& result) {
     ScanLines<Count>(subject, seen, ledger, result).draw();
   };
-  return counts ? displayed<CountingMethod>(subject, draw) : displayed<UncountedMethod>(subject, draw);
+  return counts ? display_facets<CountingMethod>(subject, draw) : display_facets<UncountedMethod>(subject, draw);
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ Facets facets_of(const model::Tree& tree, const facet::Geometry& geometry) {
   for (std::uint32_t primitive = 0; primitive < geometry.solids.size(); ++primitive) {
     const facet::Convex& solid = geometry.solids[primitive];
     if (!solid.quadrics.empty()) {
-      throw InputError(model::place_of(tree, primitive) +
+      throw InputError(model::location_text(tree, primitive) +
                        ": this primitive stays curved and has no faces; use --curves facets");
     }
     facets.of_primitives.push_back(facets.facets.size());

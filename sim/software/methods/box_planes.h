@@ -34,7 +34,7 @@ struct BoxPrimitive {
 };
 
 /// The front or rear half of a box in depth, divided into four parts; parts without pixels are omitted.
-inline std::vector<Box> quarters(const Box& box, bool is_far) {
+inline std::vector<Box> divide_half_box(const Box& box, bool is_far) {
   const std::uint32_t middle = box.z0 + (box.z1 - box.z0) / 2;
   const std::uint32_t z0 = is_far ? middle : box.z0;
   const std::uint32_t z1 = is_far ? box.z1 : middle;
@@ -92,8 +92,8 @@ view::Range keep_bounding(std::span<const view::FixedLinear> planes, const view:
 /// Classifies a primitive in a box as inside, outside or unknown; `narrowed` receives the planes that may bound
 /// it in the box.
 template <class Count>
-Known narrow(const Subject& subject, const Box& box, const BoxPrimitive& bounded, BoxPrimitive& narrowed,
-             Count& count) {
+Known classify_in_box(const Subject& subject, const Box& box, const BoxPrimitive& bounded, BoxPrimitive& narrowed,
+                      Count& count) {
   const view::PixelRect pixels = view::common(box.pixels, subject.view.extents[bounded.primitive].pixels);
   if (pixels.empty()) return Known::out;
   const std::uint64_t longs = longs_of(subject.view.sampling);
@@ -142,7 +142,7 @@ std::optional<Interval> interval_at(const Subject& subject, const BoxPrimitive& 
   for (const view::FixedLinear& plane : bounded.planes.backs) depths.back = std::min(depths.back, at(plane) >> shift);
   for (const facet::QuadricSide side : subject.geometry.solids[bounded.primitive].quadrics) {
     count_quadric(subject.view.quadrics[side.quadric], count);
-    depths = within(depths, subject.view, side, x, y);
+    depths = intersect_quadric(depths, subject.view, side, x, y);
   }
   if (depths.front >= depths.back) return std::nullopt;
   return Interval{bounded.primitive, static_cast<std::uint32_t>(depths.front), static_cast<std::uint32_t>(depths.back)};

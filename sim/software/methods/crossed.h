@@ -46,7 +46,7 @@ class Crossed : public Method {
     }
   }
 
-  void classify(const RayBand& band, std::span<Seen> seen) override {
+  void classify(const RayBand& band, std::span<VisibleSurface> seen) override {
     evaluations_.begin_band(band);
     if constexpr (requires { Coherence::goes_by_layers; }) {
       classify_by_layers(band, seen);
@@ -62,13 +62,14 @@ class Crossed : public Method {
   }
 
  private:
-  [[nodiscard]] Seen nothing() const { return {subject_.farthest(), Seen::nothing_seen}; }
+  [[nodiscard]] VisibleSurface nothing() const { return {subject_.farthest(), VisibleSurface::nothing_seen}; }
 
-  Seen seen_at(std::span<const Event> events, std::size_t begin, std::size_t end) {
-    return {events[begin].depth, owners_.seen(events.first(begin), events.subspan(begin, end - begin), count_)};
+  VisibleSurface seen_at(std::span<const Event> events, std::size_t begin, std::size_t end) {
+    return {events[begin].depth,
+            owners_.visible_owner(events.first(begin), events.subspan(begin, end - begin), count_)};
   }
 
-  Seen seen_along(std::size_t ray, std::span<const Event> events) {
+  VisibleSurface seen_along(std::size_t ray, std::span<const Event> events) {
     if (events.empty()) return nothing();
     evaluations_.begin_ray(ray, events);
     coherence_.begin_ray();
@@ -89,7 +90,7 @@ class Crossed : public Method {
     std::size_t begin;
   };
 
-  void classify_by_layers(const RayBand& band, std::span<Seen> seen) {
+  void classify_by_layers(const RayBand& band, std::span<VisibleSurface> seen) {
     std::vector<Pixel> open;
     for (std::uint32_t ray = 0; ray < seen.size(); ++ray) {
       seen[ray] = nothing();
@@ -101,7 +102,7 @@ class Crossed : public Method {
   }
 
   /// Processes a pixel's next surfaces; returns whether the pixel is finished.
-  bool is_done(Pixel& pixel, std::span<const Event> events, Seen& seen) {
+  bool is_done(Pixel& pixel, std::span<const Event> events, VisibleSurface& seen) {
     const std::size_t begin = pixel.begin;
     const std::size_t end = end_of_point(events, begin, count_);
     count_(Operation::load_long);
@@ -109,7 +110,7 @@ class Crossed : public Method {
       pixel.element = coherence_.after(pixel.element, events[i].primitive(), count_);
     count_(Operation::store_long);
     const auto evaluate = [&] {
-      coherence_.count_back(end, count_);
+      coherence_.count_walk_back(end, count_);
       evaluations_.begin_ray(pixel.ray, events);
       return evaluations_.after(end);
     };

@@ -35,7 +35,7 @@ class Evaluator {
   void start(Count& count) {
     if (traversal_) {
       count.traverse([&] {
-        take_back(*traversal_, in_, count);
+        undo_flips(*traversal_, in_, count);
         return true;
       });
     }
@@ -114,9 +114,9 @@ class Evaluations {
     if (subject_.pruning != Pruning::cells) return;
     trees_.clear();
     std::uint64_t words = 0;
-    const Tree tree = pruned(subject_.tree, known_in(subject_.view, band, 0, band.width), count_);
+    const Tree tree = pruned(subject_.tree, classes_in_cell(subject_.view, band, 0, band.width), count_);
     for (std::uint32_t first = 0; first < band.width; first += cell_columns) {
-      const std::vector<Known> known = known_in(subject_.view, band, first, cell_columns);
+      const std::vector<Known> known = classes_in_cell(subject_.view, band, first, cell_columns);
       trees_.emplace_back(std::in_place, pruned(tree, known, count_));
       words += trees_.back()->words();
     }
@@ -170,7 +170,7 @@ class Evaluations {
       return false;
     }
     Slot& slot = trees_[entered_.front()];
-    if (!slot) slot.emplace(pruned(subject_.tree, known_inside(subject_.view, entered_.front()), count_));
+    if (!slot) slot.emplace(pruned(subject_.tree, classes_inside(subject_.view, entered_.front()), count_));
     if (current_ == &*slot) {
       for (const Event& event : added) slot->flip(event.primitive(), count_);
     } else {

@@ -32,10 +32,10 @@ class IntervalArithmetic : public Method {
       planes_.push_back(planes_of(subject.model, subject.geometry, subject.view, primitive));
   }
 
-  void classify(const RayBand& band, std::span<Seen> seen) override {
+  void classify(const RayBand& band, std::span<VisibleSurface> seen) override {
     band_ = {static_cast<std::int32_t>(band.width), static_cast<std::int32_t>(band.first_row), seen};
-    std::ranges::fill(seen, Seen{subject_.farthest(), Seen::nothing_seen});
-    const Tree tree = pruned(subject_.tree, known_in(subject_.view, band, 0, band.width), count_);
+    std::ranges::fill(seen, VisibleSurface{subject_.farthest(), VisibleSurface::nothing_seen});
+    const Tree tree = pruned(subject_.tree, classes_in_cell(subject_.view, band, 0, band.width), count_);
     for (std::uint32_t x = 0; x < band.width; x += band_rows) {
       const Box box{{static_cast<std::int32_t>(x), band_.first_row,
                      static_cast<std::int32_t>(std::min(x + band_rows, band.width)) - 1,
@@ -43,7 +43,7 @@ class IntervalArithmetic : public Method {
                     0,
                     subject_.farthest()};
       whole_.clear();
-      known_ = known_in(subject_.view, band, x, band_rows);
+      known_ = classes_in_cell(subject_.view, band, x, band_rows);
       for (std::uint32_t primitive = 0; primitive < planes_.size(); ++primitive) {
         if (planes_[primitive].nowhere) known_[primitive] = Known::out;
         if (known_[primitive] != Known::out) whole_.push_back({primitive, planes_[primitive]});
@@ -68,10 +68,10 @@ class IntervalArithmetic : public Method {
   struct Band {
     std::int32_t width = 0;
     std::int32_t first_row = 0;
-    std::span<Seen> seen;
+    std::span<VisibleSurface> seen;
   };
 
-  Seen& seen_at(std::int32_t x, std::int32_t y) {
+  VisibleSurface& seen_at(std::int32_t x, std::int32_t y) {
     return band_.seen[static_cast<std::size_t>(y - band_.first_row) * static_cast<std::size_t>(band_.width) +
                       static_cast<std::size_t>(x)];
   }
@@ -79,7 +79,7 @@ class IntervalArithmetic : public Method {
   bool is_set(const view::PixelRect& pixels) {
     for (std::int32_t y = pixels.y0; y <= pixels.y1; ++y) {
       for (std::int32_t x = pixels.x0; x <= pixels.x1; ++x) {
-        if (seen_at(x, y).owner == Seen::nothing_seen) return false;
+        if (seen_at(x, y).owner == VisibleSurface::nothing_seen) return false;
       }
     }
     return true;
@@ -91,7 +91,7 @@ class IntervalArithmetic : public Method {
     Open left;
     for (const BoxPrimitive& one : open) {
       BoxPrimitive& narrowed = left.emplace_back(BoxPrimitive{one.primitive, {}});
-      known_[one.primitive] = narrow(subject_, box, one, narrowed, count_);
+      known_[one.primitive] = classify_in_box(subject_, box, one, narrowed, count_);
       if (known_[one.primitive] != Known::nothing) left.pop_back();
     }
     count_.evaluation();
@@ -107,7 +107,7 @@ class IntervalArithmetic : public Method {
     const bool is_small = box.pixels.x1 - box.pixels.x0 < min_side && box.pixels.y1 - box.pixels.y0 < min_side;
     if (is_small || left.size() <= max_open) return draw(box, left, rest);
     for (const bool is_far : {false, true}) {
-      for (const Box& part : quarters(box, is_far)) halve(part, left, rest);
+      for (const Box& part : divide_half_box(box, is_far)) halve(part, left, rest);
     }
   }
 
@@ -119,14 +119,14 @@ class IntervalArithmetic : public Method {
 
   /// Finds the owner among all primitives of the picture at this pixel and sets the pixel.
   void set(std::int32_t x, std::int32_t y, std::uint32_t depth) {
-    Seen& seen = seen_at(x, y);
-    if (seen.owner != Seen::nothing_seen) return;
+    VisibleSurface& seen = seen_at(x, y);
+    if (seen.owner != VisibleSurface::nothing_seen) return;
     intervals_along(whole_, x, y);
     active_.clear();
     for (const Interval& interval : intervals_) {
       if (interval.front <= depth && depth < interval.back) active_.push_back(interval.primitive);
     }
-    seen = {depth, owners_.seen(intervals_, depth, active_, count_)};
+    seen = {depth, owners_.visible_owner(intervals_, depth, active_, count_)};
   }
 
   void intervals_along(const Open& open, std::int32_t x, std::int32_t y) {
@@ -142,7 +142,7 @@ class IntervalArithmetic : public Method {
     EarlyOut<Count> traversal(tree);
     for (std::int32_t y = box.pixels.y0; y <= box.pixels.y1; ++y) {
       for (std::int32_t x = box.pixels.x0; x <= box.pixels.x1; ++x) {
-        if (seen_at(x, y).owner != Seen::nothing_seen) continue;
+        if (seen_at(x, y).owner != VisibleSurface::nothing_seen) continue;
         intervals_along(open, x, y);
         draw_ray(box, tree, traversal, x, y);
       }
@@ -178,11 +178,12 @@ class IntervalArithmetic : public Method {
       count_.evaluation();
       count_(Operation::call);
       const bool is_in = traversal.evaluate(count_) != tree.complemented;
-      take_back(traversal, active_, count_);
+      undo_flips(traversal, active_, count_);
       if (!is_in) continue;
       // Intervals that start or end inside the box belong to its open primitives.
-      const std::uint32_t owner = depth > box.z0 ? owners_.only_one(intervals_, depth, count_) : Seen::nothing_seen;
-      if (owner == Seen::nothing_seen) return set(x, y, depth);
+      const std::uint32_t owner =
+          depth > box.z0 ? owners_.only_candidate(intervals_, depth, count_) : VisibleSurface::nothing_seen;
+      if (owner == VisibleSurface::nothing_seen) return set(x, y, depth);
       seen_at(x, y) = {depth, owner};
       return;
     }

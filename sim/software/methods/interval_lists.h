@@ -24,7 +24,7 @@ class IntervalLists : public Method {
   explicit IntervalLists(const Subject& subject)
       : subject_(subject), owners_(subject.tree), interval_of_(subject.tree.leaf_of.size()) {}
 
-  void classify(const RayBand& band, std::span<Seen> seen) override {
+  void classify(const RayBand& band, std::span<VisibleSurface> seen) override {
     for (std::size_t ray = 0; ray < seen.size(); ++ray) seen[ray] = seen_along(band.intervals_of(ray));
   }
 
@@ -38,8 +38,8 @@ class IntervalLists : public Method {
   /// Depths at which intervals begin and end, alternating.
   using List = std::span<const std::uint32_t>;
 
-  Seen seen_along(std::span<const Interval> intervals) {
-    const Seen nothing{subject_.farthest(), Seen::nothing_seen};
+  VisibleSurface seen_along(std::span<const Interval> intervals) {
+    const VisibleSurface nothing{subject_.farthest(), VisibleSurface::nothing_seen};
     if (intervals.empty()) return nothing;
     for (const Interval& interval : intervals) interval_of_[interval.primitive] = &interval;
     count_(Operation::load, intervals.size());
@@ -52,12 +52,12 @@ class IntervalLists : public Method {
     return ends_.empty() ? nothing : seen_at(intervals, ends_.front());
   }
 
-  Seen seen_at(std::span<const Interval> intervals, std::uint32_t depth) {
+  VisibleSurface seen_at(std::span<const Interval> intervals, std::uint32_t depth) {
     active_.clear();
     for (const Interval& interval : intervals) {
       if (interval.front <= depth && depth < interval.back) active_.push_back(interval.primitive);
     }
-    return {depth, owners_.seen(intervals, depth, active_, count_)};
+    return {depth, owners_.visible_owner(intervals, depth, active_, count_)};
   }
 
   /// Appends a node's list to the stack of lists.

@@ -6,8 +6,8 @@
 
 namespace csgsim::software {
 
-std::vector<Known> known_in(const view::View& view, const RayBand& band, std::uint32_t first_column,
-                            std::uint32_t columns) {
+std::vector<Known> classes_in_cell(const view::View& view, const RayBand& band, std::uint32_t first_column,
+                                   std::uint32_t columns) {
   const auto x0 = static_cast<std::int32_t>(first_column);
   const auto y0 = static_cast<std::int32_t>(band.first_row);
   const view::PixelRect cell{x0, y0, x0 + static_cast<std::int32_t>(columns) - 1,
@@ -19,7 +19,7 @@ std::vector<Known> known_in(const view::View& view, const RayBand& band, std::ui
   return known;
 }
 
-std::vector<Known> known_inside(const view::View& view, std::uint32_t primitive) {
+std::vector<Known> classes_inside(const view::View& view, std::uint32_t primitive) {
   csg::Pruning by_picture = csg::Pruning::none();
   by_picture.picture = true;
   std::vector<Known> known(view.extents.size(), Known::out);

@@ -15,10 +15,10 @@ namespace csgsim::software {
 inline constexpr std::uint32_t cell_columns = 16;
 
 /// Marks primitives without pixels in `columns` columns of a band as outside.
-std::vector<Known> known_in(const view::View& view, const RayBand& band, std::uint32_t first_column,
-                            std::uint32_t columns);
+std::vector<Known> classes_in_cell(const view::View& view, const RayBand& band, std::uint32_t first_column,
+                                   std::uint32_t columns);
 
 /// Marks the primitive itself as inside, and primitives that are separated from it in pixels or depth as outside.
-std::vector<Known> known_inside(const view::View& view, std::uint32_t primitive);
+std::vector<Known> classes_inside(const view::View& view, std::uint32_t primitive);
 
 }  // namespace csgsim::software

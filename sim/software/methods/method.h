@@ -43,7 +43,7 @@ class Method {
   Method& operator=(const Method&) = delete;
 
   /// Computes the visible surfaces of a band, row by row.
-  virtual void classify(const RayBand& band, std::span<Seen> seen) = 0;
+  virtual void classify(const RayBand& band, std::span<VisibleSurface> seen) = 0;
   /// Only `words` is set unless the method was created to count.
   [[nodiscard]] virtual Counts counts() const = 0;
 };

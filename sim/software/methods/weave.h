@@ -27,7 +27,7 @@ class Weave : public Method {
     if (!subject.tree.is_constant()) traversal_.emplace(subject.tree);
   }
 
-  void classify(const RayBand& band, std::span<Seen> seen) override {
+  void classify(const RayBand& band, std::span<VisibleSurface> seen) override {
     for (std::size_t ray = 0; ray < seen.size(); ++ray) seen[ray] = seen_along(band.intervals_of(ray));
   }
 
@@ -48,7 +48,7 @@ class Weave : public Method {
     std::vector<std::uint32_t> held_by;  ///< primitives that contain the section
   };
 
-  Seen seen_along(std::span<const Interval> intervals) {
+  VisibleSurface seen_along(std::span<const Interval> intervals) {
     used_ = 0;
     first_ = none;
     for (const Interval& interval : intervals) weave(interval);
@@ -59,9 +59,9 @@ class Weave : public Method {
       count_.point();
       count_(Operation::load_long);
       if (holds(pool_[at].held_by))
-        return {pool_[at].begin, owners_.seen(intervals, pool_[at].begin, pool_[at].held_by, count_)};
+        return {pool_[at].begin, owners_.visible_owner(intervals, pool_[at].begin, pool_[at].held_by, count_)};
     }
-    return {subject_.farthest(), Seen::nothing_seen};
+    return {subject_.farthest(), VisibleSurface::nothing_seen};
   }
 
   bool holds(std::span<const std::uint32_t> held_by) {
@@ -69,7 +69,7 @@ class Weave : public Method {
     count_.evaluation();
     count_(Operation::call);
     const bool is_in = traversal_->evaluate(count_);
-    take_back(*traversal_, held_by, count_);
+    undo_flips(*traversal_, held_by, count_);
     return is_in;
   }
 

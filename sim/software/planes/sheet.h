@@ -68,7 +68,7 @@ class Sheet {
   [[nodiscard]] const glm::dvec3& place(std::uint32_t corner) const { return places_[corner]; }
   /// Position of a corner with an error of at most `max_deviation` units, apart from rounding.
   [[nodiscard]] glm::dvec3 place(std::uint32_t corner, double max_deviation) const {
-    return deviation(corner) <= max_deviation ? places_[corner] : planes_.exact_place(points_[corner].planes);
+    return deviation(corner) <= max_deviation ? places_[corner] : planes_.exact_position(points_[corner].planes);
   }
   /// Maximum distance of place() from the point, in units.
   [[nodiscard]] double deviation(std::uint32_t corner) const { return deviation_of(points_[corner]) + place_error; }

@@ -224,7 +224,9 @@ Meeting WholePlanes::meet(std::uint32_t one, std::uint32_t other, std::uint32_t 
   return point;
 }
 
-glm::dvec3 WholePlanes::exact_place(const Triple& planes) const { return software::place_of(exactly_rounded(planes)); }
+glm::dvec3 WholePlanes::exact_position(const Triple& planes) const {
+  return software::place_of(exactly_rounded(planes));
+}
 
 int WholePlanes::side(const Meeting& point, std::uint32_t plane) const {
   std::optional<Point> exactly;

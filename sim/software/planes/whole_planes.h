@@ -82,7 +82,7 @@ class WholePlanes {
   [[nodiscard]] bool is_on_all(const Triple& point, std::span<const std::uint32_t> planes) const;
 
   /// Position of the point of three planes, in units; the error of each coordinate is a few units in the last place.
-  [[nodiscard]] glm::dvec3 exact_place(const Triple& planes) const;
+  [[nodiscard]] glm::dvec3 exact_position(const Triple& planes) const;
 
   /// The exact point of a Meeting: determinants of three rows, which need 315 bits.
   using Point = std::array<Wide<5>, 4>;

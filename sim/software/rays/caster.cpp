@@ -169,7 +169,7 @@ class BandCaster {
     Depths depths{std::max<std::int64_t>(0, depths_.fronts[i] >> shift), std::min(farthest, depths_.backs[i] >> shift)};
     for (const facet::QuadricSide side : geometry_.solids[primitive].quadrics) {
       count_quadric(view_.quadrics[side.quadric], count_);
-      depths = within(depths, view_, side, x, y);
+      depths = intersect_quadric(depths, view_, side, x, y);
     }
     for (std::uint64_t value = 0; value < 2 * longs_; ++value) count_.shift(shift);
     count_(Operation::load_long, 2 * longs_);

@@ -23,7 +23,8 @@ Depths roots_of(const view::ScreenQuadric& quadric, unsigned fraction_bits, std:
 
 }  // namespace
 
-Depths within(Depths depths, const view::View& view, facet::QuadricSide side, std::int32_t x, std::int32_t y) {
+Depths intersect_quadric(Depths depths, const view::View& view, facet::QuadricSide side, std::int32_t x,
+                         std::int32_t y) {
   const view::ScreenQuadric& quadric = view.quadrics[side.quadric];
   const view::QuadricRole role = view::role_of(quadric, side);
   const std::int64_t value = view::value_at(quadric.discriminant, x, y);

@@ -17,7 +17,8 @@ struct Depths {
 };
 
 /// Intersects a depth interval with a quadric at a pixel.
-Depths within(Depths depths, const view::View& view, facet::QuadricSide side, std::int32_t x, std::int32_t y);
+Depths intersect_quadric(Depths depths, const view::View& view, facet::QuadricSide side, std::int32_t x,
+                         std::int32_t y);
 
 /// Counts the operations of a quadric at a pixel, with values of two longs: discriminant and middle by forward
 /// differences, then a 31-bit root, bit by bit, if it exists.

@@ -52,12 +52,12 @@ struct RayBand {
 };
 
 /// The visible surface at a pixel.
-struct Seen {
+struct VisibleSurface {
   std::uint32_t depth = 0;  ///< in depth steps; 2^n - 1 if nothing is visible
   std::uint32_t owner = nothing_seen;
 
   static constexpr std::uint32_t nothing_seen = 0xffffffffU;
-  bool operator==(const Seen&) const = default;
+  bool operator==(const VisibleSurface&) const = default;
 };
 
 }  // namespace csgsim::software

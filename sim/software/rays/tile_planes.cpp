@@ -25,7 +25,7 @@ std::vector<Linear> bounding(std::span<const Linear> planes, std::span<const Lin
 
 [[noreturn]] void refuse(const model::Tree& tree, std::uint32_t primitive) {
   throw InputError(
-      model::place_of(tree, primitive) +
+      model::location_text(tree, primitive) +
       ": a face of this primitive is too large for the picture: its coefficients exceed the number range of the "
       "machines; move the camera back, centre the picture on the face, reduce --z-bits or "
       "--fraction-bits, or split the primitive");
@@ -41,9 +41,9 @@ TilePlanes planes_of(const model::Tree& tree, const facet::Geometry& geometry, c
   for (const facet::Halfspace halfspace : geometry.solids[primitive].halfspaces) {
     const view::ScreenPlane& plane = view.planes[halfspace.plane];
     if (!plane.representable) {
-      const csg::Known known = csg::locate(view, halfspace, anywhere);
-      if (known == csg::Known::depends) refuse(tree, primitive);
-      planes.nowhere = planes.nowhere || known == csg::Known::out;
+      const csg::Containment known = csg::locate(view, halfspace, anywhere);
+      if (known == csg::Containment::depends) refuse(tree, primitive);
+      planes.nowhere = planes.nowhere || known == csg::Containment::out;
       continue;
     }
     switch (view::side_of(plane, halfspace)) {

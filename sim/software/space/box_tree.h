@@ -58,7 +58,7 @@ void walk_boxes(const std::vector<BoxNode>& nodes, const std::vector<std::uint32
   std::vector<Met> heap;
   const glm::dvec3 inverse = inverse_direction(ray, count);
   const auto meet = [&](std::uint32_t node) {
-    const RayPart part = clipped(ray, inverse, nodes[node].box, count);
+    const RayPart part = clip_to_box(ray, inverse, nodes[node].box, count);
     if (part.empty()) return;
     heap.push_back({part, node});
     std::ranges::push_heap(heap, std::greater{});

@@ -39,7 +39,7 @@ class Boxes final : public DirectoryOf<Boxes> {
   [[nodiscard]] std::vector<SpaceBox> boxes() const override { return boxes_of(nodes_, facets_); }
 
   template <class Count>
-  void go(const SpaceRay& ray, CellVisitor& visitor, Count& count) const {
+  void walk_cells(const SpaceRay& ray, CellVisitor& visitor, Count& count) const {
     if (facets_.empty()) return;
     walk_boxes(
         nodes_, facets_, ray, [this](std::uint32_t node, Count&) { expand(node); }, visitor, count);

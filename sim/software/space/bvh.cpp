@@ -32,7 +32,7 @@ class Bvh final : public DirectoryOf<Bvh> {
   [[nodiscard]] std::vector<SpaceBox> boxes() const override { return boxes_of(nodes_, facets_); }
 
   template <class Count>
-  void go(const SpaceRay& ray, CellVisitor& visitor, Count& count) const {
+  void walk_cells(const SpaceRay& ray, CellVisitor& visitor, Count& count) const {
     if (facets_.empty()) return;
     walk_boxes(
         nodes_, facets_, ray, [](std::uint32_t, Count&) {}, visitor, count);

@@ -22,7 +22,7 @@ struct RayPart {
 
 /// The section of a ray in a closed box (Kay and Kajiya 1986).
 template <class Count>
-RayPart clipped(const SpaceRay& ray, const glm::dvec3& inverse, const facet::Box& box, Count& count) {
+RayPart clip_to_box(const SpaceRay& ray, const glm::dvec3& inverse, const facet::Box& box, Count& count) {
   RayPart part{ray.begin, ray.end};
   for (int axis = 0; axis < 3 && !part.empty(); ++axis) {
     count(Operation::load_long, 3);

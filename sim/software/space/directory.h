@@ -124,10 +124,10 @@ template <class Own>
 class DirectoryOf : public Directory {
  public:
   void walk(const SpaceRay& ray, CellVisitor& visitor, Counting& count) const final {
-    static_cast<const Own&>(*this).go(ray, visitor, count);
+    static_cast<const Own&>(*this).walk_cells(ray, visitor, count);
   }
   void walk(const SpaceRay& ray, CellVisitor& visitor, Uncounted& count) const final {
-    static_cast<const Own&>(*this).go(ray, visitor, count);
+    static_cast<const Own&>(*this).walk_cells(ray, visitor, count);
   }
 };
 

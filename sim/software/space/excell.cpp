@@ -47,7 +47,7 @@ double ExcellCells::wall_of(const Range& range) const {
 void ExcellCells::insert(Range range, std::uint32_t facet) {
   ++built_.overlap_tests;
   if (!shapes_.touches(facet, box_of(range.prefix, range.level), count_)) return;
-  const Looked looked = look(range, count_);
+  const RangeContent looked = content_of_range(range, count_);
   range = looked.range;
   if (looked.is_cell) {
     put(range, facet);
@@ -121,7 +121,7 @@ void ExcellCells::halve(const Range& range) {
 
 void ExcellCells::add_part_of(const Range& asked, std::vector<SpacePart>& parts) const {
   Uncounted uncounted;
-  const Looked looked = look(asked, uncounted);
+  const RangeContent looked = content_of_range(asked, uncounted);
   const Range& range = looked.range;
   const std::size_t number = parts.size();
   parts.push_back({box_of(range.prefix, range.level)});
@@ -171,9 +171,9 @@ class Excell final : public DirectoryOf<Excell> {
   [[nodiscard]] std::vector<SpacePart> parts() const override { return cells_.parts(); }
 
   template <class Count>
-  void go(const SpaceRay& ray, CellVisitor& visitor, Count& count) const {
+  void walk_cells(const SpaceRay& ray, CellVisitor& visitor, Count& count) const {
     const auto locate = [&](const glm::uvec3& at, Count& counted) { return cells_.locate(at, counted); };
-    PointWalk(cells_.lattice(), ray, locate, count).go(visitor);
+    PointWalk(cells_.lattice(), ray, locate, count).walk_cells(visitor);
   }
 
  private:
@@ -187,10 +187,10 @@ class RecursiveExcell final : public DirectoryOf<RecursiveExcell> {
   [[nodiscard]] SpaceBuilt built() const override { return cells_.built(); }
 
   template <class Count>
-  void go(const SpaceRay& ray, CellVisitor& visitor, Count& count) const {
+  void walk_cells(const SpaceRay& ray, CellVisitor& visitor, Count& count) const {
     using Range = ExcellCells::Range;
     const auto look = [&](const Range& asked, Count& counted) {
-      const ExcellCells::Looked looked = cells_.look(asked, counted);
+      const ExcellCells::RangeContent looked = cells_.content_of_range(asked, counted);
       if (looked.is_cell) return Halved<Range>{true, looked.facets};
       const Range& range = looked.range;
       counted.shift(1);
@@ -203,7 +203,7 @@ class RecursiveExcell final : public DirectoryOf<RecursiveExcell> {
                            {range.directory, 2 * range.prefix, range.level + 1},
                            {range.directory, 2 * range.prefix + 1, range.level + 1}};
     };
-    walk_by_halves(cells_.lattice().box, Range{}, ray, look, visitor, count);
+    walk_halves(cells_.lattice().box, Range{}, ray, look, visitor, count);
   }
 
  private:

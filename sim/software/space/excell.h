@@ -64,13 +64,13 @@ class ExcellCells {
   }
 
   /// Result of looking up a range: its facets if it is one cell.
-  struct Looked {
+  struct RangeContent {
     bool is_cell = false;
     std::span<const std::uint32_t> facets;
     Range range;  ///< the range looked up; in the cell's own directory if it has one
   };
   template <class Count>
-  Looked look(Range range, Count& count) const {
+  RangeContent content_of_range(Range range, Count& count) const {
     for (;;) {
       const Part& part = parts_[range.directory];
       const Entry& entry = part.entries[index_in(part, range.prefix, range.level)];

@@ -47,10 +47,10 @@ class Grid final : public DirectoryOf<Grid> {
   }
 
   template <class Count>
-  void go(const SpaceRay& ray, CellVisitor& visitor, Count& count) const {
+  void walk_cells(const SpaceRay& ray, CellVisitor& visitor, Count& count) const {
     if (facets_.empty()) return;
     const glm::dvec3 inverse = inverse_direction(ray, count);
-    const RayPart part = clipped(ray, inverse, box_, count);
+    const RayPart part = clip_to_box(ray, inverse, box_, count);
     if (part.empty()) return;
     Steps steps = begun(ray, inverse, part, count);
     for (double t = part.begin;;) {

@@ -26,14 +26,14 @@ struct Halved {
 /// Clips a ray to the halves of parts of space recursively, nearer half first, down to cells (thesis algorithm 5.4).
 /// `look(part, count)` returns the content of a part. Pending halves are on a stack.
 template <class Part, class Count, class Look>
-void walk_by_halves(const facet::Box& box, const Part& whole, const SpaceRay& ray, const Look& look,
-                    CellVisitor& visitor, Count& count) {
+void walk_halves(const facet::Box& box, const Part& whole, const SpaceRay& ray, const Look& look, CellVisitor& visitor,
+                 Count& count) {
   struct ToCome {
     Part part;
     RayPart ray;
   };
   const glm::dvec3 inverse = inverse_direction(ray, count);
-  const RayPart clipped_ray = clipped(ray, inverse, box, count);
+  const RayPart clipped_ray = clip_to_box(ray, inverse, box, count);
   if (clipped_ray.empty()) return;
   std::vector<ToCome> stack{{whole, clipped_ray}};
   while (!stack.empty()) {

@@ -54,14 +54,14 @@ class KdTree final : public DirectoryOf<KdTree> {
   }
 
   template <class Count>
-  void go(const SpaceRay& ray, CellVisitor& visitor, Count& count) const {
+  void walk_cells(const SpaceRay& ray, CellVisitor& visitor, Count& count) const {
     const auto look = [&](std::uint32_t number, Count& counted) {
       const Node& node = nodes_[number];
       counted(Operation::load_long, 2);
       counted(Operation::branch);
       return Halved<std::uint32_t>{node.low == 0, node.facets, node.axis, node.wall, node.low, node.low + 1};
     };
-    walk_by_halves(shapes_.box(), std::uint32_t{0}, ray, look, visitor, count);
+    walk_halves(shapes_.box(), std::uint32_t{0}, ray, look, visitor, count);
   }
 
  private:

@@ -58,8 +58,8 @@ class PointWalk {
   PointWalk(const Lattice& lattice, const SpaceRay& ray, const Locate& locate, Count& count)
       : lattice_(lattice), ray_(ray), locate_(locate), count_(count), inverse_(inverse_direction(ray, count)) {}
 
-  void go(CellVisitor& visitor) {
-    const RayPart part = clipped(ray_, inverse_, lattice_.box, count_);
+  void walk_cells(CellVisitor& visitor) {
+    const RayPart part = clip_to_box(ray_, inverse_, lattice_.box, count_);
     if (part.empty()) return;
     end_ = part.end;
     t_ = part.begin;

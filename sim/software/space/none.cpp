@@ -19,7 +19,7 @@ class None final : public DirectoryOf<None> {
   }
 
   template <class Count>
-  void go(const SpaceRay& ray, CellVisitor& visitor, Count& /*count*/) const {
+  void walk_cells(const SpaceRay& ray, CellVisitor& visitor, Count& /*count*/) const {
     visitor.visit({ray.begin, ray.end, std::numeric_limits<double>::infinity(), shapes_.placed()});
   }
 

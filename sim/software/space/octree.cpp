@@ -36,7 +36,7 @@ class Octree final : public DirectoryOf<Octree> {
   }
 
   template <class Count>
-  void go(const SpaceRay& ray, CellVisitor& visitor, Count& count) const {
+  void walk_cells(const SpaceRay& ray, CellVisitor& visitor, Count& count) const {
     const auto locate = [&](const glm::uvec3& at, Count& counted) {
       const Node* node = nodes_.data();
       unsigned level = 0;
@@ -49,7 +49,7 @@ class Octree final : public DirectoryOf<Octree> {
       }
       return Located{node->facets, glm::uvec3{level}};
     };
-    PointWalk(lattice_, ray, locate, count).go(visitor);
+    PointWalk(lattice_, ray, locate, count).walk_cells(visitor);
   }
 
  private:

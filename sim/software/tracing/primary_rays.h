@@ -28,7 +28,7 @@ struct Met {
 
 /// The point at which a primary ray enters the solid.
 struct Hit {
-  Seen seen;
+  VisibleSurface seen;
   std::uint32_t facet = TraceScene::none;  ///< index into ScreenFacets::facets
   std::uint32_t before =
       TraceScene::none;  ///< list element of the preceding surfaces, which identifies the medium of a secondary ray
@@ -42,7 +42,7 @@ class PointsOfRay {
       : scene_(scene), sequences_(sequences), count_(count) {}
 
   void begin() {
-    hit_ = {{scene_.screen().farthest, Seen::nothing_seen}, TraceScene::none, TraceScene::none};
+    hit_ = {{scene_.screen().farthest, VisibleSurface::nothing_seen}, TraceScene::none, TraceScene::none};
     events_.clear();
     element_ = Sequences<Count>::none;
   }
@@ -142,7 +142,7 @@ class PrimaryRays final : public CellVisitor {
     test_loose_facets();
     directory_.walk(ray, *this, meters_.traversal);
     if (!is_done_) settle(pending_.size());
-    met_.hits += points_.hit().seen.owner != Seen::nothing_seen ? 1U : 0U;
+    met_.hits += points_.hit().seen.owner != VisibleSurface::nothing_seen ? 1U : 0U;
     met_.add_cells(cells_);
     return points_.hit();
   }

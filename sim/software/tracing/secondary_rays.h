@@ -31,7 +31,7 @@ struct Start {
 /// The point at which a secondary ray enters the solid.
 struct RealHit {
   double t = std::numeric_limits<double>::infinity();
-  std::uint32_t owner = Seen::nothing_seen;
+  std::uint32_t owner = VisibleSurface::nothing_seen;
   std::uint32_t facet = TraceScene::none;   ///< index into Facets::facets
   std::uint32_t before = TraceScene::none;  ///< as in Start
 
@@ -57,7 +57,7 @@ class SecondaryRays final : public CellVisitor {
   RealHit trace(const Start& start, const glm::dvec3& direction, double end, bool is_any, RaysMet& met) {
     begin(start, direction, end, met);
     is_any_ = is_any;
-    const std::vector<std::uint32_t> held = sequences_.held_at(start.before, meters_.classification);
+    const std::vector<std::uint32_t> held = sequences_.primitives_at(start.before, meters_.classification);
     for (const std::uint32_t primitive : held) holds_[primitive] = 1;
     events_.clear();
     for (const std::uint32_t primitive : held) events_.push_back({0, 2 * primitive});

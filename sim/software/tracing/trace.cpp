@@ -87,7 +87,7 @@ class Tracer {
     meters_.intersection(Operation::load_long);
     meters_.intersection(Operation::compare_long);
     meters_.intersection(Operation::branch);
-    if (hit.seen.owner == Seen::nothing_seen) return hit;
+    if (hit.seen.owner == VisibleSurface::nothing_seen) return hit;
     ++met.hits;
     ++met.tested;
     ++met.met;
@@ -205,7 +205,7 @@ TraceCounts trace_with(const TraceScene& scene, const Directory& directory, cons
   return tracer.counts();
 }
 
-std::vector<TracedPixel> blank(const TraceScene& scene) {
+std::vector<TracedPixel> blank_machine(const TraceScene& scene) {
   TracedPixel nothing;
   nothing.seen.depth = scene.screen().farthest;
   return std::vector<TracedPixel>(std::size_t{scene.width()} * scene.height(), nothing);
@@ -221,18 +221,18 @@ void refuse(const TraceOptions& options) {
 
 Traced trace(const TraceScene& scene, const Directory& directory, const TraceOptions& options, bool counts) {
   refuse(options);
-  Traced traced{blank(scene), {}};
+  Traced traced{blank_machine(scene), {}};
   if (scene.tree().is_constant()) return traced;
   traced.counts = counts ? trace_with<CountingMethod>(scene, directory, options, traced.pixels)
                          : trace_with<UncountedMethod>(scene, directory, options, traced.pixels);
   return traced;
 }
 
-double traced_seconds(const TraceScene& scene, const Directory& directory, const TraceOptions& options) {
+double measure_trace_seconds(const TraceScene& scene, const Directory& directory, const TraceOptions& options) {
   refuse(options);
   constexpr unsigned max_runs = 3;
   constexpr double enough = 0.2;
-  std::vector<TracedPixel> pixels = blank(scene);
+  std::vector<TracedPixel> pixels = blank_machine(scene);
   double min_seconds = std::numeric_limits<double>::infinity();
   double spent = 0;
   if (scene.tree().is_constant()) return 0;

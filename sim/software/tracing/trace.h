@@ -54,14 +54,14 @@ struct TraceOptions {
 
 /// The visible surface at a point.
 struct TracedSurface {
-  std::uint32_t owner = Seen::nothing_seen;
+  std::uint32_t owner = VisibleSurface::nothing_seen;
   std::uint32_t facet = TraceScene::none;  ///< index into Facets::facets; none for a near cap or if nothing is visible
   std::uint32_t lit = 0;                   ///< bit mask of unobstructed lights in front of the facet
 };
 
 /// A pixel and its reflections, one per successive mirror.
 struct TracedPixel {
-  Seen seen;
+  VisibleSurface seen;
   TracedSurface surface;
   std::vector<TracedSurface> mirrored;
 };
@@ -75,7 +75,7 @@ struct Traced {
 Traced trace(const TraceScene& scene, const Directory& directory, const TraceOptions& options, bool counts);
 
 /// Minimum wall time of tracing the picture on this computer in seconds, over several runs without counting.
-double traced_seconds(const TraceScene& scene, const Directory& directory, const TraceOptions& options);
+double measure_trace_seconds(const TraceScene& scene, const Directory& directory, const TraceOptions& options);
 
 /// Owners and depths of a traced picture.
 Picture picture_of(const Traced& traced);

@@ -19,7 +19,7 @@ void flip_all(Traversal& traversal, std::span<const std::uint32_t> primitives, C
 /// Resets a traversal to a point outside all primitives; `in` are the primitives that contain the current point. Uses
 /// the traversal's own `clear` if it has one, and otherwise leaves each primitive.
 template <class Traversal, class Count>
-void take_back(Traversal& traversal, std::span<const std::uint32_t> containing_primitives, Count& count) {
+void undo_flips(Traversal& traversal, std::span<const std::uint32_t> containing_primitives, Count& count) {
   if constexpr (requires { traversal.clear(count); }) {
     traversal.clear(count);
   } else {

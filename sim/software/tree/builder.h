@@ -32,7 +32,7 @@ class Builder {
 
   [[nodiscard]] std::uint32_t height(std::uint32_t node) const { return tree_.nodes[node].height; }
 
-  Tree finished(std::uint32_t root) {
+  Tree take_tree(std::uint32_t root) {
     tree_.root = root;
     return std::move(tree_);
   }

@@ -33,7 +33,8 @@ class Owners {
   }
 
   /// `events_before`: the ray's nearer events; `events_at_surface`: the events at which it enters the solid.
-  std::uint32_t seen(std::span<const Event> events_before, std::span<const Event> events_at_surface, Count& count) {
+  std::uint32_t visible_owner(std::span<const Event> events_before, std::span<const Event> events_at_surface,
+                              Count& count) {
     candidates_.clear();
     for (const Event& event : events_at_surface) {
       if (event.leaves() == taken_away_[tree_.leaf_of[event.primitive()]]) candidates_.push_back(event.primitive());
@@ -50,8 +51,8 @@ class Owners {
 
   /// The owner of the visible surface of a ray with these intervals, which enters the solid at `depth`; `active` are
   /// the primitives that contain that point.
-  std::uint32_t seen(std::span<const Interval> intervals, std::uint32_t depth, std::span<const std::uint32_t> active,
-                     Count& count) {
+  std::uint32_t visible_owner(std::span<const Interval> intervals, std::uint32_t depth,
+                              std::span<const std::uint32_t> active, Count& count) {
     collect(intervals, depth, count);
     if (candidates_.size() == 1) return candidates_.front();
     active_.assign(active.begin(), active.end());
@@ -59,9 +60,9 @@ class Owners {
   }
 
   /// The only primitive whose surface can be visible at that depth; nothing_seen if there are several or none.
-  std::uint32_t only_one(std::span<const Interval> intervals, std::uint32_t depth, Count& count) {
+  std::uint32_t only_candidate(std::span<const Interval> intervals, std::uint32_t depth, Count& count) {
     collect(intervals, depth, count);
-    return candidates_.size() == 1 ? candidates_.front() : Seen::nothing_seen;
+    return candidates_.size() == 1 ? candidates_.front() : VisibleSurface::nothing_seen;
   }
 
  private:
@@ -91,8 +92,8 @@ class Owners {
     flip_all(status_, active_, count);
     const auto owner =
         std::ranges::find_if(candidates_, [&](std::uint32_t candidate) { return shows(candidate, count); });
-    take_back(status_, active_, count);
-    return owner == candidates_.end() ? Seen::nothing_seen : *owner;
+    undo_flips(status_, active_, count);
+    return owner == candidates_.end() ? VisibleSurface::nothing_seen : *owner;
   }
 
   /// Whether the other operands of narrowing operators keep the surface, up to the root.

@@ -74,7 +74,7 @@ Tree gathered(const Tree& made, std::uint32_t root) {
     const Node& node = made.nodes[i];
     place[i] = node.is_leaf ? builder.leaf(node.primitive) : builder.join(node.op, place[node.left], place[node.right]);
   }
-  return builder.finished(place[root]);
+  return builder.take_tree(place[root]);
 }
 
 }  // namespace
@@ -101,7 +101,7 @@ Tree reduced(const Tree& tree, std::span<const Known> known) {
     none.complemented = tree.complemented != (root.known == Known::in);
     return none;
   }
-  Tree rest = gathered(builder.finished(root.node), root.node);
+  Tree rest = gathered(builder.take_tree(root.node), root.node);
   rest.complemented = tree.complemented != root.complemented;
   return rest;
 }

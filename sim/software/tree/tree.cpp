@@ -56,7 +56,7 @@ class Shaper {
     std::vector<std::vector<std::uint32_t>> operands(tree_.nodes.size());
     for (std::size_t i = 0; i < tree_.nodes.size(); ++i) operands[i] = operands_of(tree_.nodes[i], operands);
     const model::Node& root = tree_.nodes[tree_.root];
-    return builder_.finished(joined(root.op, operands[tree_.root]));
+    return builder_.take_tree(joined(root.op, operands[tree_.root]));
   }
 
  private:

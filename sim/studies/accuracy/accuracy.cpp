@@ -46,7 +46,7 @@ bool names_knob(const Options& options, const std::string& knob) {
 std::vector<CurvesChoice> curves_of(const Options& options, const machines::Machine& machine, const model::Tree& tree,
                                     const view::Camera& camera) {
   const emit::Options emit = session::emit_options_of(options.model);
-  const emit::Look look = emit::make_look(emit.scene, tree, csg::make_positive(tree), camera);
+  const emit::Look look = emit::make_look(emit.scene, tree, csg::make_positive_tree(tree), camera);
   std::vector<CurvesChoice> possible;
   std::vector<std::string> left_out;
   for (const CurvesChoice& choice : curves_choices()) {
@@ -110,12 +110,12 @@ class Accuracy : public StudyOf<Measurement> {
     if (scene.box.empty()) throw InputError(options_.model.model + ": nothing to measure; every solid is empty");
     const view::Camera camera = session::camera_of(options_.model, machine_, tree_, scene);
     session::refuse_transparent_parts(session::emit_options_of(options_.model), tree_, camera);
-    points_ = points(session::sampling_of(options_.model, machine_), faceting,
-                     knobs_of(options_, machine_, tree_, scene, camera));
+    points_ = accuracy_points(session::sampling_of(options_.model, machine_), faceting,
+                              knobs_of(options_, machine_, tree_, scene, camera));
     // Small pictures cannot be divided as often, so some sizes coincide.
     std::set<std::string> known;
     std::erase_if(points_, [&](const Settings& point) { return !known.insert(cells_of(point)).second; });
-    meter_ = std::make_unique<Meter>(tree_, turned_views(camera, options_.views), machine_,
+    meter_ = std::make_unique<Meter>(tree_, rotated_cameras(camera, options_.views), machine_,
                                      session::emit_options_of(options_.model));
     std::vector<PointRequest> requested;
     for (const Settings& point : points_) requested.push_back({cells_of(point), inputs});

@@ -15,8 +15,8 @@ void choose_bits(session::RenderRequest& request, const machines::Machine& machi
   const emit::Options options = session::emit_options_of(request.model);
   session::refuse_transparent_parts(options, tree, camera);
   Meter meter(tree, {camera}, machine, options);
-  const auto chosen =
-      cheapest(meter, grid(session::sampling_of(request.model, machine), faceting), *request.max_wrong_pixels);
+  const auto chosen = cheapest_settings(meter, bit_width_pairs(session::sampling_of(request.model, machine), faceting),
+                                        *request.max_wrong_pixels);
   if (!chosen) {
     throw InputError(
         fmt::format("every choice of --z-bits and --fraction-bits that fits the machine has more than {} wrong pixels; "

@@ -158,14 +158,14 @@ Measurement Meter::measure(const Settings& settings) {
     return known.first.faceting == settings.faceting && known.first.sampling == settings.sampling;
   };
   const auto known = std::ranges::find_if(known_, is_same);
-  Measurement measurement = known == known_.end() ? measure_anew(settings) : known->second;
+  Measurement measurement = known == known_.end() ? measure_uncached(settings) : known->second;
   measurement.knob = settings.knob;
   measurement.value = settings.value;
   if (known == known_.end()) known_.emplace_back(settings, measurement);
   return measurement;
 }
 
-Measurement Meter::measure_anew(const Settings& settings) {
+Measurement Meter::measure_uncached(const Settings& settings) {
   const machines::Machine machine = with_picture_size(machine_, settings.sampling);
   Measurement sum;
   double difference = 0;
@@ -198,8 +198,8 @@ Measurement Meter::measure_anew(const Settings& settings) {
   return sum;
 }
 
-std::optional<Settings> cheapest(Meter& meter, const std::vector<Settings>& candidates,
-                                 std::uint64_t max_wrong_pixels) {
+std::optional<Settings> cheapest_settings(Meter& meter, const std::vector<Settings>& candidates,
+                                          std::uint64_t max_wrong_pixels) {
   std::vector<std::pair<std::uint64_t, const Settings*>> by_clocks;
   for (const Settings& candidate : candidates) {
     try {
@@ -215,7 +215,7 @@ std::optional<Settings> cheapest(Meter& meter, const std::vector<Settings>& cand
   return std::nullopt;
 }
 
-std::vector<view::Camera> turned_views(const view::Camera& camera, unsigned count) {
+std::vector<view::Camera> rotated_cameras(const view::Camera& camera, unsigned count) {
   constexpr double golden_angle = 2.399963229728653;
   std::vector<view::Camera> cameras;
   for (unsigned i = 0; i < count; ++i) cameras.push_back(view::turned(camera, golden_angle * i));

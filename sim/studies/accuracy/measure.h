@@ -45,7 +45,7 @@ class Meter {
   Subject& subject(const Settings& settings, std::size_t camera);
   judges::AnalyticPictures& analytic(const facet::Faceting& faceting, const view::Sampling& sampling,
                                      std::size_t camera);
-  [[nodiscard]] Measurement measure_anew(const Settings& settings);
+  [[nodiscard]] Measurement measure_uncached(const Settings& settings);
 
   const model::Tree& tree_;
   std::vector<view::Camera> cameras_;
@@ -58,10 +58,11 @@ class Meter {
 
 /// The settings with the fewest clocks among those with at most `max_wrong_pixels` wrong pixels; empty if there are
 /// none. Settings that do not fit into the machine's memory are skipped.
-std::optional<Settings> cheapest(Meter& meter, const std::vector<Settings>& candidates, std::uint64_t max_wrong_pixels);
+std::optional<Settings> cheapest_settings(Meter& meter, const std::vector<Settings>& candidates,
+                                          std::uint64_t max_wrong_pixels);
 
 /// `count` views of a model: the camera rotated about the vertical axis through its centre, by the golden angle each
 /// time.
-std::vector<view::Camera> turned_views(const view::Camera& camera, unsigned count);
+std::vector<view::Camera> rotated_cameras(const view::Camera& camera, unsigned count);
 
 }  // namespace csgsim::studies

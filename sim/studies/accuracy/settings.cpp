@@ -43,17 +43,17 @@ std::optional<std::string> why_no_fast_spheres(const CurvesSubject& subject) {
   const bool has_sphere = std::ranges::any_of(
       subject.tree.primitives, [&](const model::Primitive& primitive) { return facet::stays_curved(primitive, fast); });
   if (!has_sphere) return "the model has no sphere that appears as a circle";
-  return emit::why_no_curves(subject.machine, subject.options, subject.look);
+  return emit::curves_unsupported_reason(subject.machine, subject.options, subject.look);
 }
 
-std::optional<std::string> why_no_quadrics(const CurvesSubject& subject) {
-  return emit::why_no_quadrics(subject.machine, subject.options, subject.look);
+std::optional<std::string> quadrics_unsupported_reason(const CurvesSubject& subject) {
+  return emit::quadrics_unsupported_reason(subject.machine, subject.options, subject.look);
 }
 
 constexpr CurvesChoice choices_of_curves[] = {
     {emit::Curves::facets, as_facets, no_reason},
     {emit::Curves::fast, as_fast_spheres, why_no_fast_spheres},
-    {emit::Curves::exact, as_quadrics, why_no_quadrics},
+    {emit::Curves::exact, as_quadrics, quadrics_unsupported_reason},
 };
 
 /// Adds a point with that value of the knob. Returns its settings, initially the user's, for the caller to change.
@@ -129,7 +129,8 @@ std::vector<double> default_tolerances(double diagonal) {
   return {1e-2 * diagonal, 3e-3 * diagonal, 1e-3 * diagonal, 3e-4 * diagonal, 1e-4 * diagonal};
 }
 
-std::vector<Settings> points(const view::Sampling& base, const facet::Faceting& faceting, const Knobs& turned) {
+std::vector<Settings> accuracy_points(const view::Sampling& base, const facet::Faceting& faceting,
+                                      const Knobs& turned) {
   std::vector<Settings> settings;
   for (const Knob& knob : knobs) {
     if (std::ranges::find(turned.names, knob.name) == turned.names.end()) continue;
@@ -144,8 +145,8 @@ std::vector<Settings> points(const view::Sampling& base, const facet::Faceting& 
   return settings;
 }
 
-std::vector<Settings> grid(const view::Sampling& base, const facet::Faceting& faceting) {
-  return points(base, faceting, {{"together"}});
+std::vector<Settings> bit_width_pairs(const view::Sampling& base, const facet::Faceting& faceting) {
+  return accuracy_points(base, faceting, {{"together"}});
 }
 
 }  // namespace csgsim::studies

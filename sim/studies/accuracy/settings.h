@@ -60,9 +60,9 @@ struct Knobs {
 std::vector<double> default_tolerances(double diagonal);
 
 /// The points of a study around `base`.
-std::vector<Settings> points(const view::Sampling& base, const facet::Faceting& faceting, const Knobs& knobs);
+std::vector<Settings> accuracy_points(const view::Sampling& base, const facet::Faceting& faceting, const Knobs& knobs);
 
 /// All pairs of z bits and fraction bits, fewest first: the candidates for the cheapest settings.
-std::vector<Settings> grid(const view::Sampling& base, const facet::Faceting& faceting);
+std::vector<Settings> bit_width_pairs(const view::Sampling& base, const facet::Faceting& faceting);
 
 }  // namespace csgsim::studies

@@ -227,7 +227,7 @@ std::vector<plots::Plot> plots_of_accuracy(std::span<const Measurement> rows, co
   if (std::ranges::find(rows, "curves", &Measurement::knob) != rows.end()) all.push_back(curves_plot(rows, model));
   if (const std::vector<Measurement> together = rows_of_knob(rows, "together"); !together.empty())
     all.push_back(front_plot(together, model));
-  plots::give_common_looks(all);
+  plots::set_common_looks(all);
   return all;
 }
 

@@ -25,13 +25,12 @@ namespace {
 using Rows = std::span<const AdviceRow>;
 
 /// Draws a recommended choice again, with its own strategy, colouring and ALU, and checks that the result is the same.
-void check_by_drawing(const AdviseOptions& options, const AdviceQuestion& question, const AdviceRow& row,
-                      bool are_read) {
-  DesignQuestion measured = question.measured;
+void check_by_drawing(const AdviseOptions& options, const AdviceSearch& question, const AdviceRow& row, bool are_read) {
+  MeasurementSettings measured = question.measured;
   measured.colour_bits = {row.point.colour_bits};
-  const Job job = question.job_of(options, row.point);
+  const Job job = question.make_job(options, row.point);
   if (to_line(AdviceRow(DesignMeter(measured).measure(row.point, job))) == to_line(row)) return;
-  fail_inconsistent("drawing a recommended choice gives another result than its row", are_read);
+  throw_inconsistent_results("drawing a recommended choice gives another result than its row", are_read);
 }
 
 std::string picture_name(const AdviseOptions& options, const std::string& what) {
@@ -40,7 +39,7 @@ std::string picture_name(const AdviseOptions& options, const std::string& what) 
   return name;
 }
 
-Advice advice_of(const AdviseOptions& options, const session::OptionList& command, const AdviceQuestion& question,
+Advice advice_of(const AdviseOptions& options, const session::OptionList& command, const AdviceSearch& question,
                  Rows rows, bool are_read) {
   Advice advice{recommend(rows, question.requirements), {}};
   for (const Recommendation& one : advice.recommendations) {
@@ -154,8 +153,8 @@ class Advise : public StudyOf<AdviceRow> {
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override { return options_.model.inputs(); }
   /// One table serves all requirements and all ranges.
-  [[nodiscard]] std::set<std::string> varied() const override {
-    const std::vector<std::string> own = own_options();
+  [[nodiscard]] std::set<std::string> varied_options() const override {
+    const std::vector<std::string> own = advise_only_options();
     std::set<std::string> names(own.begin(), own.end());
     names.erase("machine");
     names.erase("set");
@@ -165,7 +164,7 @@ class Advise : public StudyOf<AdviceRow> {
   [[nodiscard]] bool is_of_one_machine() const override { return true; }
 
   std::vector<PointRequest> request_points() override {
-    question_ = question_of(options_);
+    question_ = make_search(options_);
     meter_ = std::make_unique<DesignMeter>(question_.measured);
     std::vector<PointRequest> requested;
     for (const DesignPoint& point : question_.points)
@@ -175,7 +174,7 @@ class Advise : public StudyOf<AdviceRow> {
 
   void print() const override {
     const machines::Size size = question_.jobs.begin()->second.machine.picture;
-    print_question(
+    print_search(
         fmt::format("{}, {} x {} pixels, on {}", options_.model.model, size.width, size.height, options_.model.machine),
         rows(), question_.requirements);
     studies::print_front(rows(), question_.requirements);
@@ -211,7 +210,7 @@ class Advise : public StudyOf<AdviceRow> {
 
   void refuse() const override {
     if (std::ranges::any_of(rows(), [](const AdviceRow& row) { return row.unexplained > 0; }))
-      fail_inconsistent("the errors of a picture exceed the bounds of docs/numbers.md", are_read());
+      throw_inconsistent_results("the errors of a picture exceed the bounds of docs/numbers.md", are_read());
     if (advice_.nearest)
       throw InputError("no choice meets all requirements; the closest one has " +
                        misses_text(*advice_.nearest, question_.requirements));
@@ -220,7 +219,7 @@ class Advise : public StudyOf<AdviceRow> {
  protected:
   [[nodiscard]] AdviceRow measure_point(std::size_t point) override {
     const DesignPoint& design = question_.points[point];
-    return AdviceRow(meter_->measure(design, question_.job_of(options_, design)));
+    return AdviceRow(meter_->measure(design, question_.make_job(options_, design)));
   }
 
   /// Adjacent points with the same z bits and fraction bits share one exact picture, which would block threads that
@@ -244,7 +243,7 @@ class Advise : public StudyOf<AdviceRow> {
     return order;
   }
 
-  void conclude() override {
+  void derive_results() override {
     if (std::ranges::none_of(rows(), &AdviceRow::is_compiled)) throw InputError(rows().front().reason);
     advice_ = advice_of(options_, *command_, question_, rows(), are_read());
   }
@@ -252,7 +251,7 @@ class Advise : public StudyOf<AdviceRow> {
  private:
   AdviseOptions options_;
   const session::OptionList* command_ = nullptr;
-  AdviceQuestion question_;
+  AdviceSearch question_;
   std::unique_ptr<DesignMeter> meter_;
   studies::Advice advice_;
 };

@@ -133,13 +133,13 @@ ModelRequest AdviseOptions::design(const DesignPoint& point) const {
   return one;
 }
 
-Texts own_options() {
+Texts advise_only_options() {
   return {"max-bits", "max-wrong-pixels", "min-fps",   "min-colour-bits", "z-bits",  "fraction-bits", "colour-bits",
           "strategy", "stack-bits",       "colouring", "alu-bits",        "machine", "output",        "threads",
           "no-plots", "progress",         "set",       "report",          "quiet"};
 }
 
-Job AdviceQuestion::job_of(const AdviseOptions& options, const DesignPoint& point) const {
+Job AdviceSearch::make_job(const AdviseOptions& options, const DesignPoint& point) const {
   const ModelRequest design = with_searched(options, point);
   Job job = jobs.at(point.alu_bits);
   job.sampling = session::sampling_of(design, job.machine);
@@ -147,11 +147,11 @@ Job AdviceQuestion::job_of(const AdviseOptions& options, const DesignPoint& poin
   return job;
 }
 
-AdviceQuestion question_of(const AdviseOptions& options) {
+AdviceSearch make_search(const AdviseOptions& options) {
   const machines::Machine machine = session::machine_of(options.model);
   const std::vector<Dimension> dimensions = dimensions_of(options, machine);
   const std::vector<unsigned> widths = alu_widths(options, machine);
-  AdviceQuestion question;
+  AdviceSearch question;
   question.jobs = jobs_of(options, machine, widths);
   const DesignGrid grid(options.model, dimensions);
   for (const ModelRequest& design : grid.designs()) {
@@ -176,9 +176,10 @@ std::string render_command(const AdviseOptions& options, const session::OptionLi
   point.memory_bits = row.used_bits;
   const std::string machine = machine_name(options, point.alu_bits);
   constexpr std::string_view given[] = {"size", "curves", "pruning"};
-  return "csgsim render " + shell_word(options.model.model) + given_words(command, own_options(), options.model.sets) +
-         (machine != ModelRequest().machine ? shell_words("machine", machine) : "") + axis_words(point, given) +
-         " --check" + shell_words("output", picture);
+  return "csgsim render " + shell_word(options.model.model) +
+         join_given_options(command, advise_only_options(), options.model.sets) +
+         (machine != ModelRequest().machine ? shell_option("machine", machine) : "") + render_options(point, given) +
+         " --check" + shell_option("output", picture);
 }
 
 report::Picture picture_of(const AdviseOptions& options, const AdviceRow& row, const std::string& caption) {

@@ -39,20 +39,20 @@ struct AdviseOptions {
 
 /// Names of the options for requirements and lists. All others are those of `csgsim render`, except the options without
 /// effect on results.
-std::vector<std::string> own_options();
+std::vector<std::string> advise_only_options();
 
 /// Points, inputs and requirements of a search.
-struct AdviceQuestion {
+struct AdviceSearch {
   std::vector<DesignPoint> points;  ///< z bits and fraction bits vary slowest, ALU widths fastest
   std::map<unsigned, Job> jobs;     ///< by ALU width; the point supplies the other settings
-  DesignQuestion measured;
+  MeasurementSettings measured;
   Requirements requirements;
 
-  [[nodiscard]] Job job_of(const AdviseOptions& options, const DesignPoint& point) const;
+  [[nodiscard]] Job make_job(const AdviseOptions& options, const DesignPoint& point) const;
 };
 
 /// Reads the model and the machine. Throws InputError, or UsageError if the machine does not support the ALU.
-AdviceQuestion question_of(const AdviseOptions& options);
+AdviceSearch make_search(const AdviseOptions& options);
 
 /// The picture of a choice.
 report::Picture picture_of(const AdviseOptions& options, const AdviceRow& row, const std::string& caption);

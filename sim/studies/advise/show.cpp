@@ -178,7 +178,7 @@ std::string misses_text(const AdviceRow& row, const Requirements& requirements) 
   return text;
 }
 
-void print_question(const std::string& subject, std::span<const AdviceRow> rows, const Requirements& requirements) {
+void print_search(const std::string& subject, std::span<const AdviceRow> rows, const Requirements& requirements) {
   const auto compiled = std::count_if(rows.begin(), rows.end(), [](const AdviceRow& row) { return row.is_compiled(); });
   fmt::print("{}: {} searched", printable(subject), session::count_text(rows.size(), "choice"));
   const auto refused = rows.size() - static_cast<std::size_t>(compiled);
@@ -244,7 +244,7 @@ std::string advice_json(const std::string& title, const Requirements& requiremen
   if (advice.nearest) json["nearest"] = {{"command", advice.nearest_command}, {"point", choice_json(*advice.nearest)}};
   json["front"] = choices_json(advice_front(rows));
   json["points"] = choices_json(rows);
-  return file_text(json);
+  return json_file_text(json);
 }
 
 plots::Plot plot_of_advice(std::span<const AdviceRow> rows, const Requirements& requirements,

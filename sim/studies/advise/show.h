@@ -11,7 +11,7 @@
 namespace csgsim::studies {
 
 /// Prints the number of searched choices and the requirements. `subject` names the model and the machine.
-void print_question(const std::string& subject, std::span<const AdviceRow> rows, const Requirements& requirements);
+void print_search(const std::string& subject, std::span<const AdviceRow> rows, const Requirements& requirements);
 
 /// Prints the part of the front with the required colours; of a long front, the choices closest to the requirements.
 void print_front(std::span<const AdviceRow> rows, const Requirements& requirements);

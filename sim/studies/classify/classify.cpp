@@ -63,7 +63,7 @@ std::string difference_of(std::span<const ClassifyRow> rows) {
 class Classify : public StudyOf<ClassifyRow> {
  public:
   void add_options(session::OptionList& command) override {
-    add_model_without_machine(options_, command);
+    add_model_options_without_machine(options_, command);
     command.option("--methods", methods_, "Methods, separated by commas; see csgsim manual methods")
         .words(software::row_names(software::methods()), session::check_by_parsing(parse_methods));
     command
@@ -78,14 +78,14 @@ class Classify : public StudyOf<ClassifyRow> {
                 "picture); "
                 "inside (while a ray is inside a primitive, to those that intersect it)")
         .words(software::row_names(software::prunings()), session::check_by_parsing(parse_reductions));
-    add_processors(command, processors_);
+    add_processors_option(command, processors_);
     json_.add_to(command, "Write the surfaces that each ray intersects, in order, and the visible one");
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
-    return inputs_with_processors(options_, processors_);
+    return model_and_processor_files(options_, processors_);
   }
-  [[nodiscard]] std::set<std::string> varied() const override {
+  [[nodiscard]] std::set<std::string> varied_options() const override {
     return {"methods", "coherences", "shapes", "reduced", "processors"};
   }
   [[nodiscard]] std::string table_model() const override { return options_.model; }
@@ -117,8 +117,8 @@ class Classify : public StudyOf<ClassifyRow> {
 
   [[nodiscard]] std::string json(const std::string& title) const override {
     const std::vector<software::Priced> processors = parse_processors(processors_);
-    const SetPoint columns = make_setter(std::span<const ClassifyRow>(rows()));
-    return points_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
+    const SetPoint columns = make_point_setter(std::span<const ClassifyRow>(rows()));
+    return points_json_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
       columns(json, point);
       const ClassifyRow& row = rows()[point];
       if (!row.is_drawn()) return;
@@ -140,7 +140,7 @@ class Classify : public StudyOf<ClassifyRow> {
   void refuse() const override {
     if (std::ranges::none_of(rows(), &ClassifyRow::is_drawn)) throw InputError(rows().front().reason);
     if (const std::string difference = difference_of(rows()); !difference.empty())
-      fail_inconsistent(difference, are_read());
+      throw_inconsistent_results(difference, are_read());
   }
 
  protected:

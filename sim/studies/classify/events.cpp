@@ -16,11 +16,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json ray_json(std::size_t column, std::size_t row, std::span<const software::Event> events,
-              const software::Seen& seen) {
+              const software::VisibleSurface& seen) {
   Json ray{{"pixel", {column, row}}, {"events", Json::array()}, {"seen", nullptr}};
   for (const software::Event& event : events)
     ray["events"].push_back(Json::array({event.depth, event.primitive(), event.leaves()}));
-  if (seen.owner != software::Seen::nothing_seen) ray["seen"] = {seen.depth, seen.owner};
+  if (seen.owner != software::VisibleSurface::nothing_seen) ray["seen"] = {seen.depth, seen.owner};
   return ray;
 }
 
@@ -31,7 +31,7 @@ void put_rays(const Scene& scene, const JsonExport::Put& put) {
   const std::unique_ptr<software::Method> method =
       software::make_method(software::choice_of("status/list-structure"), subject, false);
   software::RayBand band;
-  std::vector<software::Seen> seen;
+  std::vector<software::VisibleSurface> seen;
   for (std::uint32_t row = 0; row < rays.height(); row += software::band_rows) {
     rays.cast(row, band);
     seen.resize(band.rays());

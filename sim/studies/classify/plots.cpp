@@ -21,7 +21,7 @@ plots::Chart chart_of(const ClassifyGroup& group, std::span<const software::Pric
       plots::Series series{coherence == "none" ? "whole rays" : coherence, chart.panels.size() - 1,
                            plots::Trace::marks};
       for (std::size_t i = 0; i < methods.size(); ++i) {
-        const ClassifyRow* const row = row_of(group.rows, methods[i], coherence);
+        const ClassifyRow* const row = find_row(group.rows, methods[i], coherence);
         if (row != nullptr && row->is_drawn())
           series.points.push_back({static_cast<double>(i), seconds_of(*row, processor).classification});
       }

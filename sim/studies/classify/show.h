@@ -25,7 +25,7 @@ std::vector<std::string> methods_of(std::span<const ClassifyRow> rows);
 std::vector<std::string> coherences_of(std::span<const ClassifyRow> rows);
 
 /// The row of a method and a coherence; nullptr if it was not requested.
-const ClassifyRow* row_of(std::span<const ClassifyRow> rows, const std::string& method, const std::string& coherence);
+const ClassifyRow* find_row(std::span<const ClassifyRow> rows, const std::string& method, const std::string& coherence);
 
 /// Prints the rays in the form of the thesis's table 4.9, seconds in the form of table 4.10 for each processor, and the
 /// fastest method.

@@ -53,7 +53,7 @@ void print_rays(Rows rows) {
         rows, [&](const ClassifyRow& one) { return one.is_drawn() && one.point.coherence == coherence; });
     if (row != rows.end() && coherence != "none") add("evaluations, " + coherence, row->evaluations);
   }
-  fmt::print("{}", session::in_columns(lines, sides_of(lines)));
+  fmt::print("{}", session::format_columns(lines, sides_of(lines)));
 }
 
 /// Prints the methods' visits, list steps and other work next to their evaluations.
@@ -68,7 +68,7 @@ void print_work(Rows rows) {
     lines.push_back({name, grouped(row.evaluations), grouped(row.node_visits), grouped(row.early_outs),
                      grouped(row.list_steps), grouped(row.list_elements), grouped(row.words)});
   }
-  fmt::print("\n{}", session::in_columns(lines, sides_of(lines)));
+  fmt::print("\n{}", session::format_columns(lines, sides_of(lines)));
 }
 
 void print_seconds(Rows rows, const software::Priced& processor) {
@@ -78,12 +78,12 @@ void print_seconds(Rows rows, const software::Priced& processor) {
   for (const std::string& method : methods_of(rows)) {
     std::vector<std::string>& line = lines.emplace_back(std::vector<std::string>{method});
     for (const std::string& coherence : coherences) {
-      const ClassifyRow* const row = row_of(rows, method, coherence);
+      const ClassifyRow* const row = find_row(rows, method, coherence);
       line.push_back(row != nullptr && row->is_drawn() ? seconds_text(seconds_of(*row, processor).classification)
                                                        : "-");
     }
   }
-  fmt::print("\n{}", session::in_columns(lines, sides_of(lines)));
+  fmt::print("\n{}", session::format_columns(lines, sides_of(lines)));
 }
 
 void print_best(Rows rows, std::span<const software::Priced> processors) {
@@ -117,7 +117,7 @@ std::vector<std::string> distinct_values(Rows rows, Member member) {
 std::vector<std::string> methods_of(Rows rows) { return distinct_values(rows, &ClassifyPoint::method); }
 std::vector<std::string> coherences_of(Rows rows) { return distinct_values(rows, &ClassifyPoint::coherence); }
 
-const ClassifyRow* row_of(Rows rows, const std::string& method, const std::string& coherence) {
+const ClassifyRow* find_row(Rows rows, const std::string& method, const std::string& coherence) {
   const auto row = std::ranges::find_if(
       rows, [&](const ClassifyRow& one) { return one.point.method == method && one.point.coherence == coherence; });
   return row == rows.end() ? nullptr : &*row;

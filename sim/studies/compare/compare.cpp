@@ -56,7 +56,7 @@ std::vector<unsigned> parse_sides(const std::string& text) {
 }
 
 std::vector<SoftwareChoice> parse_software_option(const std::string& text) {
-  return is_none(text) ? std::vector<SoftwareChoice>{} : software_choices(text);
+  return is_none(text) ? std::vector<SoftwareChoice>{} : parse_software_choices(text);
 }
 
 /// A machine with the picture size given by --size.
@@ -70,7 +70,7 @@ std::vector<Named> named_machines(const Options& options) {
   for (const std::string& name : session::with_parameters(session::parse_words(options.machines), options.model.sets)) {
     session::ModelRequest one = options.model;
     one.machine = name;  // with its figures as set
-    one.sets = session::divide_sets(one.sets).scene;
+    one.sets = session::divide_settings(one.sets).scene;
     machines.push_back({escaped(name), session::machine_of(one)});
   }
   return machines;
@@ -119,7 +119,7 @@ void print_row(const ComparisonRow& row, std::size_t width) {
   const std::string facets = row.point.fragments == 0 ? "own" : fmt::format("{}", row.point.fragments);
   fmt::print("{:<{}}{:>11}{:>7}", row.point.machine, width, fmt::format("{}x{}", row.point.width, row.point.height),
              facets);
-  if (!row.drawn()) {
+  if (!row.is_drawn()) {
     fmt::print("  {}\n", row.reason);
     return;
   }
@@ -140,13 +140,13 @@ void print_ideal_rows(Rows rows) {
   for (const ComparisonRow& row : rows) {
     if (row.point.ideal.empty()) as_described = &row;
     fmt::print("{:<{}}{:<28}", row.point.machine, width, row.point.ideal.empty() ? "as described" : row.point.ideal);
-    if (!row.drawn()) {
+    if (!row.is_drawn()) {
       fmt::print("  {}\n", row.reason);
       continue;
     }
     fmt::print("{:>13}{:>9}{:>10}{:>11}", grouped(row.clocks), quantity(row.simulated_seconds, "s"),
                observe::rate_text(row.frames_per_second), observe::rate_text(row.hosted_frames_per_second));
-    if (as_described != nullptr && as_described->drawn())
+    if (as_described != nullptr && as_described->is_drawn())
       fmt::print("{:>9.2f}", 100.0 * (1.0 - row.simulated_seconds / as_described->simulated_seconds));
     fmt::print("\n");
   }
@@ -188,7 +188,7 @@ report::Table worth_table(const report::Json& data) {
 std::string difference_of(Rows rows) {
   for (const ComparisonRow& row : rows) {
     const auto first = std::ranges::find_if(rows, [&](const ComparisonRow& other) {
-      return other.drawn() && other.point.width == row.point.width && other.point.height == row.point.height &&
+      return other.is_drawn() && other.point.width == row.point.width && other.point.height == row.point.height &&
              other.point.fragments == row.point.fragments;
     });
     // Software computes no colours.
@@ -196,7 +196,7 @@ std::string difference_of(Rows rows) {
       const bool have_colours = !row.picture.empty() && !first->picture.empty();
       return first->surfaces != row.surfaces || (have_colours && first->picture != row.picture);
     };
-    if (row.drawn() && differs()) {
+    if (row.is_drawn() && differs()) {
       return fmt::format("the picture of {} with {}x{} pixels differs from that of {}", row.point.machine,
                          row.point.width, row.point.height, first->point.machine);
     }
@@ -237,7 +237,9 @@ class Compare : public StudyOf<ComparisonRow> {
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
     return session::input_files({options_.model.model}, session::parse_words(options_.machines));
   }
-  [[nodiscard]] std::set<std::string> varied() const override { return {"machines", "sides", "fragments", "with"}; }
+  [[nodiscard]] std::set<std::string> varied_options() const override {
+    return {"machines", "sides", "fragments", "with"};
+  }
   [[nodiscard]] std::string table_model() const override { return options_.model.model; }
 
   std::vector<PointRequest> request_points() override {
@@ -259,8 +261,8 @@ class Compare : public StudyOf<ComparisonRow> {
 
   void print() const override {
     options_.ideal ? print_ideal_rows(rows()) : print_rows(rows());
-    print_compare_words(rows());
-    if (std::ranges::any_of(rows(), &ComparisonRow::drawn) && difference_of(rows()).empty())
+    print_comparison_summary(rows());
+    if (std::ranges::any_of(rows(), &ComparisonRow::is_drawn) && difference_of(rows()).empty())
       fmt::print("\nPictures of the same size and facets are identical on all machines.\n");
   }
 
@@ -285,9 +287,9 @@ class Compare : public StudyOf<ComparisonRow> {
   }
 
   void refuse() const override {
-    if (std::ranges::none_of(rows(), &ComparisonRow::drawn)) throw InputError(rows().front().reason);
+    if (std::ranges::none_of(rows(), &ComparisonRow::is_drawn)) throw InputError(rows().front().reason);
     if (const std::string difference = difference_of(rows()); !difference.empty())
-      fail_inconsistent(difference, are_read());
+      throw_inconsistent_results(difference, are_read());
   }
 
  protected:
@@ -304,7 +306,7 @@ class Compare : public StudyOf<ComparisonRow> {
                         session::version_and_build()};
     const view::Camera camera = session::camera_of(options_.model, machine.machine, tree_, scene);
     for (const ComparisonPoint& point : points_of(options_, machine)) {
-      jobs_.push_back({point, inputs, made_ideal(machine.machine, point.ideal), camera,
+      jobs_.push_back({point, inputs, with_ideal_parameters(machine.machine, point.ideal), camera,
                        sampling_at(options_, point, machine.machine), session::emit_options_of(options_.model),
                        software});
     }

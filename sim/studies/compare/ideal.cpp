@@ -10,7 +10,7 @@ std::vector<std::string> ideal_choices(const machines::Machine& machine) {
   return choices;
 }
 
-machines::Machine made_ideal(machines::Machine machine, std::string_view choice) {
+machines::Machine with_ideal_parameters(machines::Machine machine, std::string_view choice) {
   if (choice.empty()) return machine;
   if (choice != every_figure) {
     machines::make_ideal(machine, choice);

@@ -17,6 +17,6 @@ inline constexpr std::string_view every_figure = "all";
 std::vector<std::string> ideal_choices(const machines::Machine& machine);
 
 /// The machine with the chosen parameters made ideal; "" leaves it unchanged.
-machines::Machine made_ideal(machines::Machine machine, std::string_view choice);
+machines::Machine with_ideal_parameters(machines::Machine machine, std::string_view choice);
 
 }  // namespace csgsim::studies

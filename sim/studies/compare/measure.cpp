@@ -70,7 +70,7 @@ void draw(const isa::Program& program, const machines::Machine& machine, Compari
   row.frame_joules = frame_joules(program, machine, result, row);
   row.processor_clocks = row.processors * row.clocks;
   row.utilisation = static_cast<double>(row.enabled) / static_cast<double>(row.processor_clocks);
-  if (const std::optional<observe::Bound> bound = observe::bound_of(result, machine)) {
+  if (const std::optional<observe::Bottleneck> bound = observe::find_bottleneck(result, machine)) {
     row.bound_by = bound->part;
     row.bound_share = bound->share;
   }

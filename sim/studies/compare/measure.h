@@ -80,7 +80,7 @@ struct ComparisonRow {
   std::string surfaces;                  ///< hash of depth and owner of every pixel
   std::string reason;
 
-  [[nodiscard]] bool drawn() const { return reason.empty(); }
+  [[nodiscard]] bool is_drawn() const { return reason.empty(); }
 
   static void columns(auto& row, const auto& visit) {
     ComparisonPoint::columns(row.point, visit);

@@ -51,7 +51,7 @@ plots::Chart growth_chart(std::span<const ComparisonRow> rows, const View& view,
     plots::Series intervals{machine, 0};
     plots::Series drawings{machine, 1};
     for (const ComparisonRow& row : rows) {
-      if (!row.drawn() || row.point.machine != machine || !view.shows(row, base)) continue;
+      if (!row.is_drawn() || row.point.machine != machine || !view.shows(row, base)) continue;
       intervals.points.push_back({view.against(row), interval_ms(row)});
       drawings.points.push_back({view.against(row), drawing_ms(row)});
     }
@@ -102,12 +102,12 @@ plots::Chart machines_chart(std::span<const ComparisonRow> rows, const machines:
   std::vector<ComparisonRow> own;
   std::vector<std::string> machines;
   for (const ComparisonRow& row : rows) {
-    if (!row.drawn() || row.point.fragments != 0 || !row.point.ideal.empty() || !has_size(row, base)) continue;
+    if (!row.is_drawn() || row.point.fragments != 0 || !row.point.ideal.empty() || !has_size(row, base)) continue;
     own.push_back(row);
     machines.push_back(row.point.machine);
   }
   plots::Chart chart{model + ": machines", {"machine", plots::Scale::linear, {}, true}, {}, {}, comparison_table};
-  for (const std::string& name : tick_names(machines))
+  for (const std::string& name : machine_tick_labels(machines))
     chart.x.ticks.push_back({static_cast<double>(chart.x.ticks.size()), name});
   for (const Property& property : properties) add_property(property, own, chart);
   return chart;
@@ -124,7 +124,7 @@ std::vector<plots::Plot> plots_of_comparison(std::span<const ComparisonRow> rows
     plots::Chart chart = growth_chart(rows, view, base, model);
     if (varies(chart)) all.push_back({std::string("compare_") + view.name, std::move(chart)});
   }
-  plots::give_common_looks(all);
+  plots::set_common_looks(all);
   return all;
 }
 

@@ -69,7 +69,7 @@ void measure_software(const ComparisonJob& job, const model::Tree& tree, Compari
   row.surfaces = software::hash_of(work.picture);
 }
 
-std::vector<SoftwareChoice> software_choices(const std::string& list) {
+std::vector<SoftwareChoice> parse_software_choices(const std::string& list) {
   std::vector<SoftwareChoice> choices;
   for (const std::string& word : session::parse_words(list)) {
     const std::size_t colon = word.rfind(':');

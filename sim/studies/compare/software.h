@@ -17,6 +17,6 @@ void measure_software(const ComparisonJob& job, const model::Tree& tree, Compari
 
 /// Parses PROCESSOR:METHOD or PROCESSOR:METHOD/COHERENCE, separated by commas. Throws InputError if an
 /// element has another form or an unknown name.
-std::vector<SoftwareChoice> software_choices(const std::string& list);
+std::vector<SoftwareChoice> parse_software_choices(const std::string& list);
 
 }  // namespace csgsim::studies

@@ -22,7 +22,7 @@ OwnRows own_pictures(std::span<const ComparisonRow> rows) {
   for (const ComparisonRow& row : rows) {
     if (std::ranges::find(seen, row.point.machine) != seen.end()) continue;
     seen.push_back(row.point.machine);
-    if (row.drawn()) own.push_back(&row);
+    if (row.is_drawn()) own.push_back(&row);
   }
   return own;
 }
@@ -78,7 +78,7 @@ void print_dearest(OwnRows own) {
 void print_facets(std::span<const ComparisonRow> rows, const ComparisonRow& own) {
   const ComparisonRow* best = nullptr;
   for (const ComparisonRow& row : rows) {
-    if (!row.drawn() || row.point.machine != own.point.machine || row.point.width != own.point.width ||
+    if (!row.is_drawn() || row.point.machine != own.point.machine || row.point.width != own.point.width ||
         row.point.height != own.point.height || row.halfspaces >= own.halfspaces)
       continue;
     if (best == nullptr || row.halfspaces > best->halfspaces) best = &row;
@@ -94,7 +94,7 @@ void print_ideal(std::span<const ComparisonRow> rows, const ComparisonRow& own) 
   const ComparisonRow* best = nullptr;
   for (const ComparisonRow& row : rows) {
     const bool is_one_figure = !row.point.ideal.empty() && row.point.ideal != "all";
-    if (!row.drawn() || row.point.machine != own.point.machine || !is_one_figure) continue;
+    if (!row.is_drawn() || row.point.machine != own.point.machine || !is_one_figure) continue;
     if (best == nullptr || row.frames_per_second > best->frames_per_second) best = &row;
   }
   if (best == nullptr || best->frames_per_second <= own.frames_per_second) return;
@@ -104,7 +104,7 @@ void print_ideal(std::span<const ComparisonRow> rows, const ComparisonRow& own) 
 
 }  // namespace
 
-void print_compare_words(std::span<const ComparisonRow> rows) {
+void print_comparison_summary(std::span<const ComparisonRow> rows) {
   const OwnRows own = own_pictures(rows);
   if (own.empty()) return;
   print_bounds(own);

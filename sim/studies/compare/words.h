@@ -10,6 +10,6 @@ namespace csgsim::studies {
 
 /// Prints what limits each machine in its own picture, the shares of the most expensive primitives, and which changes
 /// help most according to the rows.
-void print_compare_words(std::span<const ComparisonRow> rows);
+void print_comparison_summary(std::span<const ComparisonRow> rows);
 
 }  // namespace csgsim::studies

@@ -61,8 +61,8 @@ void add_model(std::span<const CorpusRow> rows, Lines& lines) {
 void print_rows(Rows rows) {
   Lines lines{{"model and machine", "clocks", "render", "classify", "merge", "shade", "pixel operations", "bits",
                "frames/s", "limited by"}};
-  for (const std::span<const CorpusRow> model : by_model(rows)) add_model(model, lines);
-  fmt::print("{}", session::in_columns(lines, "<>>>>>>>><"));
+  for (const std::span<const CorpusRow> model : group_by_model(rows)) add_model(model, lines);
+  fmt::print("{}", session::format_columns(lines, "<>>>>>>>><"));
 }
 
 std::vector<std::string> distribution_line(const CorpusColumn& column, const Distribution& one) {
@@ -87,7 +87,7 @@ void print_distributions(Rows rows) {
     Lines lines{{"", "minimum", "quartile", "median", "quartile", "maximum", "total"}};
     for (const CorpusColumn& column : corpus_columns())
       lines.push_back(distribution_line(column, distribution_of(rows, machine, column)));
-    fmt::print("{}", session::in_columns(lines, "<>>>>>>"));
+    fmt::print("{}", session::format_columns(lines, "<>>>>>>"));
   }
 }
 
@@ -98,9 +98,9 @@ constexpr std::pair<const char*, const char*> marks[] = {{"minimum", "minimum"},
 report::Table distribution_table(const report::Json& data, const std::string& machine) {
   report::Table table{machine + ": distribution over the models that it can draw", {"count", "models"}, {}};
   for (const auto& [key, title] : marks) table.columns.emplace_back(title);
-  const std::string at = report::child("/distributions", machine);
+  const std::string at = report::child_pointer("/distributions", machine);
   for (const auto& [name, distribution] : data["distributions"][machine].items()) {
-    const std::string here = report::child(at, name);
+    const std::string here = report::child_pointer(at, name);
     std::string words = name;
     std::ranges::replace(words, '_', ' ');
     report::Row row{{words}, report::cell(data, here + "/count")};
@@ -134,8 +134,8 @@ class Corpus : public StudyOf<CorpusRow> {
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
     return session::input_files(corpus_files(models_), session::parse_words(machines_));
   }
-  [[nodiscard]] std::filesystem::path named_after() const override { return models_.front(); }
-  [[nodiscard]] std::set<std::string> varied() const override { return {"machines"}; }
+  [[nodiscard]] std::filesystem::path output_named_after() const override { return models_.front(); }
+  [[nodiscard]] std::set<std::string> varied_options() const override { return {"machines"}; }
 
   /// Requests all machines of a model before the next model.
   std::vector<PointRequest> request_points() override {
@@ -147,7 +147,7 @@ class Corpus : public StudyOf<CorpusRow> {
         one.model = model;
         one.machine = machine;
         points_.push_back({escaped(model), escaped(machine)});
-        jobs_.push_back(maker.job_of(one));
+        jobs_.push_back(maker.make_job(one));
         requested.push_back({to_line(points_.back()), jobs_.back().inputs});
       }
     }
@@ -161,24 +161,24 @@ class Corpus : public StudyOf<CorpusRow> {
 
   /// Adds the distribution of each column for each machine.
   [[nodiscard]] std::string json(const std::string& title) const override {
-    nlohmann::ordered_json json = points_json(title, rows().size(), make_setter(Rows(rows())));
+    nlohmann::ordered_json json = points_json(title, rows().size(), make_point_setter(Rows(rows())));
     json["distributions"] = nlohmann::ordered_json::object();
     for (const std::string& machine : machines_of(Rows(rows()))) {
       for (const CorpusColumn& column : corpus_columns())
         json["distributions"][machine][column.name] =
             distribution_json(distribution_of(rows(), machine, column), column.adds_up);
     }
-    return file_text(json);
+    return json_file_text(json);
   }
 
   [[nodiscard]] std::vector<plots::Plot> plots() const override { return plots_of_corpus(rows()); }
   [[nodiscard]] std::string page_title() const override { return "Cost of many models"; }
 
   [[nodiscard]] PageSubject page_subject() const override {
-    PageSubject subject = subject_on(view_, machines_);
+    PageSubject subject = page_subject_on_machines(view_, machines_);
     subject.has_picture = false;
     subject.model.model = rows().front().point.model;
-    const std::size_t models = by_model(Rows(rows())).size();
+    const std::size_t models = group_by_model(Rows(rows())).size();
     if (models > 1) subject.name = session::count_text(models, "model");
     return subject;
   }
@@ -190,7 +190,7 @@ class Corpus : public StudyOf<CorpusRow> {
     return {std::move(distributions)};
   }
 
-  void refuse() const override { refuse_models(Rows(rows()), "corpus.csv"); }
+  void refuse() const override { refuse_failed_models(Rows(rows()), "corpus.csv"); }
 
  protected:
   [[nodiscard]] CorpusRow measure_point(std::size_t point) override {

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_source_of(const fs::path& file, const std::vector<fs::path>& files) {
-  return session::ends_in(file, ".scad") &&
+  return session::has_extension(file, ".scad") &&
          std::ranges::find(files, fs::path(file).replace_extension(".csg")) != files.end();
 }
 

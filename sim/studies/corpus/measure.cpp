@@ -67,7 +67,8 @@ void draw(const isa::Program& program, const machines::Machine& machine, CorpusR
   row.interval_clocks = result.interval_clocks;
   row.latency = result.latency_clocks;
   row.frames_per_second = engine::frame_rates(result, machine).hardware;
-  if (const std::optional<observe::Bound> bound = observe::bound_of(result, machine)) row.bound_by = bound->part;
+  if (const std::optional<observe::Bottleneck> bound = observe::find_bottleneck(result, machine))
+    row.bound_by = bound->part;
   row.picture = hash_of(frame.frame());
 }
 

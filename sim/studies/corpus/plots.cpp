@@ -90,7 +90,7 @@ std::vector<plots::Plot> plots_of_corpus(std::span<const CorpusRow> rows) {
     }
     if (!chart.series.empty()) all.push_back({plot.name, std::move(chart)});
   }
-  plots::give_common_looks(all);
+  plots::set_common_looks(all);
   return all;
 }
 

@@ -110,7 +110,8 @@ constexpr std::array all_axes{
         {"curves", "curved surfaces", "curves ", "auto"},
         [](const std::string& list) { return session::parse_names(list, "way", names_of(emit::curve_choices)); }),
     axis<&ModelRequest::pruning, &DesignPoint::pruning>(
-        {"pruning", "pruning", "pruning ", "auto"}, [](const std::string& list) { return session::prunings_of(list); }),
+        {"pruning", "pruning", "pruning ", "auto"},
+        [](const std::string& list) { return session::parse_prunings(list); }),
 };
 
 }  // namespace
@@ -133,7 +134,7 @@ void put(ModelRequest& request, const std::string& key, const std::string& value
   request.machine += fmt::format("+{}={}", key, value);
 }
 
-void vary(ModelRequest& request, const std::string& key, const std::string& value) {
+void set_option(ModelRequest& request, const std::string& key, const std::string& value) {
   const Axis* const axis = find_axis(key);
   if (axis == nullptr) return put(request, key, value);
   const Texts values = axis->values(value);
@@ -156,7 +157,7 @@ std::string strategy_name(const DesignPoint& point) {
   return has_stack_bits(point.strategy) ? fmt::format("{} {}", point.strategy, point.stack_bits) : point.strategy;
 }
 
-std::vector<std::pair<std::string, std::string>> texts_of(const DesignPoint& point) {
+std::vector<std::pair<std::string, std::string>> distinguishing_options(const DesignPoint& point) {
   std::vector<std::pair<std::string, std::string>> texts;
   for (const std::string& change : machines::changes_of(point.machine)) {
     const std::size_t equals = change.find('=');
@@ -166,13 +167,13 @@ std::vector<std::pair<std::string, std::string>> texts_of(const DesignPoint& poi
   return texts;
 }
 
-std::string shell_words(const std::string& name, const std::string& value) {
+std::string shell_option(const std::string& name, const std::string& value) {
   std::string text;
   for (const std::string& word : session::option_words(name, value)) text += " " + shell_word(word);
   return text;
 }
 
-std::string axis_words(const DesignPoint& point, std::span<const std::string_view> excluded_keys) {
+std::string render_options(const DesignPoint& point, std::span<const std::string_view> excluded_keys) {
   std::string words;
   std::size_t strategy = std::string::npos;
   for (const Axis& axis : all_axes) {
@@ -183,19 +184,19 @@ std::string axis_words(const DesignPoint& point, std::span<const std::string_vie
     if (axis.key == "strategy") strategy = words.size();
     // The strategy precedes the colouring in a point's list, but follows it in a command.
     words.insert(axis.key == "colouring" ? std::min(strategy, words.size()) : words.size(),
-                 shell_words(std::string(axis.key), value));
+                 shell_option(std::string(axis.key), value));
   }
   return words;
 }
 
-std::string given_words(const session::OptionList& command, const std::vector<std::string>& command_options,
-                        const std::vector<std::string>& set_values) {
+std::string join_given_options(const session::OptionList& command, const std::vector<std::string>& command_options,
+                               const std::vector<std::string>& set_values) {
   std::string words;
   for (const session::GivenOption& option : command.given()) {
     if (option.is_default || std::ranges::find(command_options, option.name) != command_options.end()) continue;
-    words += option.value == "true" ? " --" + option.name : shell_words(option.name, option.value);
+    words += option.value == "true" ? " --" + option.name : shell_option(option.name, option.value);
   }
-  for (const std::string& set : set_values) words += shell_words("set", set);
+  for (const std::string& set : set_values) words += shell_option("set", set);
   return words;
 }
 

@@ -40,9 +40,9 @@ std::vector<std::string> axis_keys();
 
 /// Sets the option, or the machine parameter, to the value. Throws InputError, or UsageError, if the option does not
 /// accept it; parameters are checked when the machine is loaded.
-void vary(session::ModelRequest& request, const std::string& key, const std::string& value);
+void set_option(session::ModelRequest& request, const std::string& key, const std::string& value);
 
-/// Like vary(), but does not check the value.
+/// Like set_option(), but does not check the value.
 void put(session::ModelRequest& request, const std::string& key, const std::string& value);
 
 /// The point of a design, except its memory bits, which depend on the study.
@@ -52,18 +52,18 @@ DesignPoint point_of(const session::ModelRequest& design, const machines::Size& 
 std::string strategy_name(const DesignPoint& point);
 
 /// Keys and values that distinguish designs: changed machine parameters, and the axes.
-std::vector<std::pair<std::string, std::string>> texts_of(const DesignPoint& point);
+std::vector<std::pair<std::string, std::string>> distinguishing_options(const DesignPoint& point);
 
 /// Options of `csgsim render` that draw the point, quoted for a shell and each preceded by a space, without those of
 /// the axes `excluded_keys`.
-std::string axis_words(const DesignPoint& point, std::span<const std::string_view> excluded_keys = {});
+std::string render_options(const DesignPoint& point, std::span<const std::string_view> excluded_keys = {});
 
 /// An option and its value, quoted for a shell and preceded by a space.
-std::string shell_words(const std::string& name, const std::string& value);
+std::string shell_option(const std::string& name, const std::string& value);
 
 /// Command-line text of the options given to a study, except `command_options`, which only the study has, and of
 /// `--set` with each of `set_values`.
-std::string given_words(const session::OptionList& command, const std::vector<std::string>& command_options,
-                        const std::vector<std::string>& set_values);
+std::string join_given_options(const session::OptionList& command, const std::vector<std::string>& command_options,
+                               const std::vector<std::string>& set_values);
 
 }  // namespace csgsim::studies

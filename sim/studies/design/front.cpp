@@ -63,8 +63,8 @@ ExploreGroup group_of(std::span<const ExploreRow> rows, std::string model, std::
     group.rows.push_back(design.front());
     group.values.push_back(std::move(values));
   }
-  group.front = pareto_of(group.values);
-  group.knee = knee_of(group.values, group.front, group.axes);
+  group.front = pareto_flags(group.values);
+  group.knee = find_knee(group.values, group.front, group.axes);
   return group;
 }
 
@@ -96,7 +96,7 @@ std::vector<ExploreAxis> parse_axes(const std::string& text) {
   return axes;
 }
 
-std::vector<bool> pareto_of(std::span<const Values> candidates) {
+std::vector<bool> pareto_flags(std::span<const Values> candidates) {
   std::vector<std::size_t> order(candidates.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   // This order puts every candidate after those that dominate it, so it needs to be compared with the current front
@@ -115,8 +115,8 @@ std::vector<bool> pareto_of(std::span<const Values> candidates) {
   return is_best;
 }
 
-std::vector<std::size_t> listed_front(std::span<const Values> candidates) {
-  const std::vector<bool> is_best = pareto_of(candidates);
+std::vector<std::size_t> front_indices(std::span<const Values> candidates) {
+  const std::vector<bool> is_best = pareto_flags(candidates);
   std::set<Values> known;
   std::vector<std::size_t> front;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
@@ -126,8 +126,8 @@ std::vector<std::size_t> listed_front(std::span<const Values> candidates) {
   return front;
 }
 
-std::optional<std::size_t> knee_of(std::span<const Values> candidates, const std::vector<bool>& front,
-                                   std::span<const ExploreAxis> axes) {
+std::optional<std::size_t> find_knee(std::span<const Values> candidates, const std::vector<bool>& front,
+                                     std::span<const ExploreAxis> axes) {
   std::vector<std::pair<double, double>> ranges(
       axes.size(), {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()});
   for (std::size_t i = 0; i < candidates.size(); ++i) {
@@ -156,12 +156,12 @@ std::optional<std::size_t> knee_of(std::span<const Values> candidates, const std
 
 std::vector<ExploreGroup> groups_of(std::span<const ExploreRow> rows, std::span<const ExploreAxis> axes) {
   std::vector<std::string> models;
-  std::map<std::string, std::vector<Design>> by_model;
+  std::map<std::string, std::vector<Design>> group_by_model;
   std::map<DesignPoint, std::size_t> numbers;  // index of each design, independent of the model
   std::vector<Design> of_all;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     DesignPoint design = rows[i].point;
-    std::vector<Design>& of_model = by_model[design.model];
+    std::vector<Design>& of_model = group_by_model[design.model];
     if (of_model.empty()) models.push_back(design.model);
     of_model.push_back({i});
     design.model.clear();
@@ -171,7 +171,7 @@ std::vector<ExploreGroup> groups_of(std::span<const ExploreRow> rows, std::span<
   }
   std::vector<ExploreGroup> groups;
   groups.reserve(models.size() + 1);
-  for (const std::string& model : models) groups.push_back(group_of(rows, model, by_model[model], axes));
+  for (const std::string& model : models) groups.push_back(group_of(rows, model, group_by_model[model], axes));
   if (models.size() > 1) groups.push_back(group_of(rows, "", of_all, axes));
   return groups;
 }

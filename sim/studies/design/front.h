@@ -21,7 +21,7 @@ struct ExploreAxis {
   std::optional<double> (*value)(const ExploreRow& row);
   bool is_of_picture;  ///< a value per frame, summed over models; otherwise a property of the hardware: the maximum
                        ///< over models
-  bool may_be_zero;    ///< whether knee_of() uses the logarithm of 1 + value
+  bool may_be_zero;    ///< whether find_knee() uses the logarithm of 1 + value
 };
 
 /// All axes.
@@ -42,10 +42,10 @@ using Values = std::vector<double>;
 
 /// Whether each candidate is Pareto-optimal: no other is at most equal on every axis and lower on one. Equal candidates
 /// have equal results.
-std::vector<bool> pareto_of(std::span<const Values> candidates);
+std::vector<bool> pareto_flags(std::span<const Values> candidates);
 
 /// Indices of the candidates on the front, sorted by their values; duplicates are listed once.
-std::vector<std::size_t> listed_front(std::span<const Values> candidates);
+std::vector<std::size_t> front_indices(std::span<const Values> candidates);
 
 /// The front of rows, whose values are given by `values_of`.
 template <class Row, class ValuesOf>
@@ -53,15 +53,15 @@ std::vector<Row> front_rows(std::span<const Row> rows, const ValuesOf& values_of
   std::vector<Values> values;
   for (const Row& row : rows) values.push_back(values_of(row));
   std::vector<Row> front;
-  for (const std::size_t one : listed_front(values)) front.push_back(rows[one]);
+  for (const std::size_t one : front_indices(values)) front.push_back(rows[one]);
   return front;
 }
 
 /// The knee of the front: the candidate closest to the best values of all axes at once. Values are mapped to logarithms
 /// (of 1 + value if the value may be 0) and scaled to 0 (minimum of the front) to 1 (maximum); the knee has the
 /// smallest sum of squares, and is the first among equals. `front` selects the candidates. Empty if there are none.
-std::optional<std::size_t> knee_of(std::span<const Values> candidates, const std::vector<bool>& front,
-                                   std::span<const ExploreAxis> axes);
+std::optional<std::size_t> find_knee(std::span<const Values> candidates, const std::vector<bool>& front,
+                                     std::span<const ExploreAxis> axes);
 
 /// Designs compared with each other, by how they draw one model or all models.
 struct ExploreGroup {

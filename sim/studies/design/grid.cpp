@@ -69,7 +69,7 @@ ModelRequest with_others(const ModelRequest& base, std::span<const Dimension> di
   ModelRequest one = base;
   for (const Dimension& dimension : dimensions) {
     if (dimension.key != but.key && find_axis(dimension.key) == nullptr)
-      vary(one, dimension.key, dimension.values.back());
+      set_option(one, dimension.key, dimension.values.back());
   }
   return one;
 }
@@ -77,7 +77,7 @@ ModelRequest with_others(const ModelRequest& base, std::span<const Dimension> di
 /// Why the design cannot have that value; empty if it can.
 std::string why_not(ModelRequest one, const std::string& key, const std::string& value) {
   return session::check_by_parsing([&](const std::string& text) {
-    vary(one, key, text);
+    set_option(one, key, text);
     static_cast<void>(session::machine_of(one));
   })(value);
 }
@@ -86,7 +86,7 @@ std::string why_not(ModelRequest one, const std::string& key, const std::string&
 ModelRequest with_checked_value(const ModelRequest& base, const std::string& key, const std::string& value) {
   if (const std::string why = why_not(base, key, value); !why.empty()) throw UsageError("--vary " + key, why);
   ModelRequest one = base;
-  vary(one, key, value);
+  set_option(one, key, value);
   return one;
 }
 
@@ -110,7 +110,7 @@ void check(const ModelRequest& base, std::span<const Dimension> dimensions) {
   for (const Dimension& dimension : dimensions) {
     if (find_axis(dimension.key) == nullptr) continue;
     for (const std::string& value : dimension.values) with_checked_value(base, dimension.key, value);
-    vary(with_options, dimension.key, dimension.values.front());
+    set_option(with_options, dimension.key, dimension.values.front());
   }
   for (const Dimension& dimension : dimensions) {
     const machines::FigureSchema* const figure = figure_of(machine, dimension.key);

@@ -41,11 +41,11 @@ void count_program(const isa::Program& program, DesignRow& row) {
   row.memory_map = memory_map(program);
 }
 
-machines::Resources resources_of(const Fitted& fitted) {
+machines::Resources resources_of(const FittedProgram& fitted) {
   return fitted.machine.kind->resources(fitted.machine, isa::frame_header(fitted.program));
 }
 
-void count_machine(const Fitted& fitted, DesignRow& row) {
+void count_machine(const FittedProgram& fitted, DesignRow& row) {
   const machines::Resources resources = resources_of(fitted);
   row.processors = resources.processors;
   row.machine_memory_bits = resources.memory_bits;
@@ -54,7 +54,7 @@ void count_machine(const Fitted& fitted, DesignRow& row) {
 }
 
 /// Sets the machine's clock to the maximum that the process allows.
-void give_clock(const process::Process& process, Fitted& fitted, DesignRow& row) {
+void give_clock(const process::Process& process, FittedProgram& fitted, DesignRow& row) {
   const std::optional<process::Clock> clock = process::clock_of(fitted.machine, process);
   if (!clock) return;
   fitted.machine.clock_hz = clock->hz;
@@ -72,7 +72,7 @@ void put(const machines::FrameTiming& timing, const machines::Machine& machine, 
   row.hosted_frames_per_second = rates.hosted;
 }
 
-void price(const process::Process& process, const Fitted& fitted, RunTimer& timer, DesignRow& row) {
+void price(const process::Process& process, const FittedProgram& fitted, RunTimer& timer, DesignRow& row) {
   const machines::Machine& machine = fitted.machine;
   const machines::Resources resources = resources_of(fitted);
   const std::uint64_t pixel_clocks =
@@ -106,7 +106,7 @@ unsigned colour_error(const observe::Frame& exact, const observe::Frame& frame, 
   return static_cast<unsigned>(max_difference);
 }
 
-DrawnProgram draw_exactly(Fitted fitted) {
+DrawnProgram draw_exactly(FittedProgram fitted) {
   DrawnProgram drawn = draw(std::move(fitted.program), fitted.machine);
   if (drawn.has_overflow) throw std::logic_error("a linear expression does not fit its width");
   return drawn;
@@ -148,7 +148,7 @@ DesignRow measure_picture(const DesignPoint& point, const Job& job, bool is_draw
   return row;
 }
 
-Fitted DesignMeter::fit(const DesignPoint& point, const Job& job) {
+FittedProgram DesignMeter::fit_memory(const DesignPoint& point, const Job& job) {
   if (point.memory_bits) return {compile(job), job.machine};
   const Subject& subject = *job.subject;
   const view::View view = view::make_view(subject.scene, subject.tree, job.camera, job.sampling);
@@ -161,7 +161,7 @@ Fitted DesignMeter::fit(const DesignPoint& point, const Job& job) {
       guess.likely =
           known->second.second + bits_of_colours(colour_bits, job) - bits_of_colours(known->second.first, job);
   }
-  Fitted fitted = compile_fitting(subject.tree, subject.scene, view, job.machine, job.options, guess);
+  FittedProgram fitted = compile_with_least_memory(subject.tree, subject.scene, view, job.machine, job.options, guess);
   const std::lock_guard guard(lock_);
   bits_[alike] = {colour_bits, fitted.machine.array.memory_bits};
   return fitted;
@@ -176,9 +176,10 @@ const judges::Truth& DesignMeter::truth_of(const Job& job, const isa::Program& p
   });
 }
 
-DesignMeter::PixelErrors DesignMeter::errors_of(const Job& job, const DrawnProgram& drawn) {
+DesignMeter::PixelErrors DesignMeter::pixel_errors_of(const Job& job, const DrawnProgram& drawn) {
   const judges::Explainer explainer(job.subject->tree, job.subject->scene, job.camera, drawn.program);
-  const judges::Errors errors = judges::judge(truth_of(job, drawn.program), drawn.frame, drawn.program, explainer);
+  const judges::Errors errors =
+      judges::judge_picture(truth_of(job, drawn.program), drawn.frame, drawn.program, explainer);
   return {errors.wrong(), errors.unexplained, 0};
 }
 
@@ -187,26 +188,27 @@ DesignMeter::ErrorsByColour DesignMeter::errors_by_colour(const DesignPoint& poi
   Job one = job;
   const auto drawn_in = [&](unsigned bits) {
     one.options.colour_bits = bits;
-    return draw_exactly(fit(point, one));
+    return draw_exactly(fit_memory(point, one));
   };
   const DrawnProgram finest = drawn_in(isa::max_colour_bits);
-  ErrorsByColour errors{{isa::max_colour_bits, errors_of(job, finest)}};
+  ErrorsByColour errors{{isa::max_colour_bits, pixel_errors_of(job, finest)}};
   for (const unsigned bits : question_.colour_bits) {
     if (bits == isa::max_colour_bits) continue;
     const DrawnProgram drawn = drawn_in(bits);
     const bool is_alike = drawn.frame.depth == finest.frame.depth && drawn.frame.owner == finest.frame.owner;
-    errors[bits] = is_alike ? errors[isa::max_colour_bits] : errors_of(job, drawn);
+    errors[bits] = is_alike ? errors[isa::max_colour_bits] : pixel_errors_of(job, drawn);
     errors[bits].colour_error = colour_error(finest.frame, drawn.frame, bits);
   }
   return errors;
 }
 
-void DesignMeter::judge(const DesignPoint& point, const Job& job, const Fitted& fitted, DesignRow& row) {
+void DesignMeter::judge_picture(const DesignPoint& point, const Job& job, const FittedProgram& fitted, DesignRow& row) {
   const machines::Size size = job.machine.picture;
-  const SeenBits seen{{job.subject.get(), size.width, size.height}, job.sampling.z_bits, job.sampling.fraction_bits};
+  const PictureBitsKey seen{
+      {job.subject.get(), size.width, size.height}, job.sampling.z_bits, job.sampling.fraction_bits};
   const bool has_colours = !question_.colour_bits.empty();
   const ErrorsByColour& by_colour = errors_.get(seen, [&] {
-    return has_colours ? errors_by_colour(point, job) : ErrorsByColour{{0, errors_of(job, draw_exactly(fitted))}};
+    return has_colours ? errors_by_colour(point, job) : ErrorsByColour{{0, pixel_errors_of(job, draw_exactly(fitted))}};
   });
   const PixelErrors& errors = by_colour.at(has_colours ? job.options.colour_bits : 0);
   row.wrong = errors.wrong;
@@ -217,14 +219,14 @@ void DesignMeter::judge(const DesignPoint& point, const Job& job, const Fitted& 
 DesignRow DesignMeter::measure(const DesignPoint& point, const Job& job, const process::Process* process) {
   if (!job.reason.empty()) return refused_row(point, job);
   return measured_row<DesignRow>(point, job.inputs, [&](DesignRow& row) {
-    Fitted fitted = fit(point, job);
+    FittedProgram fitted = fit_memory(point, job);
     count_program(fitted.program, row);
     count_machine(fitted, row);
     if (process != nullptr) give_clock(*process, fitted, row);
     row.clock_hz = fitted.machine.clock_hz;
     put(timer_.time(fitted.program, fitted.machine), fitted.machine, row);
     if (process != nullptr) price(*process, fitted, timer_, row);
-    judge(point, job, fitted, row);
+    judge_picture(point, job, fitted, row);
   });
 }
 

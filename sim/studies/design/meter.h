@@ -43,7 +43,7 @@ DrawnProgram draw(isa::Program program, const machines::Machine& machine);
 DesignRow measure_picture(const DesignPoint& point, const Job& job, bool is_drawn);
 
 /// Settings of a measurement of designs.
-struct DesignQuestion {
+struct MeasurementSettings {
   std::uint32_t max_bits = max_fitted_bits;  ///< maximum memory bits per pixel of a Program
   std::vector<unsigned> colour_bits{};  ///< all numbers of colour bits of the designs, if colour errors are requested
 };
@@ -52,7 +52,7 @@ struct DesignQuestion {
 /// errors of pictures, and outcomes of runs.
 class DesignMeter {
  public:
-  explicit DesignMeter(DesignQuestion question = {}) : question_(std::move(question)) {}
+  explicit DesignMeter(MeasurementSettings question = {}) : question_(std::move(question)) {}
 
   /// Measures a point. Without memory bits, the machine gets exactly the bits that the Program uses. The process, if
   /// any, sets the clock rate and the prices of the machine. If the model does not fit, the row holds the reason.
@@ -67,21 +67,21 @@ class DesignMeter {
   /// Errors by number of colour bits; by 0 if colour errors are not requested.
   using ErrorsByColour = std::map<unsigned, PixelErrors>;
   /// Model, with its surfaces faceted or curved, and width and height of a picture.
-  using Seen = std::tuple<const Subject*, std::uint32_t, std::uint32_t>;
+  using PictureKey = std::tuple<const Subject*, std::uint32_t, std::uint32_t>;
   /// Everything on which a picture depends: the key above, z bits and fraction bits. Strategy, colouring, pruning and
   /// machine do not change a picture (docs/machines.md).
-  using SeenBits = std::tuple<Seen, unsigned, unsigned>;
+  using PictureBitsKey = std::tuple<PictureKey, unsigned, unsigned>;
 
-  Fitted fit(const DesignPoint& point, const Job& job);
-  void judge(const DesignPoint& point, const Job& job, const Fitted& fitted, DesignRow& row);
-  PixelErrors errors_of(const Job& job, const DrawnProgram& drawn);
+  FittedProgram fit_memory(const DesignPoint& point, const Job& job);
+  void judge_picture(const DesignPoint& point, const Job& job, const FittedProgram& fitted, DesignRow& row);
+  PixelErrors pixel_errors_of(const Job& job, const DrawnProgram& drawn);
   ErrorsByColour errors_by_colour(const DesignPoint& point, const Job& job);
   const judges::Truth& truth_of(const Job& job, const isa::Program& program);
 
-  DesignQuestion question_;
+  MeasurementSettings question_;
   RunTimer timer_;
-  Memo<Seen, judges::Truth> truths_;
-  Memo<SeenBits, ErrorsByColour> errors_;
+  Memo<PictureKey, judges::Truth> truths_;
+  Memo<PictureBitsKey, ErrorsByColour> errors_;
   std::mutex lock_;  ///< guards bits_
   std::map<DesignPoint, std::pair<unsigned, std::uint32_t>>
       bits_;  ///< by the point without colours and ALU: colour bits, and total bits

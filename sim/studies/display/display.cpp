@@ -58,7 +58,7 @@ std::string display_difference(std::span<const DisplayStudyRow> rows) {
           one.point.tolerance == other.point.tolerance && one.point.fragments == other.point.fragments;
       if (is_judged(one) && is_judged(other) && are_alike && one.surfaces != other.surfaces) {
         return fmt::format("the surfaces seen by {} differ from those seen by {}, for facets {}", other.point.method,
-                           one.point.method, facets_text(one.point));
+                           one.point.method, faceting_text(one.point));
       }
     }
   }
@@ -68,7 +68,7 @@ std::string display_difference(std::span<const DisplayStudyRow> rows) {
 class Display : public StudyOf<DisplayStudyRow> {
  public:
   void add_options(session::OptionList& command) override {
-    add_model_without_machine(options_, command);
+    add_model_options_without_machine(options_, command);
     command.option("--methods", methods_, "Methods, separated by commas; see csgsim manual methods")
         .words(software::row_names(software::display_methods()), session::check_by_parsing(parse_display_methods));
     command
@@ -85,13 +85,13 @@ class Display : public StudyOf<DisplayStudyRow> {
         .option("--directories", directories_,
                 "Directories of list priority, separated by commas; see csgsim manual methods")
         .words(software::halving_directories(), session::check_by_parsing(parse_display_directories));
-    add_processors(command, processors_);
+    add_processors_option(command, processors_);
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
-    return inputs_with_processors(options_, processors_);
+    return model_and_processor_files(options_, processors_);
   }
-  [[nodiscard]] std::set<std::string> varied() const override {
+  [[nodiscard]] std::set<std::string> varied_options() const override {
     return {"methods", "tolerances", "fragments", "bucket-sizes", "directories", "processors"};
   }
   [[nodiscard]] std::string table_model() const override { return options_.model; }
@@ -128,8 +128,8 @@ class Display : public StudyOf<DisplayStudyRow> {
 
   [[nodiscard]] std::string json(const std::string& title) const override {
     const std::vector<software::Priced> processors = parse_processors(processors_);
-    const SetPoint columns = make_setter(std::span<const DisplayStudyRow>(rows()));
-    return points_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
+    const SetPoint columns = make_point_setter(std::span<const DisplayStudyRow>(rows()));
+    return points_json_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
       columns(json, point);
       const DisplayStudyRow& row = rows()[point];
       if (!row.is_drawn()) return;
@@ -154,7 +154,7 @@ class Display : public StudyOf<DisplayStudyRow> {
   void refuse() const override {
     if (std::ranges::none_of(rows(), &DisplayStudyRow::is_drawn)) throw InputError(rows().front().reason);
     if (const std::string difference = display_difference(rows()); !difference.empty())
-      fail_inconsistent(difference, are_read());
+      throw_inconsistent_results(difference, are_read());
   }
 
  protected:

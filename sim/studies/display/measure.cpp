@@ -20,7 +20,7 @@ void copy_counts(const software::DisplayCounts& counts, DisplayStudyRow& row) {
   row.drawn_polygons = counts.drawn_polygons;
   row.cells = counts.cells;
   row.drawn_cells = counts.drawn_cells;
-  row.cell_visits = counts.looked_parts;
+  row.cell_visits = counts.visited_parts;
   row.overfull_cells = counts.overfull_cells;
   row.overlap_tests = counts.overlap_tests;
   row.crossing_tests = counts.crossing_tests;

@@ -12,7 +12,7 @@
 namespace csgsim::studies {
 
 /// The faceting of a point in words: a tolerance, a number of fragments, or the model's own.
-std::string facets_text(const DisplayPoint& point);
+std::string faceting_text(const DisplayPoint& point);
 
 /// Prints a table per method in the form of the thesis's table 5.1, with a column per faceting, priced for each
 /// processor; then wrong pixels and memory.

@@ -52,7 +52,7 @@ class Table {
     if (std::ranges::all_of(group_.rows, [&](const DisplayStudyRow* row) { return row->*count == 0; })) return;
     add(what, [&](const DisplayStudyRow& row) { return grouped(row.*count); });
   }
-  void print() const { fmt::print("{}", session::in_columns(lines_, "<" + std::string(group_.rows.size(), '>'))); }
+  void print() const { fmt::print("{}", session::format_columns(lines_, "<" + std::string(group_.rows.size(), '>'))); }
 
  private:
   const MethodGroup& group_;
@@ -77,7 +77,7 @@ void add_seconds(Table& table, const MethodGroup& group, const software::Priced&
 void print_group(const MethodGroup& group, std::span<const software::Priced> processors) {
   fmt::print("\n{}\n", group.name);
   Table table(group);
-  table.add("facets", [](const DisplayStudyRow& row) { return facets_text(row.point); });
+  table.add("facets", [](const DisplayStudyRow& row) { return faceting_text(row.point); });
   table.add("polygons", &DisplayStudyRow::polygons);
   const bool is_clipped = group.rows.front()->point.bucket_size != 0;
   if (is_clipped) table.add("after clipping", &DisplayStudyRow::clipped_polygons);
@@ -104,13 +104,13 @@ void print_group(const MethodGroup& group, std::span<const software::Priced> pro
   table.add("  order", &DisplayStudyRow::wrong_order);
   table.print();
   for (const DisplayStudyRow* const row : group.rows) {
-    if (!row->is_drawn()) fmt::print("  {}: {}\n", facets_text(row->point), row->reason);
+    if (!row->is_drawn()) fmt::print("  {}: {}\n", faceting_text(row->point), row->reason);
   }
 }
 
 }  // namespace
 
-std::string facets_text(const DisplayPoint& point) {
+std::string faceting_text(const DisplayPoint& point) {
   if (point.tolerance) return fmt::format("within {:g}", *point.tolerance);
   return point.fragments == 0 ? "own" : fmt::format("$fn = {}", point.fragments);
 }

@@ -65,9 +65,9 @@ report::Table front_table(const report::Json& data, std::size_t number) {
     const std::string values = fmt::format("{}/front/{}/values", at, i);
     const bool is_knee = one["design"] == group["knee"]["design"];
     report::Row row{report::Cell{is_knee ? "knee" : ""}};
-    for (const std::string& key : keys) row.push_back(report::cell(data, report::child(design, key)));
+    for (const std::string& key : keys) row.push_back(report::cell(data, report::child_pointer(design, key)));
     for (const report::Json& axis : group["axes"])
-      row.push_back(report::cell(data, report::child(values, axis.get<std::string>())));
+      row.push_back(report::cell(data, report::child_pointer(values, axis.get<std::string>())));
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -86,7 +86,7 @@ class Explore : public StudyOf<ExploreRow> {
     if (const std::string_view file = machines::file_of(options_.process); !file.empty()) files.emplace_back(file);
     return session::input_files(files, {options_.model.machine});
   }
-  [[nodiscard]] std::set<std::string> varied() const override {
+  [[nodiscard]] std::set<std::string> varied_options() const override {
     std::set<std::string> names{"vary",    "points",  "seed",        "search", "axes",
                                 "machine", "process", "sensitivity", "samples"};
     for (const Axis& axis : axes()) names.emplace(axis.key);
@@ -106,7 +106,7 @@ class Explore : public StudyOf<ExploreRow> {
   [[nodiscard]] bool is_adaptive() const override { return options_.search > 0; }
 
   /// Neighbours of designs on the front of all models (or of the only model).
-  std::vector<PointRequest> more_points() override {
+  std::vector<PointRequest> request_more_points() override {
     const std::size_t before = grid_->designs().size();
     const std::size_t found = before - first_designs_;
     if (found >= options_.search || groups_.empty()) return {};
@@ -138,7 +138,7 @@ class Explore : public StudyOf<ExploreRow> {
   [[nodiscard]] std::string page_title() const override { return "Design space"; }
 
   [[nodiscard]] PageSubject page_subject() const override {
-    return subject_of(without_duplicates(options_.models), options_.model, options_.model.machine);
+    return page_subject_of_models(without_duplicates(options_.models), options_.model, options_.model.machine);
   }
 
   [[nodiscard]] std::vector<report::Section> sections(const report::Json& data) const override {
@@ -168,11 +168,11 @@ class Explore : public StudyOf<ExploreRow> {
 
   void refuse() const override {
     const std::span<const ExploreRow> all = rows();
-    if (std::ranges::none_of(all, &ExploreRow::is_compiled) && by_model(all).size() == 1)
+    if (std::ranges::none_of(all, &ExploreRow::is_compiled) && group_by_model(all).size() == 1)
       throw InputError(all.front().reason);
     if (std::ranges::any_of(all, [](const ExploreRow& row) { return row.unexplained > 0; }))
-      fail_inconsistent("the errors of a picture exceed the bounds of docs/numbers.md", are_read());
-    refuse_models(all, "explore.csv");
+      throw_inconsistent_results("the errors of a picture exceed the bounds of docs/numbers.md", are_read());
+    refuse_failed_models(all, "explore.csv");
   }
 
  protected:
@@ -183,7 +183,7 @@ class Explore : public StudyOf<ExploreRow> {
         [&] { return ExploreRow(meter_.measure(points_[point], job, process_of(points_[point]))); });
   }
 
-  void conclude() override {
+  void derive_results() override {
     const std::vector<ExploreAxis> axes = parse_axes(options_.requested_axes());
     groups_.clear();
     if (options_.sensitivity) take_variants(axes);
@@ -249,7 +249,7 @@ class Explore : public StudyOf<ExploreRow> {
   /// Adds a design. If its parameters are inconsistent, its row holds the reason.
   void add(const session::ModelRequest& design, const std::string& process_changes) {
     try {
-      Job job = maker_.job_of(design);
+      Job job = maker_.make_job(design);
       refuse_unseen(design, job);
       DesignPoint point = point_of(design, job.machine.picture);
       if (options_.has_memory(design)) point.memory_bits = job.machine.array.memory_bits;
@@ -265,7 +265,7 @@ class Explore : public StudyOf<ExploreRow> {
     session::ModelRequest plain = options_.model;
     plain.model = design.model;
     plain.sets = design.sets;
-    Job job = maker_.job_of(plain);
+    Job job = maker_.make_job(plain);
     job.reason = escaped(why);
     add(point_of(design, {}), std::move(job), process_changes);
   }

@@ -48,9 +48,9 @@ std::string machine_of(const ExploreOptions& options) {
 }
 
 /// The machine with the parameters that were set, which become part of its name.
-session::ModelRequest base_of(const ExploreOptions& options, const std::vector<Dimension>& dimensions) {
+session::ModelRequest base_name(const ExploreOptions& options, const std::vector<Dimension>& dimensions) {
   session::ModelRequest base = options.model;
-  base.sets = session::divide_sets(options.model.sets).scene;
+  base.sets = session::divide_settings(options.model.sets).scene;
   base.machine = machine_of(options);
   for (const std::string& change : machines::changes_of(base.machine)) {
     if (std::ranges::find(dimensions, key_of(change), &Dimension::key) != dimensions.end())
@@ -186,7 +186,7 @@ std::optional<process::Process> ExploreOptions::loaded_process() const {
 DesignGrid ExploreOptions::designs() const {
   refuse_unpriced_axes(*this);
   const std::vector<Dimension> dimensions = dimensions_of(*this);
-  return {base_of(*this, dimensions), dimensions, {points, seed}};
+  return {base_name(*this, dimensions), dimensions, {points, seed}};
 }
 
 bool ExploreOptions::has_memory(const session::ModelRequest& design) const {
@@ -201,8 +201,8 @@ std::string render_command(const ExploreOptions& options, const session::OptionL
   point.memory_bits = memory_bits;
   const std::string clock = row.clock_path.empty() ? "" : fmt::format("+{}={}", clock_figure, row.clock_hz);
   return "csgsim render " + shell_word(named(options.models, point.model)) +
-         given_words(command, own_explore_options(), session::divide_sets(options.model.sets).scene) +
-         shell_words("machine", point.machine + clock) + axis_words(point) + shell_words("output", picture);
+         join_given_options(command, own_explore_options(), session::divide_settings(options.model.sets).scene) +
+         shell_option("machine", point.machine + clock) + render_options(point) + shell_option("output", picture);
 }
 
 }  // namespace csgsim::studies

@@ -30,7 +30,7 @@ constexpr std::size_t max_printed = 40;
 void print_front(std::span<const ExploreRow> rows, const DesignNames& names, const ExploreGroup& group) {
   std::vector<std::vector<std::string>> lines(1, names.keys());
   for (const ExploreAxis& axis : group.axes) lines[0].emplace_back(axis.title);
-  const std::vector<std::size_t> front = listed_front(group.values);
+  const std::vector<std::size_t> front = front_indices(group.values);
   for (const std::size_t one : front) {
     if (lines.size() > max_printed) break;
     lines.push_back(names.values(rows[group.rows[one]].point));
@@ -135,7 +135,7 @@ std::vector<plots::Point> pair_front(const Panel& panel) {
   std::vector<Values> pairs;
   for (const Values& values : panel.group.values) pairs.push_back({values[0], values[panel.axis]});
   std::vector<plots::Point> front;
-  for (const std::size_t one : listed_front(pairs)) front.push_back(panel.at(one));
+  for (const std::size_t one : front_indices(pairs)) front.push_back(panel.at(one));
   return front;
 }
 
@@ -161,7 +161,7 @@ DesignNames::DesignNames(std::span<const ExploreRow> rows) {
   std::map<std::string, std::set<std::string>> values;
   std::vector<std::string> order;
   for (const ExploreRow& row : rows) {
-    for (auto& [key, value] : texts_of(row.point)) {
+    for (auto& [key, value] : distinguishing_options(row.point)) {
       if (!values.contains(key)) order.push_back(key);
       values[key].insert(value);
     }
@@ -171,7 +171,7 @@ DesignNames::DesignNames(std::span<const ExploreRow> rows) {
 }
 
 std::vector<std::string> DesignNames::values(const DesignPoint& point) const {
-  const auto texts = texts_of(point);
+  const auto texts = distinguishing_options(point);
   std::vector<std::string> values;
   for (const std::string& key : keys_) {
     const auto found = std::ranges::find(texts, key, &std::pair<std::string, std::string>::first);
@@ -226,7 +226,7 @@ std::string explore_json(const std::string& title, std::span<const ExploreRow> r
     for (std::size_t i = 0; i < group.rows.size() && !group.model.empty(); ++i)
       marks[group.rows[i]] = {group.front[i], group.knee == i};
   }
-  const SetPoint columns = make_setter(rows);
+  const SetPoint columns = make_point_setter(rows);
   Json json = points_json(title, rows.size(), [&](Json& point, std::size_t row) {
     columns(point, row);
     point["design"] = design_json(names, rows[row].point);
@@ -239,7 +239,7 @@ std::string explore_json(const std::string& title, std::span<const ExploreRow> r
   json["fronts"] = Json::array();
   for (const ShownGroup& shown : groups) json["fronts"].push_back(group_json(stated, names, shown));
   if (sensitivity != nullptr) json["sensitivity"] = sensitivity_json(*sensitivity, designs_of(stated, *sensitivity));
-  return file_text(json);
+  return json_file_text(json);
 }
 
 std::vector<plots::Plot> plots_of_explore(std::span<const ShownGroup> groups) {
@@ -258,7 +258,7 @@ std::vector<plots::Plot> plots_of_explore(std::span<const ShownGroup> groups) {
     for (std::size_t axis = 1; axis < group.axes.size(); ++axis) add_panel({group, axis}, chart);
     all.push_back({name + "_front", std::move(chart)});
   }
-  plots::give_common_looks(all);
+  plots::set_common_looks(all);
   return all;
 }
 

@@ -35,20 +35,20 @@ void copy_counts(const swept::RepairCounts& counts, MeshRow& row) {
   row.snaps = counts.snaps;
 }
 
-std::unique_ptr<swept::Surface> surface_of(const commands::NamedSurface& named) {
-  return named.is_sweep ? swept::surface_of(named.sweep) : swept::surface_of(named.net);
+std::unique_ptr<swept::Surface> make_surface(const commands::NamedSurface& named) {
+  return named.is_sweep ? swept::make_surface(named.sweep) : swept::make_surface(named.net);
 }
 
 swept::Patchwork create_patchwork(swept::Surface& surface, const MeshPoint& point) {
   swept::Accuracy accuracy;
   accuracy.tolerance = point.tolerance;
-  accuracy.flatness = point.flatness == of_plane ? swept::Flatness::plane : swept::Flatness::sides;
+  accuracy.flatness = point.flatness == flatness_of_plane ? swept::Flatness::plane : swept::Flatness::sides;
   return swept::make_patchwork(surface, accuracy,
-                               point.repair == by_filter ? swept::Repair::filter : swept::Repair::quadtree);
+                               point.repair == repair_by_filter ? swept::Repair::filter : swept::Repair::quadtree);
 }
 
 void mesh(const commands::NamedSurface& named, MeshRow& row) {
-  const std::unique_ptr<swept::Surface> surface = surface_of(named);
+  const std::unique_ptr<swept::Surface> surface = make_surface(named);
   const swept::Patchwork made = create_patchwork(*surface, row.point);
   row.patches = surface->columns() * surface->rows();
   row.wire_vertices = made.wire_vertices;
@@ -61,7 +61,7 @@ void mesh(const commands::NamedSurface& named, MeshRow& row) {
 
 nlohmann::ordered_json mesh_json(const MeshPoint& point, const commands::NamedSurface& named) {
   using Json = nlohmann::ordered_json;
-  const std::unique_ptr<swept::Surface> surface = surface_of(named);
+  const std::unique_ptr<swept::Surface> surface = make_surface(named);
   const swept::Patchwork made = create_patchwork(*surface, point);
   Json vertices = Json::array();
   for (const glm::dvec3& place : made.points) vertices.push_back(Json::array({place.x, place.y, place.z}));

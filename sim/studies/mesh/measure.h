@@ -84,10 +84,10 @@ struct MeshRow {
   }
 };
 
-inline constexpr const char* by_filter = "filter";
-inline constexpr const char* by_quadtree = "quadtree";
-inline constexpr const char* of_plane = "plane";
-inline constexpr const char* of_sides = "sides";
+inline constexpr const char* repair_by_filter = "filter";
+inline constexpr const char* repair_by_quadtree = "quadtree";
+inline constexpr const char* flatness_of_plane = "plane";
+inline constexpr const char* flatness_of_sides = "sides";
 
 /// Meshes the surface and counts. If it cannot be meshed, the row holds the reason.
 MeshRow measure(const MeshPoint& point, const Inputs& inputs, const commands::NamedSurface& surface);

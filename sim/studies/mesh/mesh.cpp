@@ -31,8 +31,8 @@ namespace csgsim::studies {
 
 namespace {
 
-const std::vector<std::string> flatnesses{of_plane, of_sides};
-const std::vector<std::string> repairs{by_filter, by_quadtree};
+const std::vector<std::string> flatnesses{flatness_of_plane, flatness_of_sides};
+const std::vector<std::string> repairs{repair_by_filter, repair_by_quadtree};
 
 std::vector<std::string> parse_flatness(const std::string& text) {
   return session::parse_names(text, "flatness test", flatnesses);
@@ -72,7 +72,7 @@ class Mesh : public StudyOf<MeshRow> {
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
     return session::input_files({model_}, session::parse_words(processors_));
   }
-  [[nodiscard]] std::set<std::string> varied() const override {
+  [[nodiscard]] std::set<std::string> varied_options() const override {
     return {"tolerances", "flatness", "repairs", "processors"};
   }
   [[nodiscard]] std::string table_model() const override { return model_; }
@@ -88,7 +88,7 @@ class Mesh : public StudyOf<MeshRow> {
     Hash hash;
     hash.add(text);
     inputs_ = {hash.text(), "none", session::version_and_build()};
-    surfaces_ = commands::surfaces_in(text, session::shown_name(model_));
+    surfaces_ = commands::read_surfaces(text, session::shown_name(model_));
     if (surfaces_.empty())
       throw InputError(fmt::format("{}: contains no sweep and no patch to mesh", session::shown_name(model_)));
     std::vector<PointRequest> requested;
@@ -114,8 +114,8 @@ class Mesh : public StudyOf<MeshRow> {
 
   [[nodiscard]] std::string json(const std::string& title) const override {
     const std::vector<software::Priced> processors = parse_meshing_processors(processors_);
-    const SetPoint columns = make_setter(std::span<const MeshRow>(rows()));
-    return points_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
+    const SetPoint columns = make_point_setter(std::span<const MeshRow>(rows()));
+    return points_json_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
       columns(json, point);
       const MeshRow& row = rows()[point];
       if (!row.is_meshed()) return;
@@ -150,7 +150,7 @@ class Mesh : public StudyOf<MeshRow> {
 
   std::string model_;
   std::string tolerances_ = "0.1,0.05,0.01,0.001";
-  std::string flatness_ = of_plane;
+  std::string flatness_ = flatness_of_plane;
   std::string repairs_ = "filter,quadtree";
   std::string processors_ = "mc68000,i486dx2";
   JsonExport json_;

@@ -43,7 +43,7 @@ void add_line(Lines& lines, const std::string& title, std::span<const MeshRow> r
 }
 
 void print_group(std::span<const MeshRow> rows, std::span<const software::Priced> processors) {
-  const bool is_tree = rows.front().point.repair == by_quadtree;
+  const bool is_tree = rows.front().point.repair == repair_by_quadtree;
   fmt::print("\n{}, flatness test {}; {}\n", rows.front().point.name, rows.front().point.flatness,
              is_tree ? "quadtree" : "filter");
   Lines lines{{"tolerance"}};
@@ -64,7 +64,7 @@ void print_group(std::span<const MeshRow> rows, std::span<const software::Priced
     add_line(lines, processor.name + ": repairing, s", rows,
              [&](const MeshRow& row) { return seconds_text(seconds_of(row, *processor.processor).repairing); });
   }
-  fmt::print("{}", session::in_columns(lines, "<" + std::string(rows.size(), '>')));
+  fmt::print("{}", session::format_columns(lines, "<" + std::string(rows.size(), '>')));
   for (const MeshRow& row : rows) {
     if (!row.is_meshed()) fmt::print("tolerance {:g}: {}\n", row.point.tolerance, row.reason);
   }
@@ -80,7 +80,7 @@ std::vector<plots::Plot> plots_of_meshes(std::span<const MeshRow> rows, const st
   std::vector<plots::Plot> plots;
   for (const std::vector<MeshRow>& group : groups_of(rows)) {
     const MeshPoint& point = group.front().point;
-    if (group.size() < 2 || point.repair != by_filter) continue;
+    if (group.size() < 2 || point.repair != repair_by_filter) continue;
     plots::Chart chart{model + ": elements of " + point.name + ", flatness test " + point.flatness,
                        {"tolerance, model units", plots::Scale::logarithmic},
                        {{"elements", plots::Scale::logarithmic}},

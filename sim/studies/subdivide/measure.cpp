@@ -56,7 +56,10 @@ PixelClocks pixel_clocks(const isa::Program& program, const machines::Machine& m
     for (std::size_t i = 0; i < segment.instructions.size(); ++i) {
       const isa::Instruction& instruction = segment.instructions[i];
       const auto clocks = static_cast<double>(
-          machine.kind->clocks_at_pixels(segment, i, machine, outcome.met.empty() ? nullptr : &outcome.met[s]).all);
+          machine.kind
+              ->clocks_at_pixels(segment, i, machine,
+                                 outcome.pixel_activity.empty() ? nullptr : &outcome.pixel_activity[s])
+              .all);
       sums.all += clocks;
       switch (instruction.origin.purpose) {
         case isa::Purpose::render: sums.render += clocks; break;

@@ -32,7 +32,7 @@ std::vector<unsigned> parse_levels(const std::string& text) {
 }
 
 bool subdivides(const machines::Kind& kind) {
-  return kind.subdivided(machines::blank(kind), 0, machines::Parts::segments).has_value();
+  return kind.subdivided(machines::blank_machine(kind), 0, machines::Parts::segments).has_value();
 }
 
 machines::Machine subdividing_machine(const session::ModelRequest& options) {
@@ -91,7 +91,7 @@ class Subdivide : public StudyOf<SubdivideRow> {
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override { return options_.inputs(); }
-  [[nodiscard]] std::set<std::string> varied() const override { return {"subdivisions", "tolerances"}; }
+  [[nodiscard]] std::set<std::string> varied_options() const override { return {"subdivisions", "tolerances"}; }
   [[nodiscard]] std::string table_model() const override { return options_.model; }
   [[nodiscard]] bool is_of_one_machine() const override { return true; }
 
@@ -128,9 +128,10 @@ class Subdivide : public StudyOf<SubdivideRow> {
   }
 
   [[nodiscard]] std::string json(const std::string& title) const override {
-    nlohmann::ordered_json json = points_json(title, rows().size(), make_setter(std::span<const SubdivideRow>(rows())));
+    nlohmann::ordered_json json =
+        points_json(title, rows().size(), make_point_setter(std::span<const SubdivideRow>(rows())));
     for (nlohmann::ordered_json& point : json["points"]) point = with_parts(point);
-    return file_text(json);
+    return json_file_text(json);
   }
 
   [[nodiscard]] std::vector<plots::Plot> plots() const override {

@@ -73,18 +73,18 @@ SweepAxis::SweepAxis(std::span<const SweepRow> rows) : varied_(varied_in(rows, s
   std::erase(varied_, shown_);
   values_ = values_of(rows, *shown_);
   axis_ = {shown_->title, plots::Scale::linear, {}, !shown_->is_number};
-  const std::vector<std::string> names = shown_ == &machine_axis ? tick_names(values_) : values_;
+  const std::vector<std::string> names = shown_ == &machine_axis ? machine_tick_labels(values_) : values_;
   for (std::size_t i = 0; i < values_.size(); ++i)
     axis_.ticks.push_back({shown_->is_number ? std::stod(values_[i]) : static_cast<double>(i), names[i]});
 }
 
-std::optional<double> SweepAxis::place(const DesignPoint& point) const {
+std::optional<double> SweepAxis::x_coordinate(const DesignPoint& point) const {
   const auto found = std::ranges::find(values_, shown_->text(point));
   if (found == values_.end()) return std::nullopt;
   return axis_.ticks[static_cast<std::size_t>(found - values_.begin())].value;
 }
 
-std::string SweepAxis::others(const DesignPoint& point) const {
+std::string SweepAxis::other_settings(const DesignPoint& point) const {
   return with_values(shown_->key == "strategy" ? "" : point.strategy, point, varied_);
 }
 

@@ -32,7 +32,7 @@ std::vector<session::ModelRequest> SweepOptions::designs() const {
       {"curves", session::parse_words(curves)},       {"colouring", session::parse_words(colourings)},
       {"strategy", session::parse_words(strategies)}, {"stack-bits", values("stack-bits", stack_bits)}};
   session::ModelRequest base = view;
-  base.sets = session::divide_sets(view.sets).scene;
+  base.sets = session::divide_settings(view.sets).scene;
   const std::vector<std::string> with_sets = session::with_parameters(session::parse_words(machines), view.sets);
   std::vector<session::ModelRequest> all;
   for (const std::string& model : without_duplicates(models)) {
@@ -63,7 +63,7 @@ void SweepOptions::add_to(session::OptionList& command) {
       .option("--pruning", prunings,
               "Prunings to apply, separated by commas: auto, all, none, those named (space+hidden) or all but those "
               "(no-space+no-hidden)")
-      .words(session::pruning_words(), session::check_by_parsing(session::prunings_of));
+      .words(session::pruning_words(), session::check_by_parsing(session::parse_prunings));
   command.option("--machines", machines, "Machines, as names or .toml files separated by commas")
       .check(session::check_by_parsing(session::check_machines));
   command

@@ -23,13 +23,13 @@ using Line = std::pair<std::string, std::vector<const SweepRow*>>;
 /// A series per panel: horizontal across the panel if the line has no position on the axis.
 std::vector<plots::Series> series_of(const Line& line, const SweepAxis& axis,
                                      std::span<std::uint64_t DesignRow::*const> counts) {
-  const bool is_level = !axis.place(line.second.front()->point);
+  const bool is_level = !axis.x_coordinate(line.second.front()->point);
   std::vector<plots::Series> all;
   for (std::size_t panel = 0; panel < counts.size(); ++panel) {
     plots::Series& series = all.emplace_back(
         plots::Series{line.first, panel, is_level ? plots::Trace::level : plots::Trace::line, {}, false});
     for (const SweepRow* row : line.second)
-      series.points.push_back({axis.place(row->point).value_or(0), static_cast<double>(row->*counts[panel])});
+      series.points.push_back({axis.x_coordinate(row->point).value_or(0), static_cast<double>(row->*counts[panel])});
     if (axis.axis().is_names) series.trace = plots::Trace::marks;
     std::ranges::stable_sort(series.points, {}, &plots::Point::x);
   }
@@ -48,7 +48,7 @@ plots::Chart varied_chart(std::span<const SweepRow> rows, std::string title, std
                           std::span<std::uint64_t DesignRow::*const> counts) {
   const SweepAxis axis(rows);
   std::vector<std::pair<std::vector<plots::Series>, std::vector<std::string>>> drawn;
-  for (const Line& line : grouped_by(rows, [&](const SweepRow& row) { return axis.others(row.point); })) {
+  for (const Line& line : grouped_by(rows, [&](const SweepRow& row) { return axis.other_settings(row.point); })) {
     std::vector<plots::Series> series = series_of(line, axis, counts);
     const auto same = std::ranges::find_if(drawn, [&](const auto& one) { return is_same(one.first, series); });
     if (same == drawn.end()) {
@@ -173,7 +173,7 @@ std::vector<plots::Plot> plots_of_sweep(std::span<const SweepRow> rows, const st
       {model + "_clocks", varied_chart(compiled, model + ": clocks", {count_axis("clocks")}, clocks)},
       {model + "_bits", bits_chart(compiled, model)},
       memory_plot(compiled, model)};
-  plots::give_common_looks(all);
+  plots::set_common_looks(all);
   return all;
 }
 

@@ -37,10 +37,10 @@ class SweepAxis {
   [[nodiscard]] const plots::Axis& axis() const { return axis_; }
 
   /// X coordinate of a point; empty if the point does not depend on the axis, such as a strategy without stack bits.
-  [[nodiscard]] std::optional<double> place(const DesignPoint& point) const;
+  [[nodiscard]] std::optional<double> x_coordinate(const DesignPoint& point) const;
 
   /// The point's values on the other varied axes; points with the same text form a line.
-  [[nodiscard]] std::string others(const DesignPoint& point) const;
+  [[nodiscard]] std::string other_settings(const DesignPoint& point) const;
 
  private:
   const Axis* shown_ = nullptr;
@@ -50,7 +50,7 @@ class SweepAxis {
 };
 
 /// Groups of rows that differ only in strategy and stack bits, in the order of the rows.
-std::vector<std::vector<SweepRow>> by_conditions(std::span<const SweepRow> rows);
+std::vector<std::vector<SweepRow>> group_by_conditions(std::span<const SweepRow> rows);
 
 /// A point whose picture is wrong.
 struct WrongPicture {

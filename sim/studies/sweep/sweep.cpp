@@ -40,7 +40,7 @@ bool have_equal_pictures(Rows rows) {
                                            : "a linear expression does not fit its width";
     print_text(fmt::format("WRONG: {}, {}: {}\n", one.point.model, names.name(one.point), what));
   }
-  fail_inconsistent(fmt::format("{} of {} pictures are wrong", wrong.size(), rows.size()), are_read);
+  throw_inconsistent_results(fmt::format("{} of {} pictures are wrong", wrong.size(), rows.size()), are_read);
 }
 
 class Sweep : public StudyOf<SweepRow> {
@@ -49,7 +49,7 @@ class Sweep : public StudyOf<SweepRow> {
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
     return session::input_files(options_.models, session::parse_words(options_.machines));
   }
-  [[nodiscard]] std::set<std::string> varied() const override {
+  [[nodiscard]] std::set<std::string> varied_options() const override {
     return {"strategy", "stack-bits", "z-bits", "colouring", "curves", "pruning", "machines", "memory-bits", "no-draw"};
   }
 
@@ -57,7 +57,7 @@ class Sweep : public StudyOf<SweepRow> {
     JobMaker maker;
     std::vector<PointRequest> requested;
     for (const session::ModelRequest& design : options_.designs()) {
-      jobs_.push_back(maker.job_of(design));
+      jobs_.push_back(maker.make_job(design));
       DesignPoint& point = points_.emplace_back(point_of(design, jobs_.back().machine.picture));
       point.memory_bits = design.memory_bits;
       requested.push_back({point_cells<SweepRow>(point), jobs_.back().inputs});
@@ -66,14 +66,14 @@ class Sweep : public StudyOf<SweepRow> {
   }
 
   /// A row without a picture is insufficient if pictures are requested.
-  [[nodiscard]] bool serves(std::size_t /*point*/, const std::string& row) const override {
+  [[nodiscard]] bool has_requested_results(std::size_t /*point*/, const std::string& row) const override {
     if (options_.no_draw) return true;
     return !row.ends_with(",,");  // the last two columns, picture and reason, are empty
   }
 
   void print() const override {
     const Rows all = rows();
-    for (const Rows model : by_model(all)) print_sweep(model);
+    for (const Rows model : group_by_model(all)) print_sweep(model);
     const bool has_drawn = !options_.no_draw && std::ranges::any_of(all, &SweepRow::is_compiled);
     if (!has_drawn || !wrong_pictures(all).empty()) return;
     print_text(
@@ -84,7 +84,7 @@ class Sweep : public StudyOf<SweepRow> {
   [[nodiscard]] std::vector<plots::Plot> plots() const override {
     std::vector<plots::Plot> all;
     PlotNames names;
-    for (const Rows model : by_model(Rows(rows()))) {
+    for (const Rows model : group_by_model(Rows(rows()))) {
       for (plots::Plot& plot : plots_of_sweep(model, names.next(plot_stem(model.front().point.model))))
         all.push_back(std::move(plot));
     }
@@ -94,16 +94,16 @@ class Sweep : public StudyOf<SweepRow> {
   [[nodiscard]] std::string page_title() const override { return "Clocks against memory bits"; }
 
   [[nodiscard]] PageSubject page_subject() const override {
-    return subject_of(options_.models, options_.view, options_.machines);
+    return page_subject_of_models(options_.models, options_.view, options_.machines);
   }
 
   void refuse() const override {
     const Rows all = rows();
-    if (std::ranges::none_of(all, &SweepRow::is_compiled) && by_model(all).size() == 1)
+    if (std::ranges::none_of(all, &SweepRow::is_compiled) && group_by_model(all).size() == 1)
       throw InputError(all.front().reason);
     if (const std::vector<WrongPicture> wrong = wrong_pictures(all); !wrong.empty())
       refuse_pictures(all, wrong, are_read());
-    refuse_models(all, "sweep.csv");
+    refuse_failed_models(all, "sweep.csv");
   }
 
  protected:

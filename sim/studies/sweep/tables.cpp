@@ -86,7 +86,7 @@ template <class Text>
 std::vector<std::pair<std::string, std::string>> shared(std::span<const SweepRow> rows, Text text_of) {
   const PointNames names(rows);
   std::vector<std::pair<std::string, std::string>> texts;
-  for (const Group& group : by_conditions(rows)) {
+  for (const Group& group : group_by_conditions(rows)) {
     const std::string text = text_of(group);
     if (text.empty()) continue;
     const std::string conditions = names.conditions(group.front().point);
@@ -149,7 +149,7 @@ bool is_one_reason(std::span<const SweepRow> rows) {
 
 }  // namespace
 
-std::vector<std::vector<SweepRow>> by_conditions(std::span<const SweepRow> rows) {
+std::vector<std::vector<SweepRow>> group_by_conditions(std::span<const SweepRow> rows) {
   const auto conditions_of = [](const SweepRow& row) {
     DesignPoint point = row.point;
     point.strategy.clear();

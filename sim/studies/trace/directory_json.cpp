@@ -38,8 +38,8 @@ Json part_json(const software::SpacePart& part, const glm::dvec3& centre) {
 
 }  // namespace
 
-void write_directory(const JsonExport& json, std::span<const std::filesystem::path> inputs, const TraceSubject& subject,
-                     const std::string& directory_name, std::uint32_t bucket_size) {
+void write_directory_json(const JsonExport& json, std::span<const std::filesystem::path> inputs,
+                          const TraceSubject& subject, const std::string& directory_name, std::uint32_t bucket_size) {
   const software::TraceScene& scene = subject.scene();
   const std::unique_ptr<software::Directory> made =
       software::directory_of(directory_name).make(scene.shapes(), {bucket_size});

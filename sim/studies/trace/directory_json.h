@@ -16,7 +16,7 @@ namespace csgsim::studies {
 /// their bounding box. `directory_name` names the kind of directory. A part is either split at `wall` on `axis` into
 /// the parts `low` and `high`, or a cell with `facets`. Parts and facets are given by index. A cell holds the facets
 /// within `reach` of its box.
-void write_directory(const JsonExport& json, std::span<const std::filesystem::path> inputs, const TraceSubject& subject,
-                     const std::string& directory_name, std::uint32_t bucket_size);
+void write_directory_json(const JsonExport& json, std::span<const std::filesystem::path> inputs,
+                          const TraceSubject& subject, const std::string& directory_name, std::uint32_t bucket_size);
 
 }  // namespace csgsim::studies

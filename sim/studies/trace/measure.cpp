@@ -19,7 +19,7 @@ namespace {
 
 std::vector<software::TraceLight> lights_of(const software::TraceScene& scene, const lighting::Lighting& lighting) {
   std::vector<software::TraceLight> lights;
-  for (const lighting::SeenLight& light : lighting.lights)
+  for (const lighting::CameraSpaceLight& light : lighting.lights)
     lights.push_back({light.is_point, light.is_point ? scene.place_of(light.where) : scene.direction_of(light.where)});
   return lights;
 }
@@ -107,7 +107,7 @@ void draw(const TraceSubject& subject, TraceRow& row) {
   copy_counts(directory->built(), row);
   copy_counts(traced.counts, row);
   if (options.item_pass == software::ItemPass::list_priority) row.item_faults = subject.item_faults();
-  row.wall_seconds_trace = software::traced_seconds(scene, *directory, options);
+  row.wall_seconds_trace = software::measure_trace_seconds(scene, *directory, options);
   row.surfaces = software::hash_of(software::picture_of(traced));
 }
 
@@ -124,11 +124,11 @@ TraceSubject::TraceSubject(const model::Tree& model, facet::Geometry geometry, v
       lights_(lights_of(scene_, lighting::make_lighting(look, view_.camera))),
       mirrors_(mirrors_of(model, tree_, scene_, look)) {}
 
-const TraceSubject::DrawnFirst& TraceSubject::drawn_first() const {
+const TraceSubject::PriorityDrawing& TraceSubject::priority_drawing() const {
   if (drawn_first_) return *drawn_first_;
   const software::DisplaySubject subject{model_, geometry_, view_, tree_, scene_.facets()};
   const software::Displayed displayed = software::display_method("list-priority/depth-buffer").run(subject, true);
-  DrawnFirst drawn;
+  PriorityDrawing drawn;
   for (std::size_t phase = 0; phase < software::phases; ++phase) {
     if (phase != static_cast<std::size_t>(software::Phase::preprocessing))
       drawn.pass.operations += displayed.counts.operations[phase];
@@ -145,7 +145,7 @@ software::TraceOptions TraceSubject::options_of(const TracePoint& point) const {
   if (point.item_buffer == "depth-lists") options.item_pass = software::ItemPass::depth_lists;
   if (point.item_buffer == "list-priority") {
     options.item_pass = software::ItemPass::list_priority;
-    options.list_priority = drawn_first().pass;
+    options.list_priority = priority_drawing().pass;
   }
   options.has_mailboxes = point.mailboxes == "with";
   options.has_shadows = point.cast != "primary";

@@ -163,16 +163,16 @@ class TraceSubject {
   /// Throws InputError if the point's item buffer is filled by list priority, which cannot draw the model.
   [[nodiscard]] software::TraceOptions options_of(const TracePoint& point) const;
   /// Number of pixels for which list priority differs from the machines.
-  [[nodiscard]] std::uint64_t item_faults() const { return drawn_first().faults; }
+  [[nodiscard]] std::uint64_t item_faults() const { return priority_drawing().faults; }
 
  private:
   /// Cost of drawing the picture by list priority, and its wrong pixels.
-  struct DrawnFirst {
+  struct PriorityDrawing {
     software::PriorityPass pass;
     std::uint64_t faults = 0;
   };
   /// Draws the picture on the first call.
-  const DrawnFirst& drawn_first() const;
+  const PriorityDrawing& priority_drawing() const;
 
   const model::Tree& model_;
   facet::Geometry geometry_;
@@ -182,7 +182,7 @@ class TraceSubject {
   unsigned mirror_depth_;
   std::vector<software::TraceLight> lights_;
   std::vector<std::uint8_t> mirrors_;
-  mutable std::optional<DrawnFirst> drawn_first_;
+  mutable std::optional<PriorityDrawing> drawn_first_;
 };
 
 /// Builds the directory and traces the picture once to count operations, then measures the time.

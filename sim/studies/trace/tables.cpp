@@ -23,7 +23,7 @@ using Rows = std::span<const TraceRow>;
 void print_lines(const Lines& lines, std::size_t names) {
   std::string sides(names, '<');
   sides.append(lines.front().size() - names, '>');
-  fmt::print("\n{}", session::in_columns(lines, sides));
+  fmt::print("\n{}", session::format_columns(lines, sides));
 }
 
 std::string per_ray_text(std::uint64_t count, const TraceRow& row) {

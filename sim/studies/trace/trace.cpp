@@ -73,7 +73,7 @@ std::string difference_of(std::span<const TraceRow> rows) {
 class Trace : public StudyOf<TraceRow> {
  public:
   void add_options(session::OptionList& command) override {
-    add_model_without_machine(options_, command);
+    add_model_options_without_machine(options_, command);
     command
         .option("--directories", directories_,
                 "Directories by which rays find facets, separated by commas; see csgsim manual methods")
@@ -106,14 +106,14 @@ class Trace : public StudyOf<TraceRow> {
                 "Tolerances in model units for faceting curved solids, separated by commas")
         .check(session::check_by_parsing(parse_tolerances))
         .excludes("--tolerance");
-    add_processors(command, processors_);
+    add_processors_option(command, processors_);
     json_.add_to(command, "Write the facets and the cells of the first space-halving directory");
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
-    return inputs_with_processors(options_, processors_);
+    return model_and_processor_files(options_, processors_);
   }
-  [[nodiscard]] std::set<std::string> varied() const override {
+  [[nodiscard]] std::set<std::string> varied_options() const override {
     return {"directories", "bucket-sizes", "cast",       "facet-test",
             "item-buffer", "mailboxes",    "tolerances", "processors"};
   }
@@ -147,8 +147,8 @@ class Trace : public StudyOf<TraceRow> {
 
   [[nodiscard]] std::string json(const std::string& title) const override {
     const std::vector<software::Priced> processors = parse_processors(processors_);
-    const SetPoint columns = make_setter(std::span<const TraceRow>(rows()));
-    return points_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
+    const SetPoint columns = make_point_setter(std::span<const TraceRow>(rows()));
+    return points_json_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
       columns(json, point);
       const TraceRow& row = rows()[point];
       if (!row.is_drawn()) return;
@@ -176,7 +176,7 @@ class Trace : public StudyOf<TraceRow> {
   void refuse() const override {
     if (std::ranges::none_of(rows(), &TraceRow::is_drawn)) throw InputError(rows().front().reason);
     if (const std::string difference = difference_of(rows()); !difference.empty())
-      fail_inconsistent(difference, are_read());
+      throw_inconsistent_results(difference, are_read());
   }
 
  protected:
@@ -224,7 +224,7 @@ class Trace : public StudyOf<TraceRow> {
       throw InputError("--json needs a directory that halves space; add one of these to --directories: " +
                        fmt::format("{}", fmt::join(halving, ", ")));
     make_subject(found->tolerance);
-    write_directory(json_, inputs(), *subject_, found->directory, found->bucket_size);
+    write_directory_json(json_, inputs(), *subject_, found->directory, found->bucket_size);
   }
 
   void make_subject(const std::optional<double>& tolerance) {

@@ -104,7 +104,7 @@ void Connection::advance() {
   using State = RequestReader::State;
   const State state = reader_.state();
   if (state == State::refused) return refuse(reader_.refusal());
-  if (state != State::head && !server_.connections.admit(shared_from_this()))
+  if (state != State::head && !server_.connections.try_admit(shared_from_this()))
     return refuse(error_reply(503, "too many connections are open; close some pages"));
   if (state == State::whole) return answer();
   read();

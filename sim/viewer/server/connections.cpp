@@ -14,7 +14,7 @@ void Connections::add(const std::shared_ptr<Connection>& connection) {
   strangers_.push_back(connection);
 }
 
-bool Connections::admit(const std::shared_ptr<Connection>& connection) {
+bool Connections::try_admit(const std::shared_ptr<Connection>& connection) {
   const auto stranger = std::ranges::find(strangers_, connection);
   if (stranger == strangers_.end()) return true;
   if (admitted_.size() == max_admitted) return false;

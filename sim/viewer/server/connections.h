@@ -22,7 +22,7 @@ class Connections {
   void add(const std::shared_ptr<Connection>& connection);
 
   /// Counts a stranger as admitted. Returns false if max_admitted are admitted already.
-  [[nodiscard]] bool admit(const std::shared_ptr<Connection>& connection);
+  [[nodiscard]] bool try_admit(const std::shared_ptr<Connection>& connection);
 
   /// Removes a closed connection, stranger or admitted.
   void remove(const std::shared_ptr<Connection>& connection);

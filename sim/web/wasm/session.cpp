@@ -74,7 +74,7 @@ int csgsim_begin(std::size_t name_length) {
   return csgsim::web::status_of([&] {
     const auto [name, knobs] = csgsim::web::split_input(name_length);
     csgsim::web::session = std::make_unique<csgsim::viewer::Session>(
-        csgsim::viewer::Beginning{.model = name, .words = {}, .knobs = csgsim::session::parse_json(knobs, {})});
+        csgsim::viewer::StartCommand{.model = name, .words = {}, .knobs = csgsim::session::parse_json(knobs, {})});
     return 200;
   });
 }

@@ -14,7 +14,7 @@ test::PlainBeat in_first_cell(const scan_line::Beat& beat, const scan_line::Cell
   static_cast<scan_line::Packet&>(here) = *beat.packet;
   here.number = beat.number;
   if (!here.brings_f() || here.number >= here.words) return here;
-  const auto [f, a, aa] = scan_line::words_in(beat, 0, shape);
+  const auto [f, a, aa] = scan_line::arriving_words(beat, 0, shape);
   here.f = f;
   here.a = a;
   here.aa = aa;
@@ -25,7 +25,7 @@ test::PlainBeat in_first_cell(const scan_line::Beat& beat, const scan_line::Cell
 
 ChainLockstep::ChainLockstep(const machines::Machine& machine)
     : machine_(machine),
-      shape_(scan_line::cell_shape(machines::own<scan_line::Figures>(machine))),
+      shape_(scan_line::cell_shape(machines::kind_figures<scan_line::Figures>(machine))),
       systemc_(machine),
       plain_(machine.array.width, machine.array.memory_bits, shape_),
       verilog_(std::make_unique<RtlChain>()) {

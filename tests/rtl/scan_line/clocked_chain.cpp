@@ -12,10 +12,10 @@ ClockedChain::ClockedChain(const machines::Machine& machine)
       clock_("clock", systemc::period_of(machine)),
       words_("words", static_cast<int>(machine.link.fifo_depth)),
       accounts_("accounts", static_cast<int>(machine.array.width) + 2),
-      host_("host", machines::own<Figures>(machine)),
+      host_("host", machines::kind_figures<Figures>(machine)),
       link_("link", machine.link),
       queue_("queue", machine, 0),
-      chain_("chain", machine.array, scan_line::cell_shape(machines::own<Figures>(machine))) {
+      chain_("chain", machine.array, scan_line::cell_shape(machines::kind_figures<Figures>(machine))) {
   host_.clock(clock_);
   host_.lines[0](lines_);
   link_.clock(clock_);

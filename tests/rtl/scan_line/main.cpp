@@ -33,12 +33,14 @@ machines::Machine machine_with(const Words& words) {
 rc::Gen<std::vector<isa::Program>> arbitrary_pictures(const machines::Machine& machine, std::size_t instructions) {
   return rc::gen::exec([=] {
     machines::Machine part = machine;
-    const auto any_width = [&] { return pick(0, 2) > 0 ? machine.array.width : pick(1, machine.array.width); };
+    const auto any_width = [&] {
+      return random_between(0, 2) > 0 ? machine.array.width : random_between(1, machine.array.width);
+    };
     part.picture.width = any_width();
-    std::vector<isa::Program> frames(pick(1, 3));
+    std::vector<isa::Program> frames(random_between(1, 3));
     for (isa::Program& frame : frames) {
-      if (pick(0, 3) == 0) part.picture.width = any_width();
-      part.picture.height = pick(1, 3);
+      if (random_between(0, 3) == 0) part.picture.width = any_width();
+      part.picture.height = random_between(1, 3);
       frame = *test::arbitrary_program_in_parts(part, instructions / frames.size(), machine.evaluator_degree);
     }
     return frames;

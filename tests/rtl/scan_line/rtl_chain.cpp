@@ -30,7 +30,7 @@ std::uint32_t wires_of(const scan_line::Move& move) { return move.distance | mov
 }  // namespace
 
 machines::Machine chain_of_parameters() {
-  machines::Machine machine = machines::blank(scan_line::kind);
+  machines::Machine machine = machines::blank_machine(scan_line::kind);
   machine.name = "chain";
   machine.array = {CSGSIM_RTL_CELLS, 1, CSGSIM_RTL_WORDS * CSGSIM_RTL_WORD_BITS};
   machine.picture = {CSGSIM_RTL_CELLS, 3};

@@ -84,7 +84,7 @@ bool all_match(const PixelArray& array, AluFunction function, bool constant) {
   for (std::uint32_t y = 0; y < 2; ++y) {
     for (std::uint32_t x = 0; x < states; ++x) {
       const PixelState before = state_of(x, y);
-      right = right && state_in(array, x, y, before) == csgsim::test::after(function, constant, before);
+      right = right && state_in(array, x, y, before) == csgsim::test::next_state(function, constant, before);
     }
   }
   return right;

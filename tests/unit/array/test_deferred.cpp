@@ -29,7 +29,7 @@ struct Pair {
   Pair(array::PlaneShape s, unsigned alu)
       : shape(s), alu_bits(alu), deferred({s.width, s.height, memory_bits}, alu), plain(s, memory_bits, alu) {
     deferred.reset(s.width, s.height);
-    plain.select(s.width, s.height);
+    plain.select_pixels(s.width, s.height);
   }
 
   void step(const ArrayStep& step) {
@@ -185,8 +185,8 @@ void do_any_change(Pair& pair, array::Sequencer& sequencer) {
     default: {
       const auto width = *rc::gen::inRange(1U, pair.shape.width + 1);
       const auto height = *rc::gen::inRange(1U, pair.shape.height + 1);
-      pair.deferred.select(width, height);
-      return pair.plain.select(width, height);
+      pair.deferred.select_pixels(width, height);
+      return pair.plain.select_pixels(width, height);
     }
   }
 }

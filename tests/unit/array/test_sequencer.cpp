@@ -18,7 +18,7 @@ using csgsim::array::Sequencer;
 namespace isa = csgsim::isa;
 
 csgsim::machines::Machine machine_with(std::uint32_t reads, std::uint32_t alu_bits, std::uint32_t tree_bits) {
-  csgsim::machines::Machine machine = csgsim::machines::blank(csgsim::pixel_planes::kind);
+  csgsim::machines::Machine machine = csgsim::machines::blank_machine(csgsim::pixel_planes::kind);
   machine.array = {1, 1, 64};  // no latency: a query takes one clock, as its step does
   machine.memory_reads = reads;
   machine.alu_bits = alu_bits;

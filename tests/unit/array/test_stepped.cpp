@@ -212,7 +212,7 @@ TEST_CASE("pixels given the bits of F match pixels given its coefficients") {
           }
         }
         by_coefficients.step(step.pixels, tree);
-        by_bits.step_with(bits, step.pixels);
+        by_bits.step_with_planes(bits, step.pixels);
       }
       if (*rc::gen::inRange(0, 2) > 0) continue;
       for (std::uint32_t y = 0; y < shape.height; ++y) {

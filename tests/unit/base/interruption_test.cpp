@@ -9,10 +9,10 @@
 using namespace csgsim;
 
 TEST_CASE("work continues until a stop is requested") {
-  CHECK_NOTHROW(end_if_interrupted());
+  CHECK_NOTHROW(throw_if_interrupted());
   std::stop_source source;
   const Interruptible interruptible(source.get_token());
-  CHECK_NOTHROW(end_if_interrupted());
+  CHECK_NOTHROW(throw_if_interrupted());
   CHECK_NOTHROW(Work(10).charge(1, "nothing"));
 }
 
@@ -20,7 +20,7 @@ TEST_CASE("a stop request interrupts limited and unlimited work at the next step
   std::stop_source source;
   const Interruptible interruptible(source.get_token());
   source.request_stop();
-  CHECK_THROWS_AS(end_if_interrupted(), Interrupted);
+  CHECK_THROWS_AS(throw_if_interrupted(), Interrupted);
   CHECK_THROWS_AS(Work(10).charge(1, "nothing"), Interrupted);
   CHECK_THROWS_AS(Work().charge(1, "nothing"), Interrupted);
 }
@@ -32,14 +32,14 @@ TEST_CASE("the innermost stop token applies until it is destroyed") {
   {
     const std::stop_source inner;
     const Interruptible inner_interruptible(inner.get_token());
-    CHECK_NOTHROW(end_if_interrupted());
+    CHECK_NOTHROW(throw_if_interrupted());
   }
-  CHECK_THROWS_AS(end_if_interrupted(), Interrupted);
+  CHECK_THROWS_AS(throw_if_interrupted(), Interrupted);
 }
 
 TEST_CASE("a stop request does not affect other threads") {
   std::stop_source source;
   const Interruptible interruptible(source.get_token());
   source.request_stop();
-  std::jthread([] { CHECK_NOTHROW(end_if_interrupted()); }).join();
+  std::jthread([] { CHECK_NOTHROW(throw_if_interrupted()); }).join();
 }

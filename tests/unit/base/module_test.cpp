@@ -13,7 +13,7 @@ TEST_CASE("the error for a missing module says how to install or build it") {
       "completely (cmake --install), or add its folder to LD_LIBRARY_PATH");
   CHECK_THROWS_WITH_AS(load_module_symbol(role), module_missing_text(role).c_str(), InputError);
   role.instead = ", or walk";
-  role.left_out_by = "CSGSIM_KITES";
+  role.disabling_option = "CSGSIM_KITES";
   CHECK(
       module_missing_text(role) ==
       "this build of csgsim lacks csgsim_kites.so, the part that flies kites; build csgsim with -DCSGSIM_KITES=ON, or "

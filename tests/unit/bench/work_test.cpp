@@ -45,8 +45,8 @@ TEST_CASE("threads that share tiles synchronize after each stretch of instructio
     return shares;
   };
   const bench::Replay replay{{}, {stretch(0, {4, 1}), stretch(0, {1, 4}), stretch(1, {2, 2})}};
-  CHECK(bench::by_tiles(replay, 1) == 14);
-  CHECK(bench::by_tiles(replay, 2) == 4 + 4 + 2);
-  CHECK(bench::by_segments(replay, 1) == 14);
-  CHECK(bench::by_segments(replay, 2) == 10);
+  CHECK(bench::makespan_by_tiles(replay, 1) == 14);
+  CHECK(bench::makespan_by_tiles(replay, 2) == 4 + 4 + 2);
+  CHECK(bench::makespan_by_segments(replay, 1) == 14);
+  CHECK(bench::makespan_by_segments(replay, 2) == 10);
 }

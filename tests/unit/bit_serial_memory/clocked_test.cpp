@@ -165,7 +165,7 @@ void check_timeline(const Follower& follower, const isa::Program& program, const
     carried_out[end.segment][end.index] = true;
   }
   for (std::uint32_t s = 0; s < program.segments.size(); ++s) {
-    CHECK(machine.kind->at_pixel(*timeline, program, machine, s, 1, 1) == timeline->issued[s]);
+    CHECK(machine.kind->spans_at_pixel(*timeline, program, machine, s, 1, 1) == timeline->issued[s]);
     for (std::size_t i = 0; i < carried_out[s].size(); ++i)
       CHECK((timeline->issued[s][i] == machines::ClockSpan{}) == !carried_out[s][i]);
   }

@@ -55,7 +55,7 @@ constexpr double fj_per_pj = 1000;
 
 const std::array<std::string, 3> names{"ambit-ddr4", "simdram-ddr4", "digital-bit-serial-ddr4"};
 
-const Figures& figures_of(const machines::Machine& machine) { return machines::own<Figures>(machine); }
+const Figures& figures_of(const machines::Machine& machine) { return machines::kind_figures<Figures>(machine); }
 
 RowCommand reading(RowOp op, WordLines from) { return {.op = op, .from = from}; }
 RowCommand writing(RowOp op, WordLines to) { return {.op = op, .to = to}; }

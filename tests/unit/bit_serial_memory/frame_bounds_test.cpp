@@ -24,7 +24,7 @@ struct Timing {
 
 Timing timing_of(const std::string& machine) {
   const auto loaded = kinds::load(machine);
-  const auto& figures = machines::own<bit_serial_memory::Figures>(loaded);
+  const auto& figures = machines::kind_figures<bit_serial_memory::Figures>(loaded);
   const auto number = [](std::uint32_t figure) { return static_cast<double>(figure); };
   return {.row = number(figures.command.restore + figures.command.precharge),
           .second_activation = number(figures.command.second),

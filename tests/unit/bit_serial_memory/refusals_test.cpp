@@ -83,7 +83,7 @@ TEST_CASE("ideal parameters of a memory impose no limit and others cannot be ide
   }
   const auto ideal = [](const std::string& key) {
     const machines::Machine machine = kinds::load("digital-bit-serial-ddr4+" + key + "=ideal");
-    return machines::own<bit_serial_memory::Figures>(machine);
+    return machines::kind_figures<bit_serial_memory::Figures>(machine);
   };
   CHECK(ideal("host.plane_bits").plane_bits == 1U << 30U);
   CHECK(ideal("timing.window").rank.window == 0);

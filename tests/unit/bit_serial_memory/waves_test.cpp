@@ -113,7 +113,7 @@ TEST_CASE("the timeline and work of a frame with a jump match the hand calculati
   CHECK(timeline->cleared == std::vector<machines::ClockSpan>{{17, 502}});
   CHECK(timeline->issued ==
         std::vector<std::vector<machines::ClockSpan>>{{{502, 507}, {507, 512}, {512, 537}, {}, {}, {551, 576}}});
-  CHECK(machine.kind->at_pixel(*timeline, program, machine, 0, 7, 7) == timeline->issued[0]);
+  CHECK(machine.kind->spans_at_pixel(*timeline, program, machine, 0, 7, 7) == timeline->issued[0]);
   std::vector<std::string> loads;
   for (const machines::Load& load : machine.kind->loads(machine.kind->time(program, machine, outcome)))
     loads.push_back(fmt::format("{} {}", load.part, load.clocks));

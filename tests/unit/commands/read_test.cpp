@@ -145,7 +145,7 @@ TEST_CASE("a sweep is one primitive in convex pieces and combines with others") 
 }
 
 TEST_CASE("a .jan file lists its sweeps and patches in order and the last one of a name") {
-  const std::vector<commands::NamedSurface> surfaces = commands::surfaces_in(
+  const std::vector<commands::NamedSurface> surfaces = commands::read_surfaces(
       "c = curve closed degree 2 points (-1 -1) (1 -1) (1 1) (-1 1)\n"
       "t = curve points (0 0 0) (0 0 9)\n"
       "r = curve points (0) (90)\n"

@@ -40,7 +40,7 @@ std::string cone(int corners) { return "cylinder($fn=" + std::to_string(corners)
 std::vector<bool> unsplit_of(const std::string& csg) {
   const model::Tree tree = read::read_csg_text(csg, "m.csg");
   const Bodies bodies = convert::make_bodies(tree, {});
-  return convert::side_by_side(bodies, csg::make_positive(tree), {});
+  return convert::side_by_side(bodies, csg::make_positive_tree(tree), {});
 }
 
 using Bits = std::vector<bool>;
@@ -48,7 +48,7 @@ using Bits = std::vector<bool>;
 glm::dvec3 corner_of(const Bodies& bodies, std::uint32_t plane, std::uint32_t before, std::uint32_t after) {
   software::Triple triple{plane, before, after};
   std::ranges::sort(triple);
-  return bodies.reference + bodies.planes.exact_place(triple) * bodies.planes.unit();
+  return bodies.reference + bodies.planes.exact_position(triple) * bodies.planes.unit();
 }
 
 }  // namespace
@@ -138,7 +138,7 @@ TEST_CASE("coplanar faces of bodies share a plane number") {
   const Bodies bodies =
       bodies_of("cube([1,2,3]);" + moved_by(1, 0, 0, "cube([5,2,3]);") + moved_by(9, 0, 0, "cube([1,1,1]);"));
   CHECK(bodies.faces.size() == 3 + 4 + 2 + 2);
-  const auto near = [&](std::size_t body) { return bodies.meeting(bodies.bodies[body].box); };
+  const auto near = [&](std::size_t body) { return bodies.bodies_meeting(bodies.bodies[body].box); };
   CHECK(near(0) == std::vector<std::uint32_t>{0, 1});
   CHECK(near(1) == std::vector<std::uint32_t>{0, 1});
   CHECK(near(2) == std::vector<std::uint32_t>{2});
@@ -195,11 +195,11 @@ TEST_CASE("exactly equal points are merged and points on a line are ordered") {
   CHECK(points.add({5, 6, 8}) == 2);
   CHECK(points.add({6, 7, 8}) == 2);
   CHECK(points.add({5, 6, 9}) == 5);  // a distinct neighbour
-  CHECK(points.places().size() == 6);
+  CHECK(points.positions().size() == 6);
   points.forget_planes();
   CHECK(points.add({3, 6, 7}) == 3);
   CHECK(points.add({3, 5, 7}) == 3);
-  CHECK(points.places()[3] * planes.unit() == glm::dvec3(3 / 16.0, 0, 0));
+  CHECK(points.positions()[3] * planes.unit() == glm::dvec3(3 / 16.0, 0, 0));
   CHECK(points.planes(3) == software::Triple{3, 5, 6});
   // The points strictly between two ends on the line y = 0, z = 0, from either end.
   const std::uint32_t off = points.add({2, 7, 9});
@@ -247,7 +247,7 @@ TEST_CASE("a body whose polygons are unknown must be split and so must its neigh
     CAPTURE(unknown);
     Bodies bodies = convert::make_bodies(tree, {});
     bodies.bodies[unknown].polygons.clear();
-    CHECK(convert::side_by_side(bodies, csg::make_positive(tree), {}) ==
+    CHECK(convert::side_by_side(bodies, csg::make_positive_tree(tree), {}) ==
           Bits{unknown == 2, unknown == 2, unknown != 2});
   }
 }
@@ -258,7 +258,7 @@ std::vector<std::vector<convert::Fragment>> fragments_of(const model::Tree& tree
   const Bodies bodies = convert::make_bodies(tree, {});
   std::vector<std::vector<convert::Fragment>> found;
   convert::find_fragments(
-      bodies, csg::make_positive(tree), Bits(bodies.bodies.size(), false),
+      bodies, csg::make_positive_tree(tree), Bits(bodies.bodies.size(), false),
       [&](std::span<const convert::Fragment> one) { found.emplace_back(one.begin(), one.end()); }, work, threads);
   return found;
 }
@@ -281,7 +281,7 @@ TEST_CASE("fragments are returned by body with back faces reversed") {
       CHECK(fragment.body == body);
       std::vector<glm::dvec3> places;
       for (const convert::FragmentCorner& corner : fragment.corners)
-        places.push_back(bodies.reference + bodies.planes.exact_place(corner.planes) * bodies.planes.unit());
+        places.push_back(bodies.reference + bodies.planes.exact_position(corner.planes) * bodies.planes.unit());
       glm::dvec3 twice(0);
       for (std::size_t i = 0; i < places.size(); ++i) {
         const std::size_t next = (i + 1) % places.size();

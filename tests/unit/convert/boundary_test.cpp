@@ -15,7 +15,7 @@ software::convert::Measures measures_of(const std::string& csg) {
   CAPTURE(csg);
   CHECK(fault_of(judged(surface)) == "");
   const software::convert::Measures measures = software::convert::measure(surface);
-  CHECK(measures.shells == testing::parts_of(judged(surface)));
+  CHECK(measures.shells == testing::part_count(judged(surface)));
   CHECK(measures.volume == doctest::Approx(testing::volume_of(judged(surface))).epsilon(1e-12));
   return measures;
 }

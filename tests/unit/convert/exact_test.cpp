@@ -71,14 +71,14 @@ std::vector<std::vector<convert::Fragment>> parts_of(const model::Tree& tree, co
   const Bodies bodies = convert::make_bodies(tree, {});
   std::vector<std::vector<convert::Fragment>> found;
   convert::find_fragments(
-      bodies, csg::make_positive(tree), std::vector<bool>(bodies.bodies.size(), false),
+      bodies, csg::make_positive_tree(tree), std::vector<bool>(bodies.bodies.size(), false),
       [&](std::span<const convert::Fragment> one) { found.emplace_back(one.begin(), one.end()); }, work);
   return found;
 }
 
 std::vector<bool> unsplit_bodies(const std::string& csg, const Work& work = {}) {
   const model::Tree tree = tree_of(csg);
-  return convert::side_by_side(convert::make_bodies(tree, {}), csg::make_positive(tree), work);
+  return convert::side_by_side(convert::make_bodies(tree, {}), csg::make_positive_tree(tree), work);
 }
 
 /// A cube from -1 to 1, and a second one with an edge that crosses the first one's edge at x = y = 1, starting at

@@ -10,10 +10,10 @@
 #include "tests/unit/software/random_tree.h"
 
 using namespace csgsim;
-using software::convert::Both;
 using software::convert::Known;
 using software::convert::LocalTree;
 using software::convert::Operand;
+using software::convert::SideValues;
 using testing::Random;
 using Kind = LocalTree::Node::Kind;
 
@@ -23,7 +23,7 @@ namespace {
 struct Near {
   explicit Near(Random& random)
       : tree(testing::random_tree(random, 2 + static_cast<unsigned>(random.below(8)))),
-        positive(csg::make_positive(tree)),
+        positive(csg::make_positive_tree(tree)),
         paths(positive) {
     for (std::uint32_t i = 0; i < tree.primitives.size(); ++i)
       if (random.below(4) != 0) primitives.push_back(i);
@@ -36,7 +36,7 @@ struct Near {
   std::vector<std::uint32_t> primitives;
 };
 
-Both value_of(const Near& near, const std::vector<Both>& values) {
+SideValues value_of(const Near& near, const std::vector<SideValues>& values) {
   const testing::TreeRules rules(near.tree);
   std::vector<bool> behind(near.tree.primitives.size(), false);
   std::vector<bool> before = behind;
@@ -49,14 +49,15 @@ Both value_of(const Near& near, const std::vector<Both>& values) {
 
 /// Calls visit(values) for all values of the unknown operands; both sides are equal unless they may differ.
 template <class Visit>
-void for_values(std::vector<Both> values, const std::vector<Known>& known, const std::vector<bool>& may_differ,
+void for_values(std::vector<SideValues> values, const std::vector<Known>& known, const std::vector<bool>& may_differ,
                 std::size_t from, const Visit& visit) {
   if (from == known.size()) return visit(values);
   if (known[from].is_known) {
     values[from] = known[from].value;
     return for_values(values, known, may_differ, from + 1, visit);
   }
-  for (const Both& value : {Both{false, false}, Both{true, true}, Both{false, true}, Both{true, false}}) {
+  for (const SideValues& value :
+       {SideValues{false, false}, SideValues{true, true}, SideValues{false, true}, SideValues{true, false}}) {
     if (value.behind != value.before && !may_differ[from]) continue;
     values[from] = value;
     for_values(values, known, may_differ, from + 1, visit);
@@ -100,9 +101,9 @@ TEST_CASE("reducing a tree by known operands gives its value in one step or in t
     const std::size_t count = near.primitives.size();
     const std::vector<bool> may(count, true);
     const std::vector<Known> all = some_known(random, count, 4);
-    std::vector<Both> values;
+    std::vector<SideValues> values;
     for (const Known& one : all) values.push_back(one.value);
-    const Both expected = value_of(near, values);
+    const SideValues expected = value_of(near, values);
     if (expected.behind != expected.before) ++both;
     const LocalTree reduced = tree.reduced(all, may);
     REQUIRE(reduced.value().is_known);
@@ -136,9 +137,9 @@ TEST_CASE("a value is known if no open operand affects it and otherwise may diff
     bool is_first = true;
     bool is_one = true;
     bool can_differ = false;
-    Both value;
-    for_values(std::vector<Both>(count), known, may, 0, [&](const std::vector<Both>& values) {
-      const Both here = value_of(near, values);
+    SideValues value;
+    for_values(std::vector<SideValues>(count), known, may, 0, [&](const std::vector<SideValues>& values) {
+      const SideValues here = value_of(near, values);
       if (!is_first && !(here == value)) is_one = false;
       value = here;
       is_first = false;
@@ -188,7 +189,7 @@ TEST_CASE("dropping operands of a tree renumbers the remaining ones") {
     std::vector<std::uint32_t> bodies;
     for (const LocalTree::Node& node : left.nodes())
       if (node.kind == Kind::leaf) bodies.push_back(near.primitives[node.operand]);
-    software::convert::keep(is_kept, left, operands);
+    software::convert::keep_operands(is_kept, left, operands);
     CHECK(operands.size() == static_cast<std::size_t>(std::ranges::count(is_kept, true)));
     std::size_t at = 0;
     for (const LocalTree::Node& node : left.nodes())

@@ -122,7 +122,7 @@ int winding(const JudgedMesh& mesh, const glm::dvec3& point) {
   return static_cast<int>(std::lround(sum / (4 * std::numbers::pi)));
 }
 
-std::size_t parts_of(const JudgedMesh& mesh) {
+std::size_t part_count(const JudgedMesh& mesh) {
   std::map<Ends, std::size_t> face_at;
   for (std::size_t face = 0; face < mesh.faces.size(); ++face) {
     const auto& corners = mesh.faces[face];

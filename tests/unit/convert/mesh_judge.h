@@ -35,6 +35,6 @@ double volume_of(const JudgedMesh& mesh);
 int winding(const JudgedMesh& mesh, const glm::dvec3& point);
 
 /// Number of parts whose faces are connected along sides.
-std::size_t parts_of(const JudgedMesh& mesh);
+std::size_t part_count(const JudgedMesh& mesh);
 
 }  // namespace csgsim::testing

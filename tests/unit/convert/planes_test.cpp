@@ -86,7 +86,7 @@ TEST_CASE("sides and positions of plane intersections match rational arithmetic"
       CHECK(planes.is_on_all(point.planes, std::array{k}) == (above == 0));
     }
     const glm::dvec3 rounded = software::place_of(point);
-    const glm::dvec3 fine = planes.exact_place(point.planes);
+    const glm::dvec3 fine = planes.exact_position(point.planes);
     Rational off = 0;
     for (int axis = 0; axis < 3; ++axis) {
       const Rational& coordinate = exactly[static_cast<std::size_t>(axis)];
@@ -108,6 +108,6 @@ TEST_CASE("a plane through a point has side 0 for every triple that defines the 
   for (const software::Triple& triple : triples) {
     const software::Meeting point = planes.meet(triple[0], triple[1], triple[2]);
     for (std::uint32_t i = 0; i < given.size(); ++i) CHECK(planes.side(point, i) == 0);
-    CHECK(planes.exact_place(triple) == glm::dvec3(0.125, 0.25, 0.375));
+    CHECK(planes.exact_position(triple) == glm::dvec3(0.125, 0.25, 0.375));
   }
 }

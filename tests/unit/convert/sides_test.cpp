@@ -21,7 +21,7 @@ using testing::Random;
 namespace {
 
 std::vector<Side> cancelled(std::vector<Side> sides) {
-  convert::cancel(sides);
+  convert::cancel_opposite_sides(sides);
   return sides;
 }
 
@@ -48,7 +48,7 @@ struct Ended {
 Ended ended(const std::vector<glm::dvec3>& points, const std::vector<Side>& sides, const glm::dvec3& outward) {
   Outlines outlines{points, {{outward, sides}}};
   const std::vector<std::size_t> which{0};
-  const bool any = convert::split_at_crossings(which, outlines);
+  const bool any = convert::try_split_at_crossings(which, outlines);
   return {any, outlines.points, outlines.outlines[0].sides};
 }
 
@@ -71,30 +71,30 @@ TEST_CASE("opposite and degenerate sides of outlines are removed and the rest so
 
 TEST_CASE("the end points of sides are listed once in ascending order") {
   const std::vector<Side> sides{{5, 1}, {1, 7}, {7, 5}, {3, 3}};
-  CHECK(convert::ends_of(sides) == std::vector<std::uint32_t>{1, 3, 5, 7});
-  CHECK(convert::ends_of({}).empty());
+  CHECK(convert::end_points_of(sides) == std::vector<std::uint32_t>{1, 3, 5, 7});
+  CHECK(convert::end_points_of({}).empty());
 }
 
 TEST_CASE("sides are split at their points in either direction") {
-  const convert::Ends ends{{convert::key_of({1, 5}), {8, 7}}};
+  const convert::PointsOnSides ends{{convert::key_of({1, 5}), {8, 7}}};
   std::vector<Side> sides{{1, 5}, {2, 3}};
-  CHECK(convert::split_at(ends, sides));
+  CHECK(convert::try_split_sides(ends, sides));
   CHECK(sides == std::vector<Side>{{1, 8}, {2, 3}, {7, 5}, {8, 7}});
   sides = {{5, 1}};
-  CHECK(convert::split_at(ends, sides));
+  CHECK(convert::try_split_sides(ends, sides));
   CHECK(sides == std::vector<Side>{{8, 1}, {5, 7}, {7, 8}});
   // Opposite sides cancel after the split.
   sides = {{5, 1}, {1, 8}};
-  CHECK(convert::split_at(ends, sides));
+  CHECK(convert::try_split_sides(ends, sides));
   CHECK(sides == std::vector<Side>{{5, 7}, {7, 8}});
   // Nothing changes without points, including the order.
   sides = {{4, 5}, {1, 2}, {2, 1}};
-  CHECK(!convert::split_at(ends, sides));
+  CHECK(!convert::try_split_sides(ends, sides));
   CHECK(sides == std::vector<Side>{{4, 5}, {1, 2}, {2, 1}});
 }
 
 TEST_CASE("joined sets of points are represented by their smallest member") {
-  convert::Sets sets(7);
+  convert::DisjointSets sets(7);
   for (std::uint32_t i = 0; i < 7; ++i) CHECK(sets.find(i) == i);
   sets.join(5, 3);
   sets.join(6, 5);
@@ -335,10 +335,10 @@ TEST_CASE("a crossing side is split in all outlines and others are left alone") 
                     {{{0, 0, 1}, {{0, 1}, {2, 3}}}, {{0, 1, 0}, {{1, 0}}}}};
   Outlines other = outlines;
   const std::vector<std::size_t> first{0};
-  CHECK(convert::split_at_crossings(first, outlines));
+  CHECK(convert::try_split_at_crossings(first, outlines));
   CHECK(outlines.outlines[1].sides == std::vector<Side>{{4, 0}, {1, 4}});
   const std::vector<std::size_t> second{1};
-  CHECK(!convert::split_at_crossings(second, other));
+  CHECK(!convert::try_split_at_crossings(second, other));
   CHECK(other.points.size() == 4);
 }
 

@@ -32,13 +32,13 @@ Outline outline_of(const glm::dvec3& outward, const std::vector<Polygon>& rounds
 std::vector<Side> sides_left(const std::vector<Triangle>& triangles) {
   std::vector<Side> sides;
   for (const Triangle& triangle : triangles) add_loop({triangle.begin(), triangle.end()}, sides);
-  convert::cancel(sides);
+  convert::cancel_opposite_sides(sides);
   return sides;
 }
 
 std::vector<Side> sides_left(const Outline& outline) {
   std::vector<Side> sides = outline.sides;
-  convert::cancel(sides);
+  convert::cancel_opposite_sides(sides);
   return sides;
 }
 
@@ -102,7 +102,7 @@ TEST_CASE("triangles of outlines have the outlines' area for each direction of v
       const std::vector<Triangle> triangles = convert::triangulate(points, outline);
       CHECK(sides_left(triangles) == sides_left(outline));
       if (row.triangles == 0) {
-        CHECK(convert::two_sides(points, outline) == std::nullopt);
+        CHECK(convert::triangulate_two_sided(points, outline) == std::nullopt);
         continue;
       }
       CHECK(triangles.size() == (row.triangles == 12 ? triangles.size() : row.triangles));
@@ -111,7 +111,7 @@ TEST_CASE("triangles of outlines have the outlines' area for each direction of v
       // The same outline with reversed sides has all triangles on the back.
       Outline back{seat.outward, {}};
       for (const Side& side : outline.sides) back.sides.push_back({side[1], side[0]});
-      const std::optional<convert::TwoSides> two = convert::two_sides(points, back);
+      const std::optional<convert::TwoSidedTriangles> two = convert::triangulate_two_sided(points, back);
       REQUIRE(two.has_value());
       CHECK(two->front.empty());
       CHECK(area(points, two->back, seat.outward) == doctest::Approx(-row.area));
@@ -123,25 +123,27 @@ TEST_CASE("triangles of outlines have the outlines' area for each direction of v
 TEST_CASE("counter-clockwise loops face the front and clockwise loops the back") {
   const std::vector<glm::dvec3> points{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {5, 0, 0}, {8, 0, 0}, {8, 3, 0}};
   const glm::dvec3 z(0, 0, 1);
-  const std::optional<convert::TwoSides> both =
-      convert::two_sides(points, outline_of(z, {{0, 1, 2, 3}, {0, 1, 2, 3}, {4, 6, 5}}));
+  const std::optional<convert::TwoSidedTriangles> both =
+      convert::triangulate_two_sided(points, outline_of(z, {{0, 1, 2, 3}, {0, 1, 2, 3}, {4, 6, 5}}));
   REQUIRE(both.has_value());
   CHECK(both->front.size() == 4);
   CHECK(area(points, both->front, z) == doctest::Approx(8));
   CHECK(both->back.size() == 1);
   CHECK(area(points, both->back, z) == doctest::Approx(-4.5));
   // A loop and its reverse cancel.
-  const std::optional<convert::TwoSides> none = convert::two_sides(points, outline_of(z, {{0, 1, 2}, {0, 2, 1}}));
+  const std::optional<convert::TwoSidedTriangles> none =
+      convert::triangulate_two_sided(points, outline_of(z, {{0, 1, 2}, {0, 2, 1}}));
   REQUIRE(none.has_value());
   CHECK(none->front.empty());
   CHECK(none->back.empty());
   // Collinear points have no area.
-  const std::optional<convert::TwoSides> line = convert::two_sides(points, outline_of(z, {{0, 1, 4}, {0, 4, 1}}));
+  const std::optional<convert::TwoSidedTriangles> line =
+      convert::triangulate_two_sided(points, outline_of(z, {{0, 1, 4}, {0, 4, 1}}));
   CHECK((!line.has_value() || (line->front.empty() && line->back.empty())));
   // Two points with the same projection.
   std::vector<glm::dvec3> above = points;
   above[4] = {0, 0, 1};
-  CHECK(convert::two_sides(above, outline_of(z, {{0, 1, 2, 3}, {4, 5, 6}})) == std::nullopt);
+  CHECK(convert::triangulate_two_sided(above, outline_of(z, {{0, 1, 2, 3}, {4, 5, 6}})) == std::nullopt);
 }
 
 TEST_CASE("a nearly straight corner produces no slivers") {
@@ -184,7 +186,7 @@ TEST_CASE("a star that winds twice is not convex although it always turns left")
     points.emplace_back(std::cos(i * 0.4 * std::numbers::pi), std::sin(i * 0.4 * std::numbers::pi), 0);
   // The result is empty, because sides of the star cross.
   const Outline star = outline_of({0, 0, 1}, {{0, 2, 4, 1, 3}});
-  CHECK(convert::two_sides(points, star) == std::nullopt);
+  CHECK(convert::triangulate_two_sided(points, star) == std::nullopt);
   CHECK(sides_left(convert::triangulate(points, star)) == sides_left(star));
   // A loop of six corners that winds twice; the sum of x times the next y minus y times the next x is 48 + 48 + 24 + 12
   // + 12 + 24.

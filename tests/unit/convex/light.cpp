@@ -7,11 +7,11 @@ namespace csgsim::testing {
 
 using namespace convex;
 
-double height(const TestModel& model, const ShadowVolume& volume, const glm::dvec3& point) {
+double signed_distance(const TestModel& model, const ShadowVolume& volume, const glm::dvec3& point) {
   double highest = -1e300;
   for (const auto* list : {&volume.facing, &volume.edge_on}) {
     for (const facet::Halfspace& halfspace : *list) {
-      highest = std::max(highest, height(model.scene, halfspace, point));
+      highest = std::max(highest, signed_distance(model.scene, halfspace, point));
     }
   }
   for (const facet::Plane& plane : volume.silhouette) {

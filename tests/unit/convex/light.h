@@ -9,7 +9,7 @@ namespace csgsim::testing {
 inline constexpr double doubtful = 1e-7;
 
 /// Maximum signed distance of a point from the volume's planes; negative inside.
-double height(const TestModel& model, const convex::ShadowVolume& volume, const glm::dvec3& point);
+double signed_distance(const TestModel& model, const convex::ShadowVolume& volume, const glm::dvec3& point);
 
 /// End of a segment towards the light: the light itself or a point far outside the model.
 glm::dvec3 end_of_segment(const TestModel& model, const convex::Light& light, const glm::dvec3& point);

@@ -19,8 +19,8 @@ void check_shadows(const TestModel& model, const Light& light, testing::RandomPo
   for (int i = 0; i < points; ++i) {
     const glm::dvec3 point = random.around(model.scene.box);
     double lowest = 1e300;
-    for (const ShadowVolume& volume : volumes) lowest = std::min(lowest, height(model, volume, point));
-    const double inside = testing::longest_inside(model, point, testing::end_of_segment(model, light, point));
+    for (const ShadowVolume& volume : volumes) lowest = std::min(lowest, signed_distance(model, volume, point));
+    const double inside = testing::longest_segment_inside(model, point, testing::end_of_segment(model, light, point));
     if (std::abs(lowest) < doubtful * model.scene.planes.diagonal() || (inside > 0.0 && inside < doubtful)) continue;
     REQUIRE((lowest < 0.0) == (inside > 0.0));
   }
@@ -58,7 +58,7 @@ TEST_CASE("light passes through a hole in a box and nowhere else") {
   }
   const auto in_shadow = [&](const glm::dvec3& point) {
     return std::any_of(volumes.begin(), volumes.end(),
-                       [&](const ShadowVolume& volume) { return height(model, volume, point) < 0.0; });
+                       [&](const ShadowVolume& volume) { return signed_distance(model, volume, point) < 0.0; });
   };
   CHECK(!in_shadow({0, 0, -9}));
   CHECK(!in_shadow({0.9, 0, -9}));

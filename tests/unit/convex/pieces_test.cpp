@@ -25,11 +25,11 @@ int check_points(const TestModel& model, const std::vector<convex::Piece>& piece
   for (const facet::Convex& solid : model.scene.solids) box = hull(box, solid.box);
   for (int i = 0; i < count && !box.empty(); ++i) {
     const glm::dvec3 point = random.around(model.scene.box.empty() || i % 4 == 0 ? box : model.scene.box);
-    const std::optional<bool> expected = testing::holds(model, point);
+    const std::optional<bool> expected = testing::contains_point(model, point);
     if (!expected) continue;
     std::set<std::uint32_t> products;
     for (const convex::Piece& piece : pieces) {
-      if (testing::height(model.scene, piece.polytope, point) >= 0.0) continue;
+      if (testing::signed_distance(model.scene, piece.polytope, point) >= 0.0) continue;
       REQUIRE(products.insert(piece.product).second);
       for (const facet::Face& face : model.solids[piece.primitive].faces) {
         REQUIRE(glm::dot(face.plane.normal, point) + face.plane.offset < 0.0);
@@ -63,7 +63,7 @@ TEST_CASE("a point is in a random model exactly if one piece of a product contai
     const std::vector<convex::Piece> pieces = model.pieces();
     for (const convex::Piece& piece : pieces) {
       REQUIRE(!piece.polytope.empty());
-      REQUIRE(testing::flaws(model.scene, piece.polytope) == "");
+      REQUIRE(testing::describe_flaws(model.scene, piece.polytope) == "");
     }
     inside += check_points(model, pieces, random, 250);
   }
@@ -77,7 +77,7 @@ TEST_CASE("a point is in a demo model exactly if a piece contains it") {
     CAPTURE(name);
     const TestModel model = testing::demo_model(name);
     const std::vector<convex::Piece> pieces = model.pieces();
-    for (const convex::Piece& piece : pieces) REQUIRE(testing::flaws(model.scene, piece.polytope) == "");
+    for (const convex::Piece& piece : pieces) REQUIRE(testing::describe_flaws(model.scene, piece.polytope) == "");
     CHECK(check_points(model, pieces, random, 3000) > 20);
   }
 }

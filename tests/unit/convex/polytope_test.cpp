@@ -80,7 +80,7 @@ TEST_CASE("a box keeps its structure and volume when rotated or far away") {
     CHECK(polytope.vertices.size() == 8);
     CHECK(convex::edges(polytope).size() == 12);
     CHECK(convex::volume(polytope) == doctest::Approx(30.0).epsilon(1e-9));
-    CHECK(flaws(model.scene, polytope) == "");
+    CHECK(describe_flaws(model.scene, polytope) == "");
   }
 }
 
@@ -91,7 +91,7 @@ TEST_CASE("solids have one face per half-space and their geometric volumes") {
     const convex::Polytope polytope = only_solid(model);
     CHECK(polytope.faces.size() == model.scene.solids.front().halfspaces.size());
     CHECK(convex::volume(polytope) == doctest::Approx(volume).epsilon(error));
-    CHECK(flaws(model.scene, polytope) == "");
+    CHECK(describe_flaws(model.scene, polytope) == "");
   };
   check("cylinder($fn=96,$fa=12,$fs=2,h=7,r1=3,r2=3,center=true);", 7.0 * polygon_area(3, 96));
   check("cylinder($fn=100,$fa=12,$fs=2,h=7,r1=3,r2=0,center=true);", 7.0 / 3.0 * polygon_area(3, 100));
@@ -119,7 +119,7 @@ TEST_CASE("a sphere faceted to a tolerance is a polytope between two spheres") {
   const facet::Geometry scene = facet::make_geometry(model.tree, {0.02, std::nullopt});
   const convex::Polytope polytope = convex::make_polytope(scene.solids.front(), scene.planes);
   CHECK(polytope.faces.size() == scene.solids.front().halfspaces.size());
-  CHECK(flaws(scene, polytope) == "");
+  CHECK(describe_flaws(scene, polytope) == "");
   CHECK(convex::volume(polytope) < 4.0 / 3.0 * std::numbers::pi * 8.0);
   CHECK(convex::volume(polytope) > 4.0 / 3.0 * std::numbers::pi * std::pow(1.98, 3));
 }
@@ -165,7 +165,7 @@ TEST_CASE("solids with thousands of half-spaces match clip() to rounding") {
   const auto check = [&](const facet::Convex& solid, const facet::Geometry& scene, const convex::Polytope& expected) {
     const facet::PlaneTable& planes = scene.planes;
     const convex::Polytope found = convex::make_polytope(solid, planes);
-    CHECK(flaws(scene, found) == "");
+    CHECK(describe_flaws(scene, found) == "");
     REQUIRE(found.vertices.size() == expected.vertices.size());
     REQUIRE(found.faces.size() == expected.faces.size());
     CHECK(found.faces.size() > 1000);
@@ -244,8 +244,8 @@ TEST_CASE("a plane cuts a polytope into two polytopes whose volumes add up") {
     for (std::uint32_t plane = 0; plane < model.scene.planes.planes().size(); ++plane) {
       const convex::Polytope below = convex::clip(whole, {plane, true}, model.scene.planes);
       const convex::Polytope above = convex::clip(whole, {plane, false}, model.scene.planes);
-      REQUIRE(flaws(model.scene, below) == "");
-      REQUIRE(flaws(model.scene, above) == "");
+      REQUIRE(describe_flaws(model.scene, below) == "");
+      REQUIRE(describe_flaws(model.scene, above) == "");
       const double sum = (below.empty() ? 0.0 : convex::volume(below)) + (above.empty() ? 0.0 : convex::volume(above));
       REQUIRE(sum == doctest::Approx(convex::volume(whole)).epsilon(1e-9));
       if (below.empty() || above.empty()) continue;
@@ -255,7 +255,7 @@ TEST_CASE("a plane cuts a polytope into two polytopes whose volumes add up") {
       convex::merge(halves, model.scene.planes);
       REQUIRE(halves.size() == 1);
       REQUIRE(halves.front().faces.size() == whole.faces.size());
-      REQUIRE(flaws(model.scene, halves.front()) == "");
+      REQUIRE(describe_flaws(model.scene, halves.front()) == "");
     }
   }
   CHECK((!testing::draws_usual_cases() || cuts > 2000));
@@ -305,7 +305,7 @@ TEST_CASE("a sheet thinner than the tolerance vanishes and a thicker one remains
       sheet = convex::clip(std::move(sheet), halfspace, model.scene.planes);
     }
     CHECK(sheet.empty() == (thickness < 1.0));
-    CHECK(flaws(model.scene, sheet) == "");
+    CHECK(describe_flaws(model.scene, sheet) == "");
   }
 }
 
@@ -344,7 +344,7 @@ TEST_CASE("planes near common corners by about the tolerance yield valid polytop
       if (next.vertices != polytope.vertices) ++cuts;
       polytope = std::move(next);
       // The tolerance may have been raised, but only by a limited amount.
-      REQUIRE(flaws(scene, polytope, 1.01) == "");
+      REQUIRE(describe_flaws(scene, polytope, 1.01) == "");
     }
   }
   CHECK(cuts > 5000);

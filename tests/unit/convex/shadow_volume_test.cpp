@@ -17,8 +17,8 @@ double overlap(const TestModel& model, const convex::Polytope& polytope, const g
   double first = 0;
   double last = 1;
   for (const convex::Face& face : polytope.faces) {
-    const double here = testing::height(model.scene, face.halfspace, from);
-    const double there = testing::height(model.scene, face.halfspace, to);
+    const double here = testing::signed_distance(model.scene, face.halfspace, from);
+    const double there = testing::signed_distance(model.scene, face.halfspace, to);
     if (here > 0 && there > 0) return -1;
     if (here > 0) first = std::max(first, here / (here - there));
     if (there > 0) last = std::min(last, here / (here - there));
@@ -31,7 +31,7 @@ void check_description(const TestModel& model, const convex::Polytope& polytope,
                        const ShadowVolume& volume) {
   const double near = 3.0 * convex::tolerance(model.scene.planes);
   const glm::dvec3 centre = model.scene.planes.centre();
-  for (const glm::dvec3& vertex : polytope.vertices) REQUIRE(height(model, volume, vertex + centre) <= near);
+  for (const glm::dvec3& vertex : polytope.vertices) REQUIRE(signed_distance(model, volume, vertex + centre) <= near);
   std::vector<facet::Plane> planes = volume.silhouette;
   for (const facet::Plane& plane : volume.silhouette) {
     REQUIRE(glm::length(plane.normal) == doctest::Approx(1.0).epsilon(1e-12));
@@ -113,8 +113,8 @@ TEST_CASE("a light inside shadows everything and one on the surface the half beh
     CHECK(volume.facing.empty());
     CHECK(volume.silhouette.empty());
     CHECK(volume.edge_on.size() == i + 1);
-    CHECK(height(box, volume, {0, 0, -50}) < 0.0);
-    CHECK(height(box, volume, {0, 0, 50}) > 0.0);
+    CHECK(signed_distance(box, volume, {0, 0, -50}) < 0.0);
+    CHECK(signed_distance(box, volume, {0, 0, 50}) > 0.0);
   }
 }
 
@@ -164,7 +164,7 @@ TEST_CASE("collinear edges of coplanar faces give a single shadow plane") {
   const std::uint32_t n = middle(c[2], c[3]);
   top->corners = {c[0], m, n, c[3]};
   polytope.faces.push_back({top->halfspace, {m, c[1], c[2], n}});
-  REQUIRE(testing::flaws(box.scene, polytope) == "");
+  REQUIRE(testing::describe_flaws(box.scene, polytope) == "");
   for (const glm::dvec4& place : {glm::dvec4(1, 2, 3, 0), glm::dvec4(-1, -2, 3, 0), glm::dvec4(0.2, 0.1, 3, 1)}) {
     const ShadowVolume volume = convex::shadow_volume(polytope, {place}, box.scene.planes);
     const ShadowVolume whole = volume_of(box, place);
@@ -189,13 +189,13 @@ TEST_CASE("a point is in a shadow volume exactly if its segment to the light hit
       const Light light = testing::random_light(model, random);
       const ShadowVolume volume = convex::shadow_volume(polytope, light, model.scene.planes);
       if (volume.everything()) {
-        REQUIRE(testing::height(model.scene, polytope, glm::dvec3(light.place)) < 0.0);
+        REQUIRE(testing::signed_distance(model.scene, polytope, glm::dvec3(light.place)) < 0.0);
       } else {
         check_description(model, polytope, light, volume);
       }
       for (int k = 0; k < 40; ++k) {
         const glm::dvec3 point = random.around(model.scene.solids[pieces[i].primitive].box);
-        const double above = height(model, volume, point);
+        const double above = signed_distance(model, volume, point);
         const double part = overlap(model, polytope, point, testing::end_of_segment(model, light, point));
         if (std::abs(above) < doubtful * diagonal || std::abs(part) < doubtful) continue;
         REQUIRE((above < 0.0) == (part > 0.0));

@@ -15,7 +15,7 @@
 namespace csgsim::testing {
 
 TestModel::TestModel(model::Tree from)
-    : tree(std::move(from)), scene(facet::make_geometry(tree)), positive(csg::make_positive(tree)) {
+    : tree(std::move(from)), scene(facet::make_geometry(tree)), positive(csg::make_positive_tree(tree)) {
   for (const model::Primitive& primitive : tree.primitives) solids.push_back(facet::make_solid(primitive));
 }
 
@@ -54,9 +54,9 @@ std::pair<bool, double> examine(const TestModel& model, const glm::dvec3& point)
   for (const facet::Solid& solid : model.solids) {
     double highest = -1e300;
     for (const facet::Face& face : solid.faces) {
-      const double height = glm::dot(face.plane.normal, point) + face.plane.offset;
-      highest = std::max(highest, height);
-      nearest = std::min(nearest, std::abs(height));
+      const double signed_distance = glm::dot(face.plane.normal, point) + face.plane.offset;
+      highest = std::max(highest, signed_distance);
+      nearest = std::min(nearest, std::abs(signed_distance));
     }
     held.push_back(highest < 0.0);
   }
@@ -65,13 +65,13 @@ std::pair<bool, double> examine(const TestModel& model, const glm::dvec3& point)
 
 }  // namespace
 
-std::optional<bool> holds(const TestModel& model, const glm::dvec3& point) {
+std::optional<bool> contains_point(const TestModel& model, const glm::dvec3& point) {
   const auto [inside, nearest] = examine(model, point);
   if (nearest < doubtful * model.scene.planes.diagonal()) return std::nullopt;
   return inside;
 }
 
-double longest_inside(const TestModel& model, const glm::dvec3& from, const glm::dvec3& to) {
+double longest_segment_inside(const TestModel& model, const glm::dvec3& from, const glm::dvec3& to) {
   std::vector<double> crossings{0.0, 1.0};
   for (const facet::Solid& solid : model.solids) {
     for (const facet::Face& face : solid.faces) {
@@ -90,19 +90,20 @@ double longest_inside(const TestModel& model, const glm::dvec3& from, const glm:
   return longest;
 }
 
-double height(const facet::Geometry& scene, facet::Halfspace halfspace, const glm::dvec3& point) {
+double signed_distance(const facet::Geometry& scene, facet::Halfspace halfspace, const glm::dvec3& point) {
   const facet::Plane& plane = scene.planes.planes()[halfspace.plane];
   const double value = glm::dot(plane.normal, point - scene.planes.centre()) + plane.offset;
   return halfspace.positive ? value : -value;
 }
 
-double height(const facet::Geometry& scene, const convex::Polytope& polytope, const glm::dvec3& point) {
+double signed_distance(const facet::Geometry& scene, const convex::Polytope& polytope, const glm::dvec3& point) {
   double highest = -1e300;
-  for (const convex::Face& face : polytope.faces) highest = std::max(highest, height(scene, face.halfspace, point));
+  for (const convex::Face& face : polytope.faces)
+    highest = std::max(highest, signed_distance(scene, face.halfspace, point));
   return highest;
 }
 
-std::string flaws(const facet::Geometry& scene, const convex::Polytope& polytope, double slack) {
+std::string describe_flaws(const facet::Geometry& scene, const convex::Polytope& polytope, double slack) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> directed;
   std::vector<int> degrees(polytope.vertices.size(), 0);
   if (polytope.empty()) return polytope.vertices.empty() ? "" : "vertices without faces";
@@ -115,11 +116,11 @@ std::string flaws(const facet::Geometry& scene, const convex::Polytope& polytope
       ++directed[{face.corners[i], face.corners[(i + 1) % face.corners.size()]}];
       ++degrees[face.corners[i]];
       const glm::dvec3 corner = polytope.vertices[face.corners[i]] + scene.planes.centre();
-      const double off = std::abs(height(scene, face.halfspace, corner));
+      const double off = std::abs(signed_distance(scene, face.halfspace, corner));
       if (off > near) return fmt::format("corner {} off the plane of its face", off);
     }
     for (const glm::dvec3& vertex : polytope.vertices) {
-      const double beyond = height(scene, face.halfspace, vertex + scene.planes.centre());
+      const double beyond = signed_distance(scene, face.halfspace, vertex + scene.planes.centre());
       if (beyond > near) return fmt::format("vertex {} outside a face", beyond);
     }
   }

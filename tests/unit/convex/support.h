@@ -34,20 +34,20 @@ TestModel demo_model(const std::string& name);
 
 /// Whether the model contains the point, according to the tree's operators. Empty if the point is too close to a plane
 /// to decide.
-std::optional<bool> holds(const TestModel& model, const glm::dvec3& point);
+std::optional<bool> contains_point(const TestModel& model, const glm::dvec3& point);
 
 /// Longest stretch inside the model between crossings of planes, in parameters of the segment; 0 if there is none.
-double longest_inside(const TestModel& model, const glm::dvec3& from, const glm::dvec3& to);
+double longest_segment_inside(const TestModel& model, const glm::dvec3& from, const glm::dvec3& to);
 
 /// normal . p + offset of a half-space's outward plane; the point is in model space.
-double height(const facet::Geometry& scene, facet::Halfspace halfspace, const glm::dvec3& point);
+double signed_distance(const facet::Geometry& scene, facet::Halfspace halfspace, const glm::dvec3& point);
 
 /// Maximum signed distance from the faces; negative inside.
-double height(const facet::Geometry& scene, const convex::Polytope& polytope, const glm::dvec3& point);
+double signed_distance(const facet::Geometry& scene, const convex::Polytope& polytope, const glm::dvec3& point);
 
 /// First fault of a polytope as a structure: edges without exactly two faces, vertices off their faces' planes or
 /// beyond others, or a violation of Euler's formula. Empty if there is none. `slack` is in tolerances.
-std::string flaws(const facet::Geometry& scene, const convex::Polytope& polytope, double slack = 1.01);
+std::string describe_flaws(const facet::Geometry& scene, const convex::Polytope& polytope, double slack = 1.01);
 
 /// Random points and numbers that are the same on every platform.
 class RandomPoints {

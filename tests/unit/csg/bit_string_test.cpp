@@ -18,7 +18,7 @@ bool evaluate_string(const csg::BitString& string, const std::vector<csg::Active
   for (const std::uint32_t leaf : string.leaves) bits.push_back(in[nodes[leaf].primitive]);
   for (const csg::StringLevel& level : string.levels) {
     for (const std::uint32_t position : level.inverted) bits[position] = !bits[position];
-    for (const csg::Meeting& meeting : level.meetings) {
+    for (const csg::AndRun& meeting : level.and_runs) {
       for (std::uint32_t i = 0; i < meeting.bits; ++i) {
         bits[meeting.first + i] = bits[meeting.first + i] && bits[meeting.second + i];
       }
@@ -28,7 +28,7 @@ bool evaluate_string(const csg::BitString& string, const std::vector<csg::Active
 }
 
 bool is_correct_for_all_assignments(const ActiveTree& tree) {
-  const csg::RootedTree rooted = csg::with_root(tree);
+  const csg::RootedTree rooted = csg::make_rooted_tree(tree);
   const csg::BitString string = csg::make_bit_string(rooted.nodes, rooted.root);
   const std::size_t leaves = leaves_of(tree);
   for (std::uint32_t assignment = 0; assignment < 1U << leaves; ++assignment) {
@@ -60,7 +60,7 @@ TEST_CASE("a bit string matches Boolean evaluation for random trees and all assi
 TEST_CASE("every leaf has one bit of the string and a combined bit is not used again") {
   CHECK(rc::check([] {
     const ActiveTree tree = any_tree(60);
-    const csg::RootedTree rooted = csg::with_root(tree);
+    const csg::RootedTree rooted = csg::make_rooted_tree(tree);
     const csg::BitString string = csg::make_bit_string(rooted.nodes, rooted.root);
     std::vector<bool> seen(leaves_of(tree), false);
     for (const std::uint32_t leaf : string.leaves) {
@@ -73,7 +73,7 @@ TEST_CASE("every leaf has one bit of the string and a combined bit is not used a
     std::vector<bool> alive(seen.size(), true);
     for (const csg::StringLevel& level : string.levels) {
       for (const std::uint32_t position : level.inverted) RC_ASSERT(alive[position]);
-      for (const csg::Meeting& meeting : level.meetings) {
+      for (const csg::AndRun& meeting : level.and_runs) {
         for (std::uint32_t i = 0; i < meeting.bits; ++i) {
           RC_ASSERT(alive[meeting.first + i]);
           RC_ASSERT(alive[meeting.second + i]);
@@ -95,7 +95,7 @@ TEST_CASE("an operator over n leaves takes ceil(log2 n) levels of one AND each")
     const csg::BitString string = csg::make_bit_string(tree.nodes, root);
     CAPTURE(n);
     CHECK(string.levels.size() == ceil_log2(n));
-    for (const csg::StringLevel& level : string.levels) CHECK(level.meetings.size() == 1);
+    for (const csg::StringLevel& level : string.levels) CHECK(level.and_runs.size() == 1);
   }
 }
 
@@ -115,8 +115,8 @@ TEST_CASE("a full tree of alternating operators takes one inversion between leve
   CHECK(string.levels[0].inverted.empty());
   CHECK(string.levels[1].inverted == std::vector<std::uint32_t>{0, 1, 2, 3});
   CHECK(string.levels[2].inverted == std::vector<std::uint32_t>{0, 1});
-  CHECK(string.levels[0].meetings == std::vector<csg::Meeting>{{0, 4, 4}});
-  CHECK(string.levels[1].meetings == std::vector<csg::Meeting>{{0, 2, 2}});
-  CHECK(string.levels[2].meetings == std::vector<csg::Meeting>{{0, 1, 1}});
+  CHECK(string.levels[0].and_runs == std::vector<csg::AndRun>{{0, 4, 4}});
+  CHECK(string.levels[1].and_runs == std::vector<csg::AndRun>{{0, 2, 2}});
+  CHECK(string.levels[2].and_runs == std::vector<csg::AndRun>{{0, 1, 1}});
   CHECK_FALSE(string.inverted);
 }

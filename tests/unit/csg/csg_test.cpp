@@ -49,7 +49,7 @@ Prepared prepare(const std::string& text) {
   model::Tree tree = read::read_csg_text(text, "test");
   facet::Geometry scene = facet::make_geometry(tree);
   view::View view = view::make_view(scene, tree, {{30, -40, 20}, {0, 0, 0}, view::Projection::orthographic}, {});
-  csg::PositiveTree positive = csg::make_positive(tree);
+  csg::PositiveTree positive = csg::make_positive_tree(tree);
   return {std::move(tree), std::move(scene), std::move(view), std::move(positive)};
 }
 
@@ -65,7 +65,7 @@ TEST_CASE("the positive form of a tree has its value for every state of the prim
     const auto seed = *rc::gen::arbitrary<std::uint64_t>();
     const model::Tree tree =
         read::read_csg_text(testing::random_model(seed, static_cast<unsigned>(*rc::gen::inRange(1, 20))), "test");
-    const csg::PositiveTree positive = csg::make_positive(tree);
+    const csg::PositiveTree positive = csg::make_positive_tree(tree);
     const auto in = *rc::gen::container<std::vector<bool>>(tree.primitives.size(), rc::gen::arbitrary<bool>());
     RC_ASSERT(testing::TreeRules(tree).holds(in) == evaluate(positive, in));
   }));

@@ -8,7 +8,7 @@
 #include "tests/unit/view/held.h"
 
 using namespace csgsim;
-using csg::Known;
+using csg::Containment;
 
 namespace {
 
@@ -32,7 +32,7 @@ model::Tree random_solid() {
 }  // namespace
 
 TEST_CASE("blocks of curved solids are classified correctly and extents contain them") {
-  int known_in = 0;
+  int classes_in_cell = 0;
   int known_out = 0;
   int held = 0;
   for (int round = 0; round < 5; ++round) {
@@ -78,18 +78,18 @@ TEST_CASE("blocks of curved solids are classified correctly and extents contain 
             }
           }
         }
-        const Known known = csg::locate(view, scene, 0, block);
-        if (known == Known::in) RC_ASSERT(in == count);
-        if (known == Known::out) RC_ASSERT(in == 0);
-        RC_ASSERT(csg::holds(view, scene, 0, block) == (known == Known::in));
-        known_in += known == Known::in ? 1 : 0;
-        known_out += known == Known::out && in == 0 ? 1 : 0;
+        const Containment known = csg::locate(view, scene, 0, block);
+        if (known == Containment::in) RC_ASSERT(in == count);
+        if (known == Containment::out) RC_ASSERT(in == 0);
+        RC_ASSERT(csg::holds(view, scene, 0, block) == (known == Containment::in));
+        classes_in_cell += known == Containment::in ? 1 : 0;
+        known_out += known == Containment::out && in == 0 ? 1 : 0;
         held += in;
       }
     }));
   }
-  MESSAGE("blocks in: ", known_in, ", blocks out: ", known_out, ", points inside: ", held);
-  CHECK((!testing::draws_usual_cases() || known_in > 10));
+  MESSAGE("blocks in: ", classes_in_cell, ", blocks out: ", known_out, ", points inside: ", held);
+  CHECK((!testing::draws_usual_cases() || classes_in_cell > 10));
   CHECK((!testing::draws_usual_cases() || known_out > 100));
   CHECK((!testing::draws_usual_cases() || held > 1000));
 }

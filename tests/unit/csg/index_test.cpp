@@ -11,7 +11,7 @@
 #include "tests/support/test.h"
 
 using namespace csgsim;
-using csg::Known;
+using csg::Containment;
 
 namespace {
 
@@ -73,23 +73,23 @@ class Pruned {
       : tree(read::read_csg_text(text, "test")),
         scene(facet::make_geometry(tree)),
         view(view::make_view(scene, tree, {{30, -40, 20}, {0, 0, 0}, view::Projection::orthographic}, small_picture())),
-        positive(csg::make_positive(tree)),
+        positive(csg::make_positive_tree(tree)),
         pruning_(pruning) {}
 
   struct Part {
-    Known known = Known::depends;
+    Containment known = Containment::depends;
     std::vector<std::uint32_t> leaves{};  ///< leaves that it depends on
   };
 
   /// Intersection of all operands next to the path from the primitive to the root.
   [[nodiscard]] Part i_tree(std::uint32_t primitive, const csg::Block& block) const {
-    Part all{Known::in};
+    Part all{Containment::in};
     std::uint32_t below = positive.leaf_of[primitive];
     for (std::uint32_t at = positive.nodes[below].parent; at != model::no_index;
          below = std::exchange(at, positive.nodes[at].parent)) {
       if (positive.nodes[at].op != csg::PositiveOperator::intersect) continue;
       for (const std::uint32_t child : positive.nodes[at].children)
-        if (child != below) add(all, part(child, primitive, block), Known::out);
+        if (child != below) add(all, part(child, primitive, block), Containment::out);
     }
     return all;
   }
@@ -109,12 +109,12 @@ class Pruned {
 
  private:
   /// Adds an operand of an operator with the given dominant value.
-  static void add(Part& whole, Part&& operand, Known dominant) {
+  static void add(Part& whole, Part&& operand, Containment dominant) {
     if (whole.known == dominant) return;
     if (operand.known == dominant) {
       whole = {dominant};
-    } else if (operand.known == Known::depends) {
-      whole.known = Known::depends;
+    } else if (operand.known == Containment::depends) {
+      whole.known = Containment::depends;
       whole.leaves.insert(whole.leaves.end(), operand.leaves.begin(), operand.leaves.end());
     }
   }
@@ -123,24 +123,24 @@ class Pruned {
     const csg::PositiveNode& node = positive.nodes[index];
     if (node.is_leaf) return leaf(node, primitive, block);
     const bool intersects = node.op == csg::PositiveOperator::intersect;
-    Part whole{intersects ? Known::in : Known::out};
+    Part whole{intersects ? Containment::in : Containment::out};
     for (const std::uint32_t child : node.children)
-      add(whole, part(child, primitive, block), intersects ? Known::out : Known::in);
+      add(whole, part(child, primitive, block), intersects ? Containment::out : Containment::in);
     return whole;
   }
 
   [[nodiscard]] Part leaf(const csg::PositiveNode& node, std::uint32_t primitive, const csg::Block& block) const {
-    Known known = Known::depends;
+    Containment known = Containment::depends;
     const bool apart = pruning_.separation && pairs_.are_apart(node.primitive, primitive, view, {});
     // The plane of the model must still lie between what rounding makes of the primitives in this view.
     if (apart) RC_ASSERT(have_gap(view.extents[node.primitive].corners, view.extents[primitive].corners));
     if (is_disjoint(node.primitive, primitive, block) || apart) {
-      known = Known::out;
+      known = Containment::out;
     } else if (pruning_.halfspaces) {
       known = csg::locate(view, scene, node.primitive, block);
     }
-    if (known == Known::depends) return {known, {node.primitive}};
-    return {(known == Known::in) != node.complemented ? Known::in : Known::out};
+    if (known == Containment::depends) return {known, {node.primitive}};
+    return {(known == Containment::in) != node.complemented ? Containment::in : Containment::out};
   }
 
   csg::Pruning pruning_;
@@ -208,7 +208,7 @@ TEST_CASE("BoxIndex::covering() returns the first boxes up to the requested numb
 TEST_CASE("the paths of a tree lead to the same nodes as steps from parent to parent") {
   CHECK(rc::check([] {
     const std::string text = testing::random_model(*rc::gen::arbitrary<std::uint64_t>(), *rc::gen::inRange(2U, 60U));
-    const csg::PositiveTree tree = csg::make_positive(read::read_csg_text(text, "test"));
+    const csg::PositiveTree tree = csg::make_positive_tree(read::read_csg_text(text, "test"));
     const csg::TreePaths paths(tree);
     const auto up = [&](std::uint32_t node) {
       std::vector<std::uint32_t> nodes{node};
@@ -249,8 +249,8 @@ TEST_CASE("Pruner::meeting() returns the operands that a walk of the whole tree 
       RC_ASSERT(std::is_sorted(meeting.begin(), meeting.end()));
       const Pruned::Part expected = plain.i_tree(primitive, block);
       const csg::ActiveTree active = pruner.active_tree(set, block);
-      RC_ASSERT(active.nothing == (expected.known == Known::out));
-      RC_ASSERT(active.operands.empty() == (expected.known != Known::depends));
+      RC_ASSERT(active.nothing == (expected.known == Containment::out));
+      RC_ASSERT(active.operands.empty() == (expected.known != Containment::depends));
       std::vector<std::uint32_t> leaves = expected.leaves;
       std::sort(leaves.begin(), leaves.end());
       RC_ASSERT(leaves_of(active) == leaves);

@@ -5,7 +5,7 @@
 #include "tests/support/test.h"
 
 using namespace csgsim;
-using csg::Known;
+using csg::Containment;
 
 TEST_CASE("an unrepresentable plane decides a block only where rounding cannot matter") {
   CHECK(rc::check([] {
@@ -38,9 +38,9 @@ TEST_CASE("an unrepresentable plane decides a block only where rounding cannot m
     const double doubt = 3.0 + 1e-8 * std::max(std::abs(*low), std::abs(*high));
     const bool same = plane.positive == halfspace.positive;
     // The half-space is behind a front face, or on the positive side of an edge.
-    const Known low_side = edge != same ? Known::in : Known::out;
-    const Known high_side = edge != same ? Known::out : Known::in;
-    const Known known = csg::locate(view, halfspace, block);
+    const Containment low_side = edge != same ? Containment::in : Containment::out;
+    const Containment high_side = edge != same ? Containment::out : Containment::in;
+    const Containment known = csg::locate(view, halfspace, block);
     if (*high > before + 1) RC_ASSERT(known != low_side);
     if (*low < behind) RC_ASSERT(known != high_side);
     if (*high < before - doubt) RC_ASSERT(known == low_side);

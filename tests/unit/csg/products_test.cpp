@@ -119,7 +119,7 @@ TEST_CASE("operands that do not touch P in thesis fig. 6.2 are pruned from its t
   const model::Tree tree = read::read_csg_text(text, "test");
   const facet::Geometry scene = facet::make_geometry(tree);
   const view::View view = view::make_view(scene, tree, {{30, -40, 400}, {0, 0, 0}, view::Projection::orthographic}, {});
-  const csg::PositiveTree positive = csg::make_positive(tree);
+  const csg::PositiveTree positive = csg::make_positive_tree(tree);
   csg::PairTable pairs(scene);
   const csg::Pruner pruner(scene, view, positive, pairs);
   const csg::ConvexSet set{P};

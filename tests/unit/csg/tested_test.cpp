@@ -13,16 +13,16 @@ constexpr view::FixedLinear plane{3, -2, 7};
 
 TEST_CASE("Tested reports a test as known after the same plane and rectangle were added") {
   csg::Tested tested;
-  CHECK(tested.add(plane, {0, 0, 9, 9}) == csg::Finding::by_test);
-  CHECK(tested.add(plane, {0, 0, 9, 9}) == csg::Finding::known);
-  CHECK(tested.add(plane, {0, 0, 9, 8}) == csg::Finding::by_test);
-  CHECK(tested.add({3, -2, 8}, {0, 0, 9, 9}) == csg::Finding::by_test);
+  CHECK(tested.add(plane, {0, 0, 9, 9}) == csg::ExtremesSource::by_test);
+  CHECK(tested.add(plane, {0, 0, 9, 9}) == csg::ExtremesSource::known);
+  CHECK(tested.add(plane, {0, 0, 9, 8}) == csg::ExtremesSource::by_test);
+  CHECK(tested.add({3, -2, 8}, {0, 0, 9, 9}) == csg::ExtremesSource::by_test);
   tested.seal();
-  CHECK(tested.add(plane, {0, 0, 9, 8}) == csg::Finding::known);
+  CHECK(tested.add(plane, {0, 0, 9, 8}) == csg::ExtremesSource::known);
   csg::Tested copy;
   copy.add(tested);
-  CHECK(copy.add(plane, {0, 0, 9, 9}) == csg::Finding::known);
-  CHECK(copy.add(plane, {1, 0, 9, 9}) == csg::Finding::by_test);
+  CHECK(copy.add(plane, {0, 0, 9, 9}) == csg::ExtremesSource::known);
+  CHECK(copy.add(plane, {1, 0, 9, 9}) == csg::ExtremesSource::by_test);
 }
 
 TEST_CASE("a row takes its extremes from the row above with the same columns") {
@@ -32,10 +32,10 @@ TEST_CASE("a row takes its extremes from the row above with the same columns") {
   above.seal();
   csg::Tested row;
   row.follow(above);
-  CHECK(row.add(plane, {2, 6, 9, 6}) == csg::Finding::from_row);
-  CHECK(row.add(plane, {3, 6, 9, 6}) == csg::Finding::by_test);
-  CHECK(row.add(plane, {2, 7, 9, 7}) == csg::Finding::by_test);
-  CHECK(row.add(plane, {0, 5, 9, 6}) == csg::Finding::by_test);
+  CHECK(row.add(plane, {2, 6, 9, 6}) == csg::ExtremesSource::from_row);
+  CHECK(row.add(plane, {3, 6, 9, 6}) == csg::ExtremesSource::by_test);
+  CHECK(row.add(plane, {2, 7, 9, 7}) == csg::ExtremesSource::by_test);
+  CHECK(row.add(plane, {0, 5, 9, 6}) == csg::ExtremesSource::by_test);
 }
 
 TEST_CASE("Counted charges a half-space, two values if from a row, or a box if known") {

@@ -67,7 +67,7 @@ std::uint32_t number_after(std::uint32_t segment, std::size_t index) {
 /// A machine that draws the segments concurrently; the test chooses which one proceeds.
 class SideBySide {
  public:
-  SideBySide(const isa::Program& program, cycle::InOrder& in_order)
+  SideBySide(const isa::Program& program, cycle::ProgramOrderBuffer& in_order)
       : program_(program), in_order_(in_order), next_(program.segments.size()) {}
 
   [[nodiscard]] bool has_ended(std::uint32_t segment) const {
@@ -87,7 +87,7 @@ class SideBySide {
 
  private:
   const isa::Program& program_;
-  cycle::InOrder& in_order_;
+  cycle::ProgramOrderBuffer& in_order_;
   std::vector<std::uint32_t> next_;
 };
 
@@ -119,7 +119,7 @@ TEST_CASE("observers are notified in Program order with the pixels of that time"
     Witness reader(Opcode::enable_all);
     Witness only_ends(std::nullopt);
     engine::Observer* const observers[] = {&only_ends, &reader};
-    cycle::InOrder in_order(program, observers);
+    cycle::ProgramOrderBuffer in_order(program, observers);
     SideBySide machine(program, in_order);
     std::vector<std::uint32_t> unfinished(program.segments.size());
     for (std::uint32_t segment = 0; segment < unfinished.size(); ++segment) unfinished[segment] = segment;
@@ -139,7 +139,7 @@ TEST_CASE("events in Program order are forwarded at once without copies of the p
   const isa::Program program = program_of({{observed, other}, {observed}});
   Witness witness(Opcode::enable_all);
   engine::Observer* const observers[] = {&witness};
-  cycle::InOrder in_order(program, observers);
+  cycle::ProgramOrderBuffer in_order(program, observers);
   SideBySide machine(program, in_order);
   std::size_t notifications = 0;
   for (const std::uint32_t segment : {0U, 0U, 0U, 1U, 1U}) {
@@ -155,7 +155,7 @@ TEST_CASE("pixels of early events are copied only where observed and at segment 
        {std::pair{std::optional(Opcode::enable_all), 2U}, {std::optional<Opcode>(), 1U}}) {
     Witness witness(reads_after_opcode);
     engine::Observer* const observers[] = {&witness};
-    cycle::InOrder in_order(program, observers);
+    cycle::ProgramOrderBuffer in_order(program, observers);
     SideBySide machine(program, in_order);
     for (int i = 0; i < 5; ++i) machine.proceed(1);
     CHECK(witness.notifications.empty());
@@ -167,7 +167,7 @@ TEST_CASE("events of a segment are forwarded from the time when all earlier segm
   const isa::Program program = program_of({{observed}, {observed, observed, observed}});
   Witness witness(Opcode::enable_all);
   engine::Observer* const observers[] = {&witness};
-  cycle::InOrder in_order(program, observers);
+  cycle::ProgramOrderBuffer in_order(program, observers);
   SideBySide machine(program, in_order);
   machine.proceed(1);
   machine.proceed(0);
@@ -188,11 +188,11 @@ TEST_CASE("an observer that reads pixels without declaring it causes an error") 
   } curious;
   engine::Observer* const observers[] = {&curious};
   const isa::Program program = program_of({{}, {other}});
-  cycle::InOrder held(program, observers);
+  cycle::ProgramOrderBuffer held(program, observers);
   SideBySide ahead(program, held);
   CHECK_NOTHROW(ahead.proceed(1));
   CHECK_THROWS_AS(ahead.proceed(0), std::logic_error);
-  cycle::InOrder at_once(program, observers);
+  cycle::ProgramOrderBuffer at_once(program, observers);
   SideBySide in_turn(program, at_once);
   CHECK_NOTHROW(in_turn.proceed(0));
   CHECK_THROWS_AS(in_turn.proceed(1), std::logic_error);

@@ -247,7 +247,7 @@ TEST_CASE("the command until finds the same instructions as a check after every 
   const isa::ArrayShape shape{4, 2, 16};
   CHECK(rc::check([&] {
     Debugger debug(*test::arbitrary_program(shape, 60, 2));
-    const debug::Watched watched{
+    const debug::WatchedField watched{
         {0, static_cast<std::uint16_t>(*rc::gen::inRange(0, 3))}, *rc::gen::inRange(0U, 4U), *rc::gen::inRange(0U, 2U)};
     const debug::Condition condition{watched, debug::Relation::changes, 0};
     const auto run = engine::make_reference_engine(debug.machine)->begin(debug.program);
@@ -323,14 +323,14 @@ TEST_CASE("the debugger completes a word up to the common prefix of its candidat
 
 TEST_CASE("a saved state of the debugger covers the instructions up to the next saved one") {
   debug::History history;
-  CHECK(!history.is_kept(0));
-  history.keep(512, {});
+  CHECK(!history.has_recent_save(0));
+  history.save_state(512, {});
   const std::uint64_t next = history.due(512);
   CHECK(next > 513);
-  CHECK(!history.is_kept(511));
-  CHECK(history.is_kept(512));
-  CHECK(history.is_kept(next - 1));
-  CHECK(!history.is_kept(next));
+  CHECK(!history.has_recent_save(511));
+  CHECK(history.has_recent_save(512));
+  CHECK(history.has_recent_save(next - 1));
+  CHECK(!history.has_recent_save(next));
 }
 
 TEST_CASE("the debugger saves states at the start and at growing distances") {
@@ -339,15 +339,15 @@ TEST_CASE("the debugger saves states at the start and at growing distances") {
   snapshot.picture.frame.colour.resize(1 << 20);
   std::uint64_t number = 0;
   for (; number < 200'000; number = history.due(number)) {
-    if (history.is_kept(number)) continue;
+    if (history.has_recent_save(number)) continue;
     snapshot.run.overflows = number;
-    history.keep(number, snapshot);
+    history.save_state(number, snapshot);
   }
   CHECK(history.size() <= 32);
   CHECK(history.size() >= 8);
-  CHECK(history.before(0).run.overflows == 0);
-  CHECK(history.before(100'000).run.overflows <= 100'000);
-  CHECK(history.before(100'000).run.overflows > 80'000);
+  CHECK(history.latest_at(0).run.overflows == 0);
+  CHECK(history.latest_at(100'000).run.overflows <= 100'000);
+  CHECK(history.latest_at(100'000).run.overflows > 80'000);
 }
 
 TEST_CASE("going back from between squares and their instruction discards the squares") {

@@ -23,7 +23,7 @@ std::string show(const division::Counts& counts) {
 }
 
 /// Compares the host's counts with those of the divider; the last step may be empty.
-std::string difference(const division::Divided& divided, const isa::Segment& segment,
+std::string difference(const division::SquareDivision& divided, const isa::Segment& segment,
                        const emit::SquareCounts& square) {
   for (std::size_t i = 0; i < std::max(divided.instructions.size(), segment.instructions.size()); ++i) {
     if (i >= divided.instructions.size()) return fmt::format("the divider stops after {} instructions", i);
@@ -51,7 +51,7 @@ std::string one_level(const ForDivider& made, const DivisionCase& how, ModelDivi
   const std::vector<emit::SquareCounts> counts =
       emit::count_division(host.tree, host.scene, host.view, how.setup.options, squares);
   for (std::size_t i = 0; i < squares.size(); ++i) {
-    const division::Divided divided = divider.divide(squares[i]);
+    const division::SquareDivision divided = divider.divide(squares[i]);
     done += divided.counts();
     std::string what = difference(divided, host.program.segments[i], counts[i]);
     if (!what.empty()) return at(squares[i], "one level", what);
@@ -75,7 +75,7 @@ std::string two_levels(const ForDivider& made, const DivisionCase& how, ModelDiv
     for (const isa::Segment* segment : segments) squares.push_back(segment->region);
     const division::DividedGroup divided = divider.divide_group(group, squares, how.list_entries);
     const emit::GroupCounts counts =
-        emit::count_group(host.tree, host.scene, host.view, how.setup.options, group, squares);
+        emit::count_group_division(host.tree, host.scene, host.view, how.setup.options, group, squares);
     if (!(divided.group == counts.group))
       return at(group, "group", fmt::format("{}; the host {}", show(divided.group), show(counts.group)));
     if (divided.fits != (counts.entries <= how.list_entries)) return at(group, "group", "the list's size differs");

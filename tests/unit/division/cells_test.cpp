@@ -15,7 +15,7 @@ using Planes = std::vector<std::uint32_t>;
 /// Half-spaces of one side over a rectangle, in the order of the planes.
 struct Sides {
   DisplayModel model;
-  std::vector<Tested> side;
+  std::vector<TestedHalfspace> side;
   Rectangle pixels;
 };
 
@@ -36,19 +36,19 @@ struct Kept {
 
 Kept kept_of(const Sides& made, std::uint64_t tests) {
   Kept kept{{}, tests};
-  for (const Tested& one : made.side) kept.planes.push_back(one.halfspace.plane);
+  for (const TestedHalfspace& one : made.side) kept.planes.push_back(one.halfspace.plane);
   return kept;
 }
 
 Kept extremes(Sides made) {
   division::PlainDatapath path(made.model);
-  division::keep_extremes(path, made.side, made.pixels);
+  division::remove_hidden_halfspaces(path, made.side, made.pixels);
   return kept_of(made, path.take_counts().cells);
 }
 
 Kept by_leaders(Sides made) {
   division::PlainDatapath path(made.model);
-  division::keep_by_leaders(path, made.side, made.pixels);
+  division::remove_behind_leaders(path, made.side, made.pixels);
   return kept_of(made, path.take_counts().cells);
 }
 
@@ -154,7 +154,7 @@ TEST_CASE("dropping half-spaces behind leading ones first does not change the ke
     const Sides made = any_side(true);
     Sides first = made;
     division::PlainDatapath path(first.model);
-    division::keep_by_leaders(path, first.side, first.pixels);
+    division::remove_behind_leaders(path, first.side, first.pixels);
     RC_ASSERT(extremes(first).planes == extremes(made).planes);
   }));
 }

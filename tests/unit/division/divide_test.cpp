@@ -34,7 +34,7 @@ constexpr isa::Region top_left{0, 0, 8, 8};
 
 TEST_CASE("a slab that fills a square is drawn by ten instructions") {
   testing::ModelDivider divider(testing::one_slab());
-  const division::Divided divided = divider.divide(top_left);
+  const division::SquareDivision divided = divider.divide(top_left);
   const std::vector<Instruction> expected{
       plain(Opcode::enable_all, {}, {}, 0, setup),
       plain(Opcode::set_constant, z2, {}, 15, setup),
@@ -53,7 +53,7 @@ TEST_CASE("a slab that fills a square is drawn by ten instructions") {
 }
 
 TEST_CASE("an empty square takes only a box test per primitive") {
-  const division::Divided divided = testing::ModelDivider(testing::one_slab()).divide({8, 0, 8, 8});
+  const division::SquareDivision divided = testing::ModelDivider(testing::one_slab()).divide({8, 0, 8, 8});
   CHECK(divided.instructions.empty());
   CHECK(divided.steps == std::vector<division::Counts>{{.boxes = 1}});
 }
@@ -66,7 +66,7 @@ TEST_CASE("a square's linear expressions are relative to its corner") {
   division::DisplayModel model = testing::one_slab();
   model.planes[0] = {false, 0, 0, 3};
   model.primitives[0].box.pixels = {10, 0, 15, 15};
-  const division::Divided divided = testing::ModelDivider(model).divide({8, 8, 8, 8});
+  const division::SquareDivision divided = testing::ModelDivider(model).divide({8, 8, 8, 8});
   // x - 10 in columns 8 to 15 is -2 to 5, which needs 4 bits.
   CHECK(divided.instructions[4] == linear(Opcode::edge_not_negative, {}, {1, 0, -2, 4, 0}, render));
 }
@@ -85,14 +85,14 @@ TEST_CASE("the divider draws a surface without a front from depth 0 in its near 
 
 TEST_CASE("the divider draws and compares a hole only in squares that contain it") {
   testing::ModelDivider divider(testing::slab_with_hole());
-  const division::Divided holed = divider.divide(top_left);
+  const division::SquareDivision holed = divider.divide(top_left);
   // The slab and the hole, each with its own two half-spaces and two of the other; each tests the root and the
   // other.
   CHECK(holed.counts().boxes == 2);
   CHECK(holed.counts().halfspaces == 8);
   CHECK(holed.counts().nodes == 4);
   // The hole has no pixels in columns 6 and 7: the slab tests the root and, without effect, the hole.
-  const division::Divided whole = divider.divide({6, 0, 2, 8});
+  const division::SquareDivision whole = divider.divide({6, 0, 2, 8});
   CHECK(whole.counts().boxes == 2);
   CHECK(whole.counts().halfspaces == 2);
   CHECK(whole.counts().nodes == 2);
@@ -129,8 +129,8 @@ TEST_CASE("a group of squares keeps the primitives in it and their deciding half
   CHECK(left.primitives == std::vector<std::uint32_t>{0, 1});
   CHECK(left.halfspaces[0].size() == 2);
   CHECK(left.entry_count() == 6);
-  const division::Divided from_group = divider.divide(top_left, left);
-  const division::Divided from_model = divider.divide(top_left);
+  const division::SquareDivision from_group = divider.divide(top_left, left);
+  const division::SquareDivision from_model = divider.divide(top_left);
   CHECK(from_group.instructions == from_model.instructions);
   CHECK(from_group.counts().halfspaces == 8);
   CHECK(from_model.counts().halfspaces == 12);
@@ -142,7 +142,7 @@ TEST_CASE("squares in rows form groups that are clipped at the picture's edges")
   for (std::uint32_t y = 0; y < 24; y += 8) {
     for (std::uint32_t x = 0; x < 37; x += 8) squares.push_back({x, y, std::min(8U, 37 - x), 8});
   }
-  const std::vector<division::Group> groups = division::groups_of(squares, {37, 24, 0}, {8, 8, 0}, 2, 2);
+  const std::vector<division::Group> groups = division::group_squares(squares, {37, 24, 0}, {8, 8, 0}, 2, 2);
   REQUIRE(groups.size() == 6);
   CHECK(groups[0].region == isa::Region{0, 0, 16, 16});
   CHECK(groups[0].squares == std::vector<std::size_t>{0, 1, 5, 6});

@@ -60,8 +60,8 @@ inline division::DisplayModel slab_with_hole() {
 struct ModelDivider {
   explicit ModelDivider(division::DisplayModel given) : model(std::move(given)), divider(model), path(model) {}
 
-  division::Divided divide(const isa::Region& square) { return divider.divide(square, path); }
-  division::Divided divide(const isa::Region& square, const division::Candidates& from) {
+  division::SquareDivision divide(const isa::Region& square) { return divider.divide(square, path); }
+  division::SquareDivision divide(const isa::Region& square, const division::Candidates& from) {
     return divider.divide(square, from, path);
   }
   division::Candidates survivors(const isa::Region& group) { return divider.survivors(group, path); }

@@ -20,7 +20,7 @@ double phase(const glm::dvec2& place, double angle) {
 
 /// Draws with the cuts of the scene.
 observe::Frame drawn(const std::string& csg, const testing::Setup& setup) {
-  const model::Tree tree = effects::reshaped(read::read_csg_text(csg, "box"), setup.options.scene);
+  const model::Tree tree = effects::reshape_model(read::read_csg_text(csg, "box"), setup.options.scene);
   const facet::Geometry facets = facet::make_geometry(tree);
   const view::View view = view::make_view(facets, tree, setup.camera, setup.sampling);
   return testing::draw(

@@ -111,11 +111,11 @@ void judge(const std::string& model, const testing::Setup& setup, unsigned depth
     tally.mirrored += glm::length(expected[i].colour - without[i].colour) > 0.01 ? 1 : 0;
     const bool has_mirror = std::any_of(effects.mirrors.begin(), effects.mirrors.end(),
                                         [&](const auto& mirror) { return mirror.primitive == expected[i].primitive; });
-    if (testing::off_by(frame.colour[i], expected[i].colour) <= (has_mirror ? depth : 0) + 0.51) continue;
+    if (testing::colour_error(frame.colour[i], expected[i].colour) <= (has_mirror ? depth : 0) + 0.51) continue;
     ++tally.wrong;
     if (tally.wrong < 8)
       MESSAGE("column ", i % shot.width, " row ", i / shot.width, ": off by ",
-              testing::off_by(frame.colour[i], expected[i].colour));
+              testing::colour_error(frame.colour[i], expected[i].colour));
   }
 }
 
@@ -215,7 +215,7 @@ TEST_CASE("glass in front of a mirror and reflected in it matches ray tracing") 
   const observe::Frame frame = testing::draw(compiled.program);
   int wrong = 0;
   for (std::size_t i = 0; i < expected.size(); ++i)
-    wrong += expected[i].is_certain && testing::off_by(frame.colour[i], expected[i].colour) > 3.5 ? 1 : 0;
+    wrong += expected[i].is_certain && testing::colour_error(frame.colour[i], expected[i].colour) > 3.5 ? 1 : 0;
   CHECK(wrong == 0);
 }
 

@@ -63,11 +63,11 @@ Tally judge(const std::string& csg, const testing::Setup& setup) {
     if (!cast[i].is_certain) continue;
     ++tally.judged;
     tally.dark += plain[i].colour != cast[i].colour ? 1 : 0;
-    if (testing::off_by(frame.colour[i], cast[i].colour) <= 0.5 + 1e-6) continue;
+    if (testing::colour_error(frame.colour[i], cast[i].colour) <= 0.5 + 1e-6) continue;
     ++tally.wrong;
     MESSAGE("column ", i % setup.sampling.width, " row ", i / setup.sampling.width, " off by ",
-            testing::off_by(frame.colour[i], cast[i].colour), " of primitive ", cast[i].primitive, ", in the light ",
-            testing::off_by(frame.colour[i], plain[i].colour));
+            testing::colour_error(frame.colour[i], cast[i].colour), " of primitive ", cast[i].primitive,
+            ", in the light ", testing::colour_error(frame.colour[i], plain[i].colour));
   }
   return tally;
 }

@@ -160,10 +160,10 @@ Tally layers_of_random_models(std::uint64_t first_seed, view::Projection project
       // Allows one level per pane, and half a level for rounding of the colours.
       const unsigned panes = shot.panes_at(i);
       tally.max_panes = std::max(tally.max_panes, panes);
-      if (panes <= layers && testing::off_by(frame.colour[i], expected[i].colour) <= panes + 0.5 + 1e-6) continue;
+      if (panes <= layers && testing::colour_error(frame.colour[i], expected[i].colour) <= panes + 0.5 + 1e-6) continue;
       ++tally.wrong;
       MESSAGE("seed ", seed, " column ", i % width, " row ", i / width, ": off by ",
-              testing::off_by(frame.colour[i], expected[i].colour));
+              testing::colour_error(frame.colour[i], expected[i].colour));
     }
   }
   return tally;
@@ -201,7 +201,7 @@ Tally screen_doors_of_random_models(std::uint64_t first_seed, view::Projection p
       if (!one.is_certain || one.colour != expected[1][i].colour) continue;
       ++tally.judged;
       tally.mixed += one.colour != opaque[i].colour ? 1 : 0;
-      if (testing::off_by(frame.colour[i], one.colour) <= 0.5 + 1e-6) continue;
+      if (testing::colour_error(frame.colour[i], one.colour) <= 0.5 + 1e-6) continue;
       ++tally.wrong;
       MESSAGE("seed ", seed, " column ", i % width, " row ", i / width);
     }
@@ -212,7 +212,7 @@ Tally screen_doors_of_random_models(std::uint64_t first_seed, view::Projection p
 /// Depth in steps of a surface at a distance from the eye along the view axis.
 double steps_at(const isa::Program& program, double distance) {
   const isa::DepthScale& scale = program.facts->depth_scale;
-  const double most = std::exp2(isa::field_of(program, isa::FieldRole::depth).width) - 4;
+  const double most = std::exp2(isa::find_field(program, isa::FieldRole::depth).width) - 4;
   const auto place = [&](double at) { return scale.perspective ? 1 / scale.near - 1 / at : at - scale.near; };
   return 1 + most * place(distance) / place(scale.far);
 }
@@ -221,7 +221,7 @@ double steps_at(const isa::Program& program, double distance) {
 bool is_reported(const isa::Program& program, const testing::RayColour& seen, const std::vector<std::uint32_t>& order,
                  std::uint32_t owner, std::uint32_t depth) {
   if (seen.primitive == model::no_index)
-    return owner == observe::no_owner && depth + 1 == 1U << isa::field_of(program, isa::FieldRole::depth).width;
+    return owner == observe::no_owner && depth + 1 == 1U << isa::find_field(program, isa::FieldRole::depth).width;
   return owner == order[seen.primitive] && std::abs(depth - steps_at(program, seen.depth)) <= 2;
 }
 

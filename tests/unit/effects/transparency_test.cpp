@@ -99,7 +99,7 @@ void visit_keys(NoSettings& /*settings*/, const auto& /*visit*/) {}
 
 class AlwaysCalled final : public emit::EffectOf<NoSettings> {
  public:
-  bool called_by(const emit::Look& /*look*/) const override { return true; }
+  bool is_implied_by(const emit::Look& /*look*/) const override { return true; }
 };
 
 }  // namespace

@@ -43,7 +43,7 @@ std::string dimpled_plate(int count) {
 }
 
 std::uint64_t clocks_of(const isa::Program& program) {
-  machines::Machine machine = machines::blank(pixel_planes::kind);
+  machines::Machine machine = machines::blank_machine(pixel_planes::kind);
   machine.array = program.shape;
   std::uint64_t clocks = 0;
   for (const isa::Instruction& instruction : program.segments.at(0).instructions) {

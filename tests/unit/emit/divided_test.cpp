@@ -28,7 +28,7 @@ isa::Program divided(const machines::Machine& machine, const emit::Options& opti
 machines::Machine machine_with(std::uint32_t levels) {
   machines::Machine machine = kinds::load("pixel-square");
   machines::set_picture_size(machine, {96, 64});
-  auto& figures = machines::own<pixel_square::Figures>(machine);
+  auto& figures = machines::kind_figures<pixel_square::Figures>(machine);
   figures.levels = levels;
   figures.group_side = 2;
   return machine;
@@ -75,8 +75,8 @@ TEST_CASE("a Program whose instructions do not match its display model is reject
 TEST_CASE("a display model that is missing or exceeds the divider's memory is rejected") {
   machines::Machine machine = machine_with(2);
   isa::Program program = divided(machine);
-  auto& figures = machines::own<pixel_square::Figures>(machine);
-  const division::ModelSizes sizes = division::sizes_of(program.display_model);
+  auto& figures = machines::kind_figures<pixel_square::Figures>(machine);
+  const division::ModelSizes sizes = division::read_model_sizes(program.display_model);
   const std::uint64_t rest =
       8 * program.display_model.size() - sizes.planes * (1 + 2 * std::uint64_t{sizes.slope} + sizes.constant);
   figures.model_bits = static_cast<std::uint32_t>(rest);
@@ -96,7 +96,7 @@ TEST_CASE("a display model that is missing or exceeds the divider's memory is re
 TEST_CASE("small memories of a divider spill to the model memory until that is full") {
   machines::Machine machine = machine_with(2);
   const isa::Program program = divided(machine);
-  auto& figures = machines::own<pixel_square::Figures>(machine);
+  auto& figures = machines::kind_figures<pixel_square::Figures>(machine);
   figures.store_words = 1;
   CHECK_NOTHROW(machines::check_runs_on(program, machine));
   for (std::uint32_t* const at_hand : {&figures.halfspaces, &figures.nodes}) {

@@ -43,8 +43,8 @@ std::vector<Instruction> of_purpose(const isa::Program& program, isa::Purpose pu
 
 /// Comparisons of Z1 with Z2 for the surface of the primitive.
 std::ptrdiff_t depth_tests(const isa::Program& program, std::uint32_t primitive) {
-  const isa::Field z1 = isa::field_of(program, isa::FieldRole::candidate_depth);
-  const isa::Field z2 = isa::field_of(program, isa::FieldRole::depth);
+  const isa::Field z1 = isa::find_field(program, isa::FieldRole::candidate_depth);
+  const isa::Field z2 = isa::find_field(program, isa::FieldRole::depth);
   return std::ranges::count_if(program.segments.at(0).instructions, [&](const Instruction& one) {
     return one.opcode == Opcode::field_lt && one.fields[0] == z1 && one.fields[1] == z2 &&
            one.origin.primitive == primitive;

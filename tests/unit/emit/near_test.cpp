@@ -58,7 +58,7 @@ TEST_CASE("fronts that share a pixel of depth 0 may reach the near plane") {
   const emit::SegmentPlan segment;
   const emit::Layout layout;
   const emit::Options options;
-  const machines::Machine machine = machines::blank(pixel_planes::kind);
+  const machines::Machine machine = machines::blank_machine(pixel_planes::kind);
   const emit::Look look;
   CHECK(rc::check([&] {
     view::View view = any.view;

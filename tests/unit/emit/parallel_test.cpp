@@ -77,7 +77,7 @@ Assignments some_assignments(std::size_t leaves, std::size_t count) {
 }
 
 std::uint64_t clocks_of(const csg::BitString& string, unsigned written_for, unsigned alu_bits) {
-  machines::Machine machine = machines::blank(pixel_planes::kind);
+  machines::Machine machine = machines::blank_machine(pixel_planes::kind);
   machine.alu_bits = alu_bits;
   std::uint64_t clocks = 0;
   for (const isa::Instruction& instruction : levels_of(string, 1, written_for).instructions) {
@@ -94,7 +94,7 @@ TEST_CASE("strategy parallel evaluates A - (B and C) of the thesis's fig. 4.13")
   const std::uint32_t b = add_leaf(tree, 1, true);
   const std::uint32_t c = add_leaf(tree, 2, true);
   tree.operands = {a, add_operator(tree, PositiveOperator::unite, {b, c})};
-  const csg::RootedTree rooted = csg::with_root(tree);
+  const csg::RootedTree rooted = csg::make_rooted_tree(tree);
   CHECK(evaluate_string(rooted, {{true, false, true}}, 1) == std::vector<bool>{true});
   // B and C both in, or A out: the pixel is out.
   CHECK(evaluate_string(rooted, {{true, true, true}, {false, false, true}}, 1) == std::vector<bool>{false, false});
@@ -104,7 +104,7 @@ TEST_CASE("strategy parallel matches Boolean evaluation for random trees") {
   CHECK(rc::check([] {
     const ActiveTree tree = any_tree(8);
     const Assignments pixels = every_assignment(leaves_of(tree));
-    const csg::RootedTree rooted = csg::with_root(tree);
+    const csg::RootedTree rooted = csg::make_rooted_tree(tree);
     for (const unsigned alu_bits : alu_widths) {
       RC_ASSERT(evaluate_string(rooted, pixels, alu_bits) == expected(tree, pixels));
     }
@@ -115,7 +115,7 @@ TEST_CASE("strategy parallel matches Boolean evaluation for bit strings of sever
   CHECK(rc::check([] {
     const ActiveTree tree = any_tree(300);
     const Assignments pixels = some_assignments(leaves_of(tree), 24);
-    const csg::RootedTree rooted = csg::with_root(tree);
+    const csg::RootedTree rooted = csg::make_rooted_tree(tree);
     for (const unsigned alu_bits : alu_widths) {
       RC_ASSERT(evaluate_string(rooted, pixels, alu_bits) == expected(tree, pixels));
     }
@@ -124,7 +124,7 @@ TEST_CASE("strategy parallel matches Boolean evaluation for bit strings of sever
 
 TEST_CASE("instructions of strategy parallel for an ALU are fastest on that ALU") {
   CHECK(rc::check([] {
-    const csg::RootedTree rooted = csg::with_root(any_tree(200));
+    const csg::RootedTree rooted = csg::make_rooted_tree(any_tree(200));
     const csg::BitString string = csg::make_bit_string(rooted.nodes, rooted.root);
     for (const unsigned alu_bits : alu_widths) {
       for (const unsigned other : alu_widths) {

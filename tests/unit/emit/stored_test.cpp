@@ -122,7 +122,7 @@ TEST_CASE("strategy stored broadcasts the half-spaces of compared primitives onc
     testing::Setup how = setup(emit::Strategy::stored);
     how.camera = one.camera;
     const isa::Program program = testing::compile_file(testing::model_path(one.name), how).program;
-    const isa::Field z1 = isa::field_of(program, isa::FieldRole::candidate_depth);
+    const isa::Field z1 = isa::find_field(program, isa::FieldRole::candidate_depth);
     std::map<std::pair<std::uint32_t, std::uint32_t>, unsigned> comparisons;
     for (const Instruction& each : program.segments.at(0).instructions) {
       if (!compares(each)) continue;

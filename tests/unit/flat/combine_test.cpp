@@ -30,15 +30,16 @@ Area rectangle(double width, double height) { return flat::square({width, height
 }  // namespace
 
 TEST_CASE("Boolean operations on areas match OpenSCAD") {
-  check_as_openscad(flat::unite(std::array{rectangle(3, 2), moved(flat::circle(1.5, {.fn = 32}), 2.3, 1.1),
-                                           moved(rectangle(1, 1), -4, 0)}),
-                    "union");
-  check_as_openscad(flat::subtract(std::array{flat::circle(10, {.fn = 48}), rectangle(6, 6),
-                                              moved(flat::circle(2, {.fn = 12}), -4, -3)}),
-                    "difference");
-  check_as_openscad(flat::intersect(std::array{flat::circle(10, {.fn = 48}), moved(flat::circle(10, {.fn = 31}), 3, 0),
-                                               moved(flat::square({20, 9}, true), 0, -4)}),
-                    "intersection");
+  check_matches_openscad(flat::unite(std::array{rectangle(3, 2), moved(flat::circle(1.5, {.fn = 32}), 2.3, 1.1),
+                                                moved(rectangle(1, 1), -4, 0)}),
+                         "union");
+  check_matches_openscad(flat::subtract(std::array{flat::circle(10, {.fn = 48}), rectangle(6, 6),
+                                                   moved(flat::circle(2, {.fn = 12}), -4, -3)}),
+                         "difference");
+  check_matches_openscad(
+      flat::intersect(std::array{flat::circle(10, {.fn = 48}), moved(flat::circle(10, {.fn = 31}), 3, 0),
+                                 moved(flat::square({20, 9}, true), 0, -4)}),
+      "intersection");
 }
 
 TEST_CASE("combining a single area returns its exact coordinates") {
@@ -67,16 +68,17 @@ TEST_CASE("empty areas add nothing to unions and hulls and make intersections em
 }
 
 TEST_CASE("hulls of areas match OpenSCAD") {
-  check_as_openscad(
+  check_matches_openscad(
       flat::hull(std::array{flat::circle(3, {.fn = 20}), moved(rectangle(2, 2), 10, 4), moved(rectangle(1, 1), 5, 1)}),
       "hull");
 }
 
 TEST_CASE("Minkowski sums of areas match OpenSCAD") {
   const Area frame = flat::subtract(std::array{rectangle(20, 12), moved(rectangle(12, 6), 3, 3)});
-  check_as_openscad(flat::minkowski(std::array{frame, flat::circle(1, {.fn = 16})}), "minkowski");
+  check_matches_openscad(flat::minkowski(std::array{frame, flat::circle(1, {.fn = 16})}), "minkowski");
   const Area kite = flat::polygon(std::array<glm::dvec2, 4>{{{0, 0}, {2, 1}, {0, 0.5}, {-1, 2}}}, {});
-  check_as_openscad(flat::minkowski(std::array{ell(), kite, moved(rectangle(0.5, 0.5), 30, 0)}), "minkowski_concave");
+  check_matches_openscad(flat::minkowski(std::array{ell(), kite, moved(rectangle(0.5, 0.5), 30, 0)}),
+                         "minkowski_concave");
 }
 
 TEST_CASE("a Minkowski sum of areas with too many sides is rejected") {
@@ -86,14 +88,14 @@ TEST_CASE("a Minkowski sum of areas with too many sides is rejected") {
 
 TEST_CASE("offsets of areas match OpenSCAD") {
   using flat::Corner;
-  check_as_openscad(flat::offset(ell(), 2, Corner::round, {.fn = 24}), "offset_round");
-  check_as_openscad(flat::offset(rectangle(20, 10), 7.5, Corner::round, {}), "offset_round_default");
+  check_matches_openscad(flat::offset(ell(), 2, Corner::round, {.fn = 24}), "offset_round");
+  check_matches_openscad(flat::offset(rectangle(20, 10), 7.5, Corner::round, {}), "offset_round_default");
   const Area disc = flat::subtract(std::array{flat::circle(10, {.fn = 60}), moved(rectangle(3, 3), 2, 1)});
-  check_as_openscad(flat::offset(disc, -1.5, Corner::round, {.fn = 40}), "offset_inwards");
-  check_as_openscad(flat::offset(dart(), 1.25, Corner::sharp, {}), "offset_delta");
-  check_as_openscad(flat::offset(dart(), 1.25, Corner::cut, {}), "offset_chamfer");
-  check_as_openscad(flat::offset(ell(), -0.8, Corner::sharp, {}), "offset_delta_inwards");
-  check_as_openscad(flat::offset(rectangle(10, 4.5), -2, Corner::sharp, {}), "offset_vanishing");
+  check_matches_openscad(flat::offset(disc, -1.5, Corner::round, {.fn = 40}), "offset_inwards");
+  check_matches_openscad(flat::offset(dart(), 1.25, Corner::sharp, {}), "offset_delta");
+  check_matches_openscad(flat::offset(dart(), 1.25, Corner::cut, {}), "offset_chamfer");
+  check_matches_openscad(flat::offset(ell(), -0.8, Corner::sharp, {}), "offset_delta_inwards");
+  check_matches_openscad(flat::offset(rectangle(10, 4.5), -2, Corner::sharp, {}), "offset_vanishing");
 }
 
 TEST_CASE("an offset may make an area vanish and an excessive offset is rejected") {
@@ -122,18 +124,18 @@ TEST_CASE("deeply nested areas are combined") {
 
 TEST_CASE("the 2-D part of a matrix transforms an area and mirrored areas are reoriented") {
   const Area hook = flat::polygon(std::array<glm::dvec2, 5>{{{1, 0}, {10, 0}, {10, 3}, {3, 3}, {3, 10}}}, {});
-  check_as_openscad(flat::transformed(hook, glm::scale(glm::dmat4(1), glm::dvec3(-1, 1, 1))), "mirrored");
+  check_matches_openscad(flat::transformed(hook, glm::scale(glm::dmat4(1), glm::dvec3(-1, 1, 1))), "mirrored");
   const Area frame = flat::subtract(std::array{rectangle(5, 5), moved(rectangle(2, 2), 1, 1)});
   const glm::dmat4 matrix(2, 0.25, 7, 0, 0.5, 1.5, 8, 0, 3, 5, 9, 0, 4, -6, 10, 1);
-  check_as_openscad(flat::transformed(frame, matrix), "multmatrix");
+  check_matches_openscad(flat::transformed(frame, matrix), "multmatrix");
   CHECK(flat::transformed(frame, glm::scale(glm::dmat4(1), glm::dvec3(1, 0, 1))).empty());
   CHECK_THROWS_AS(flat::transformed(frame, glm::scale(glm::dmat4(1), glm::dvec3(1e308, 1, 1))), InputError);
 }
 
 TEST_CASE("resized areas match OpenSCAD") {
-  check_as_openscad(flat::resized(flat::circle(3, {.fn = 16}), {12, 5}, {false, false}), "resize");
-  check_as_openscad(flat::resized(rectangle(3, 2), {12, 0}, {true, true}), "resize_auto");
-  check_as_openscad(flat::resized(flat::square({3, 2}, true), {0, 7}, {false, false}), "resize_zero");
+  check_matches_openscad(flat::resized(flat::circle(3, {.fn = 16}), {12, 5}, {false, false}), "resize");
+  check_matches_openscad(flat::resized(rectangle(3, 2), {12, 0}, {true, true}), "resize_auto");
+  check_matches_openscad(flat::resized(flat::square({3, 2}, true), {0, 7}, {false, false}), "resize_zero");
 }
 
 TEST_CASE("a distant or large area does not change coordinates of another near the origin") {

@@ -4,7 +4,7 @@
 #include "tests/unit/flat/support.h"
 
 using namespace csgsim;
-using flat::check_as_openscad;
+using flat::check_matches_openscad;
 
 namespace {
 
@@ -21,29 +21,30 @@ std::string message(const std::string& text, const flat::DxfOptions& options = {
 }  // namespace
 
 TEST_CASE("DXF entities match OpenSCAD") {
-  check_as_openscad(drawing("entities"), "dxf_entities");
-  check_as_openscad(drawing("entities", {.facets = {.fn = 24}}), "dxf_fine");
-  check_as_openscad(drawing("exported"), "dxf_exported");
+  check_matches_openscad(drawing("entities"), "dxf_entities");
+  check_matches_openscad(drawing("entities", {.facets = {.fn = 24}}), "dxf_fine");
+  check_matches_openscad(drawing("exported"), "dxf_exported");
 }
 
 TEST_CASE("DXF lines are chained as in OpenSCAD where several meet") {
-  check_as_openscad(drawing("meeting"), "dxf_meeting");
+  check_matches_openscad(drawing("meeting"), "dxf_meeting");
 }
 
 TEST_CASE("DXF blocks are inserted as in OpenSCAD") {
-  check_as_openscad(drawing("blocks"), "dxf_blocks");
-  check_as_openscad(drawing("blocks", {.layer = "b", .scale = 0.5}), "dxf_layer_b");
+  check_matches_openscad(drawing("blocks"), "dxf_blocks");
+  check_matches_openscad(drawing("blocks", {.layer = "b", .scale = 0.5}), "dxf_layer_b");
 }
 
 TEST_CASE("DXF drawings are moved and scaled as in OpenSCAD") {
-  check_as_openscad(drawing("blocks", {.origin = {5, -3}, .scale = 2.5}), "dxf_moved");
-  check_as_openscad(drawing("entities", {.origin = {3, 4}, .scale = 1.5, .facets = {.fn = 30}}), "dxf_scaled_ellipses");
+  check_matches_openscad(drawing("blocks", {.origin = {5, -3}, .scale = 2.5}), "dxf_moved");
+  check_matches_openscad(drawing("entities", {.origin = {3, 4}, .scale = 1.5, .facets = {.fn = 30}}),
+                         "dxf_scaled_ellipses");
 }
 
 TEST_CASE("a selected DXF layer is drawn alone") {
-  check_as_openscad(drawing("layers"), "dxf_layers");
-  check_as_openscad(drawing("layers", {.layer = "plate"}), "dxf_plate");
-  check_as_openscad(drawing("layers", {.layer = "holes"}), "dxf_holes");
+  check_matches_openscad(drawing("layers"), "dxf_layers");
+  check_matches_openscad(drawing("layers", {.layer = "plate"}), "dxf_plate");
+  check_matches_openscad(drawing("layers", {.layer = "holes"}), "dxf_holes");
   CHECK(drawing("layers", {.layer = "none"}).empty());
 }
 

@@ -148,13 +148,13 @@ double difference(const Area& a, const Area& b) {
   return std::abs(sum) / (scale * scale);
 }
 
-void check_as_openscad(const Area& area, const std::string& name) {
-  check_area_as_openscad(area, name);
+void check_matches_openscad(const Area& area, const std::string& name) {
+  check_area_matches_openscad(area, name);
   CAPTURE(name);
   CHECK(corners(area) == corners(openscad(name)));
 }
 
-void check_area_as_openscad(const Area& area, const std::string& name) {
+void check_area_matches_openscad(const Area& area, const std::string& name) {
   CAPTURE(name);
   const Area expected = openscad(name);
   CHECK(area.outlines.size() == expected.outlines.size());

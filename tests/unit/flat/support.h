@@ -32,11 +32,11 @@ double difference(const Area& a, const Area& b);
 
 /// Fails the test if the area and OpenSCAD's export `name` differ by more than the rounding of the export, or in the
 /// numbers of outlines and corners.
-void check_as_openscad(const Area& area, const std::string& name);
+void check_matches_openscad(const Area& area, const std::string& name);
 
 /// Same check without the number of corners, which differs between OpenSCAD's Clipper 6.2 and version 6.4 where round
 /// strokes turn.
-void check_area_as_openscad(const Area& area, const std::string& name);
+void check_area_matches_openscad(const Area& area, const std::string& name);
 
 /// Fails the test if an outline violates the orientation guaranteed by area.h: outer outlines and holes alternate.
 void check_orientation(const Area& area);

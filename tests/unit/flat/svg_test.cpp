@@ -4,7 +4,7 @@
 #include "tests/unit/flat/support.h"
 
 using namespace csgsim;
-using flat::check_as_openscad;
+using flat::check_matches_openscad;
 
 namespace {
 
@@ -22,21 +22,21 @@ std::string message(const std::string& text) {
 
 TEST_CASE("SVG elements match OpenSCAD") {
   for (const char* name : {"shapes", "paths", "transforms"}) {
-    check_as_openscad(drawing(name), std::string("svg_") + name);
+    check_matches_openscad(drawing(name), std::string("svg_") + name);
   }
-  flat::check_area_as_openscad(drawing("strokes"), "svg_strokes");
+  flat::check_area_matches_openscad(drawing("strokes"), "svg_strokes");
 }
 
 TEST_CASE("SVG page sizes and alignments match OpenSCAD") {
   for (const char* name : {"pixels", "stretched", "sliced", "met", "unsized", "percent"}) {
-    check_as_openscad(drawing(name), std::string("svg_") + name);
+    check_matches_openscad(drawing(name), std::string("svg_") + name);
   }
-  check_as_openscad(drawing("stretched", {.center = true}), "svg_centred");
-  check_as_openscad(drawing("met", {.dpi = 96}), "svg_dpi");
+  check_matches_openscad(drawing("stretched", {.center = true}), "svg_centred");
+  check_matches_openscad(drawing("met", {.dpi = 96}), "svg_dpi");
 }
 
 TEST_CASE("the parts of an SVG file that OpenSCAD ignores are ignored") {
-  check_as_openscad(drawing("others"), "svg_others");
+  check_matches_openscad(drawing("others"), "svg_others");
 }
 
 TEST_CASE("numbers of SVG paths need no spaces where SVG allows it") {

@@ -8,47 +8,49 @@ using namespace csgsim;
 using namespace flat;
 
 TEST_CASE("text matches OpenSCAD") {
-  check_as_openscad(flat::text({.text = "Hello, World! 0123"}), "text");
-  check_as_openscad(
+  check_matches_openscad(flat::text({.text = "Hello, World! 0123"}), "text");
+  check_matches_openscad(
       flat::text({.text = "%&@8$", .size = 20, .font = "Liberation Sans:style=Bold", .facets = {.fn = 100}}),
       "text_fine");
-  check_as_openscad(flat::text({.text = "minus", .size = -5}), "text_negative");
+  check_matches_openscad(flat::text({.text = "minus", .size = -5}), "text_negative");
 }
 
 TEST_CASE("alignment and spacing of text match OpenSCAD") {
-  check_as_openscad(flat::text({.text = "Quickly",
-                                .size = 7,
-                                .font = "Liberation Serif:style=Italic",
-                                .halign = "center",
-                                .valign = "center",
-                                .facets = {.fn = 16}}),
-                    "text_centred");
-  check_as_openscad(
+  check_matches_openscad(flat::text({.text = "Quickly",
+                                     .size = 7,
+                                     .font = "Liberation Serif:style=Italic",
+                                     .halign = "center",
+                                     .valign = "center",
+                                     .facets = {.fn = 16}}),
+                         "text_centred");
+  check_matches_openscad(
       flat::text({.text = "AVATar office", .font = "DejaVu Sans", .halign = "right", .valign = "top", .spacing = 1.3}),
       "text_right_top");
-  check_as_openscad(
+  check_matches_openscad(
       flat::text(
           {.text = "gjpqy_", .size = 4, .font = " DejaVu Sans Mono:style=Bold ", .valign = "bottom", .spacing = 0.7}),
       "text_bottom");
 }
 
 TEST_CASE("the direction of text follows its script or the option") {
-  check_as_openscad(flat::text({.text = "שלום עולם", .font = "DejaVu Sans"}), "text_hebrew");
-  check_as_openscad(
+  check_matches_openscad(flat::text({.text = "שלום עולם", .font = "DejaVu Sans"}), "text_hebrew");
+  check_matches_openscad(
       flat::text({.text = "مرحبا", .size = 12, .font = "DejaVu Sans", .halign = "center", .facets = {.fn = 32}}),
       "text_arabic");
-  check_as_openscad(flat::text({.text = "مرحبا", .font = "DejaVu Sans", .direction = "ltr"}), "text_arabic_ltr");
-  check_as_openscad(flat::text({.text = "Down", .halign = "center", .valign = "top", .direction = "ttb"}), "text_down");
-  check_as_openscad(
+  check_matches_openscad(flat::text({.text = "مرحبا", .font = "DejaVu Sans", .direction = "ltr"}), "text_arabic_ltr");
+  check_matches_openscad(flat::text({.text = "Down", .halign = "center", .valign = "top", .direction = "ttb"}),
+                         "text_down");
+  check_matches_openscad(
       flat::text({.text = "Upwards", .halign = "right", .valign = "center", .spacing = 1.2, .direction = "btt"}),
       "text_up");
-  check_as_openscad(flat::text({.text = "Ωmega Жук é", .font = "Liberation Mono", .language = "el", .script = "Grek"}),
-                    "text_scripts");
-  check_as_openscad(flat::text({.text = "aбγ — “x”"}), "text_mixed");
+  check_matches_openscad(
+      flat::text({.text = "Ωmega Жук é", .font = "Liberation Mono", .language = "el", .script = "Grek"}),
+      "text_scripts");
+  check_matches_openscad(flat::text({.text = "aбγ — “x”"}), "text_mixed");
 }
 
 TEST_CASE("a missing font is replaced as in OpenSCAD") {
-  check_as_openscad(flat::text({.text = "Arial?", .font = "Arial:style=Bold Italic"}), "text_substitute");
+  check_matches_openscad(flat::text({.text = "Arial?", .font = "Arial:style=Bold Italic"}), "text_substitute");
 }
 
 TEST_CASE("replacement_font() distinguishes missing fonts in any notation") {
@@ -63,7 +65,8 @@ TEST_CASE("replacement_font() distinguishes missing fonts in any notation") {
 }
 
 TEST_CASE("tiny letters are quantized as in OpenSCAD") {
-  check_as_openscad(flat::text({.text = "tiny", .size = 0.01, .facets = {.fn = 0, .fa = 1, .fs = 0.001}}), "text_tiny");
+  check_matches_openscad(flat::text({.text = "tiny", .size = 0.01, .facets = {.fn = 0, .fa = 1, .fs = 0.001}}),
+                         "text_tiny");
 }
 
 TEST_CASE("text without glyph outlines is empty") {

@@ -16,14 +16,14 @@ struct Tile {
   functional::TileShape shape = any_shape();
   unsigned bits = *rc::gen::element(1U, 20U, 32U, between(1U, 33U));
   functional::TileBits enable;
-  Bits enabled = set_any(enable, shape);
+  Bits enabled = set_random(enable, shape);
   std::unique_ptr<Lanes> left = std::make_unique<Lanes>();
   std::unique_ptr<Lanes> right = std::make_unique<Lanes>();
-  Numbers left_numbers = set_any(*left, bits, shape);
-  Numbers right_numbers = set_any(*right, bits, shape);
+  Numbers left_numbers = set_random(*left, bits, shape);
+  Numbers right_numbers = set_random(*right, bits, shape);
   engine::Work work;
 
-  functional::Enabled pixels() {
+  functional::EnabledPixels pixels() {
     return {enable, shape, between(0, 3) == 0 ? Decide::by_pixel : Decide::by_block, work};
   }
 
@@ -137,11 +137,11 @@ TEST_CASE("bits of planes are scattered into the lanes of a field for the select
     Tile tile;
     std::vector<functional::TileBits> planes(tile.bits);
     std::vector<Bits> bits;
-    for (functional::TileBits& plane : planes) bits.push_back(set_any(plane, tile.shape));
+    for (functional::TileBits& plane : planes) bits.push_back(set_random(plane, tile.shape));
     std::vector<const functional::TileBits*> there = pointers_to<const functional::TileBits>(planes);
     const unsigned missing = between(0U, 2 * tile.bits);
     if (missing < tile.bits) there[missing] = nullptr;
-    const Numbers before = set_any(*tile.left, tile.bits, tile.shape);
+    const Numbers before = set_random(*tile.left, tile.bits, tile.shape);
     const std::uint64_t blocks = any_word();
     functional::scatter_planes(there, tile.shape, blocks, *tile.left);
     const Numbers numbers = numbers_of(*tile.left, tile.shape);

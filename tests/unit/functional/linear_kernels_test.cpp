@@ -65,13 +65,13 @@ struct Tile {
   Expression expression;
   functional::TileShape shape = any_shape();
   functional::TileBits enable;
-  Bits enabled = set_any(enable, shape);
+  Bits enabled = set_random(enable, shape);
   std::unique_ptr<functional::Lanes> lanes = std::make_unique<functional::Lanes>();
   Numbers numbers{shape};
 
   explicit Tile(const Expression& any) : expression(any) {
     if (expression.field_width == 0) return;
-    set_any(*lanes, expression.field_width, shape);
+    set_random(*lanes, expression.field_width, shape);
     // Makes some pixels of a block equal to F.
     for (unsigned block = 0; block < functional::blocks_per_tile; block += between(1U, 4U)) {
       if (lanes->is_constant(block)) functional::fill_block(*lanes, block);

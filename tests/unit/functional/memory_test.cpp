@@ -63,7 +63,7 @@ void write_lanes(Memory& memory, SlowMemory& slow, Field field, const TileShape&
   functional::Lanes& lanes = memory.lanes(field, {blocks, blocks & any_word()});
   RC_ASSERT(lanes.field == field);
   const functional::Lanes before = lanes;
-  const Numbers numbers = set_any(lanes, field.width, shape);
+  const Numbers numbers = set_random(lanes, field.width, shape);
   lanes.field = field;
   keep_others(lanes, before, blocks);
   numbers.each([&](std::uint32_t x, std::uint32_t y) {
@@ -75,7 +75,7 @@ void write_plane(Memory& memory, SlowMemory& slow, unsigned bit, const TileShape
   const std::uint64_t blocks = any_word() & shape.blocks();
   TileBits& plane = memory.plane(bit, blocks);
   TileBits made;
-  const Bits bits = set_any(made, shape);
+  const Bits bits = set_random(made, shape);
   functional::each_bit(blocks, [&](unsigned block) { plane.set_word(block, made.word(block, shape), shape); });
   bits.each([&](std::uint32_t x, std::uint32_t y) {
     if (is_in(blocks, x, y)) slow.bit(bit).set(x, y, bits.at(x, y));
@@ -85,7 +85,7 @@ void write_plane(Memory& memory, SlowMemory& slow, unsigned bit, const TileShape
 void check_read(const Memory& memory, SlowMemory& slow, unsigned bit, const TileShape& shape) {
   const std::uint64_t blocks = any_word() & shape.blocks();
   TileBits copy;
-  set_any(copy, shape);
+  set_random(copy, shape);
   const Bits read = bits_of(memory.read(bit, blocks, copy), shape);
   read.each([&](std::uint32_t x, std::uint32_t y) {
     if (is_in(blocks, x, y)) RC_ASSERT(read.at(x, y) == slow.bit(bit).at(x, y));
@@ -100,7 +100,7 @@ void do_any(Memory& memory, SlowMemory& slow, const TileShape& shape) {
       slow = SlowMemory(shape);
       break;
     case 1:
-    case 2: slow.bit(bit) = set_any(memory.plane(bit), shape); break;
+    case 2: slow.bit(bit) = set_random(memory.plane(bit), shape); break;
     case 3: RC_ASSERT(bits_of(memory.plane(bit), shape) == slow.bit(bit)); break;
     case 4: check_read(memory, slow, bit, shape); break;
     case 5: static_cast<void>(memory.plane(bit)); break;

@@ -37,7 +37,7 @@ Bits bits_of(const functional::TileBits& bits, const functional::TileShape& shap
   return pixels;
 }
 
-Bits set_any(functional::TileBits& bits, const functional::TileShape& shape) {
+Bits set_random(functional::TileBits& bits, const functional::TileShape& shape) {
   bits.clear();
   const std::uint64_t mixed = any_word() & shape.blocks();
   bits.fill_blocks(any_word() & shape.blocks());
@@ -58,7 +58,7 @@ Numbers numbers_of(const functional::Lanes& lanes, const functional::TileShape& 
   return numbers;
 }
 
-Numbers set_any(functional::Lanes& lanes, unsigned bits, const functional::TileShape& shape) {
+Numbers set_random(functional::Lanes& lanes, unsigned bits, const functional::TileShape& shape) {
   const auto most = static_cast<std::uint32_t>((std::uint64_t{1} << bits) - 1);
   const std::vector<std::uint32_t> some{0, most, most / 2, most / 2 + 1, static_cast<std::uint32_t>(any_word()) & most};
   const std::uint64_t constant = any_word();

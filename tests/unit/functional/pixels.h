@@ -60,13 +60,13 @@ using Numbers = Pixels<std::uint32_t>;
 Bits bits_of(const functional::TileBits& bits, const functional::TileShape& shape);
 
 /// Sets blocks to all zeros, all ones, or random words. Returns the expected contents.
-Bits set_any(functional::TileBits& bits, const functional::TileShape& shape);
+Bits set_random(functional::TileBits& bits, const functional::TileShape& shape);
 
 /// Reads the numbers individually. Asserts that each is within its block's bounds.
 Numbers numbers_of(const functional::Lanes& lanes, const functional::TileShape& shape);
 
 /// Sets blocks to a constant or to a few random values of `bits` bits, including the minimum and the maximum. Returns
 /// the expected contents.
-Numbers set_any(functional::Lanes& lanes, unsigned bits, const functional::TileShape& shape);
+Numbers set_random(functional::Lanes& lanes, unsigned bits, const functional::TileShape& shape);
 
 }  // namespace csgsim::testing

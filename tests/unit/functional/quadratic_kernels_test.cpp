@@ -88,13 +88,13 @@ TEST_CASE("operations with quadratic F in lanes match 128-bit arithmetic") {
     const unsigned most = std::min(sum.linear.width - sum.linear.shift - 1U, isa::max_field_width);
     const unsigned width = is_sign(kind) ? 0 : between(1U, most + 1);
     functional::TileBits enable;
-    const Bits before = set_any(enable, shape);
+    const Bits before = set_random(enable, shape);
     const auto lanes = std::make_unique<functional::Lanes>();
     lanes->field = {0, static_cast<std::uint16_t>(width)};
     Numbers numbers(shape);
     functional::QuadraticTask task = task_of(kind, sum);
     if (width > 0) {
-      numbers = set_any(*lanes, width, shape);
+      numbers = set_random(*lanes, width, shape);
       task.lanes = lanes.get();
     }
     engine::Work work;
@@ -119,10 +119,10 @@ TEST_CASE("operations with quadratic F in planes match 128-bit arithmetic") {
     std::vector<Bits> bits;
     for (unsigned bit = 0; bit < width; ++bit) {
       field.push_back(planes.emplace_back(std::make_unique<functional::TileBits>()).get());
-      bits.push_back(set_any(*field.back(), shape));
+      bits.push_back(set_random(*field.back(), shape));
     }
     functional::TileBits enable;
-    const Bits before = set_any(enable, shape);
+    const Bits before = set_random(enable, shape);
     functional::QuadraticTask task = task_of(kind, sum);
     task.planes = field;
     engine::Work work;

@@ -16,10 +16,10 @@ TEST_CASE("roots of every width are taken at exactly the enabled pixels") {
     std::vector<Bits> bits;
     for (unsigned bit = 0; bit < 2 * w + 1; ++bit) {
       field.push_back(planes.emplace_back(std::make_unique<functional::TileBits>()).get());
-      bits.push_back(set_any(*field.back(), shape));
+      bits.push_back(set_random(*field.back(), shape));
     }
     functional::TileBits enable;
-    const Bits enabled = set_any(enable, shape);
+    const Bits enabled = set_random(enable, shape);
     engine::Work work;
     functional::execute_root({enable, shape, functional::Decide::by_block, work}, field);
     std::vector<Bits> after;

@@ -26,7 +26,7 @@ void do_any(TileBits& bits, Bits& pixels, const TileShape& shape) {
     });
   };
   switch (between(0, 7)) {
-    case 0: pixels = set_any(bits, shape); break;
+    case 0: pixels = set_random(bits, shape); break;
     case 1:
       bits.clear();
       pixels = Bits(shape);
@@ -45,15 +45,15 @@ void do_any(TileBits& bits, Bits& pixels, const TileShape& shape) {
       break;
     case 5: {
       TileBits other;
-      pixels = set_any(other, shape);
+      pixels = set_random(other, shape);
       bits.assign(other);
       break;
     }
     default: {
       TileBits where;
       TileBits value;
-      const Bits mask = set_any(where, shape);
-      const Bits values = set_any(value, shape);
+      const Bits mask = set_random(where, shape);
+      const Bits values = set_random(value, shape);
       functional::write_where(where, bits, shape, [&](unsigned block) { return value.word(block, shape); });
       pixels.set_each(
           [&](std::uint32_t x, std::uint32_t y) { return mask.at(x, y) != 0 ? values.at(x, y) : pixels.at(x, y); });
@@ -100,7 +100,7 @@ TEST_CASE("bits of a tile survive the conversion to rows of words and back") {
     const TileShape shape = any_shape();
     const auto stride = between<std::size_t>(1, 4);
     TileBits bits;
-    const Bits pixels = set_any(bits, shape);
+    const Bits pixels = set_random(bits, shape);
     std::vector<std::uint64_t> rows(shape.height() * stride, 0x5555U);
     functional::write_rows(bits, shape, rows.data(), stride);
     pixels.each([&](std::uint32_t x, std::uint32_t y) {
@@ -111,7 +111,7 @@ TEST_CASE("bits of a tile survive the conversion to rows of words and back") {
       if (i % stride == 0 && shape.width() < 64) RC_ASSERT(rows[i] >> shape.width() == 0U);
     }
     TileBits again;
-    set_any(again, shape);
+    set_random(again, shape);
     functional::read_rows(rows.data(), stride, shape, again);
     RC_ASSERT(bits_of(again, shape) == pixels);
   }));

@@ -94,12 +94,12 @@ TEST_CASE("a host slower than the machine limits the frame and a faster one does
     const machines::FrameTiming timing = host::time_frame(program, machine);
     engine::RunResult result;
     engine::put(timing, result);
-    return *observe::bound_of(result, machine);
+    return *observe::find_bottleneck(result, machine);
   };
-  const observe::Bound bound = bound_on(slow);
+  const observe::Bottleneck bound = bound_on(slow);
   CHECK(bound.by_host);
   CHECK(bound.sentence.find("The host needs ") != std::string::npos);
-  const observe::Bound kept_up = bound_on(machine_named("pixel-planes-4+host.processor=ideal"));
+  const observe::Bottleneck kept_up = bound_on(machine_named("pixel-planes-4+host.processor=ideal"));
   CHECK(!kept_up.by_host);
   CHECK(kept_up.part == bound.part);
   CHECK(bound.sentence.starts_with(kept_up.sentence));

@@ -14,7 +14,7 @@ using multi_processor::Figures;
 namespace {
 
 Figures figures_of(const std::string& changes) {
-  return machines::own<Figures>(kinds::load("multi-processor" + changes));
+  return machines::kind_figures<Figures>(kinds::load("multi-processor" + changes));
 }
 
 std::uint64_t clocks_on_mc68000(const processors::Operations& operations) {

@@ -61,7 +61,7 @@ Operations merge_operations(std::uint64_t longs, std::uint64_t chunks) {
 }
 
 Operations share(const isa::Program& program, const machines::Machine& machine) {
-  return host::largest_share(program, machine, processors::built_in_processor("mc68000"));
+  return host::busiest_processor_operations(program, machine, processors::built_in_processor("mc68000"));
 }
 
 }  // namespace

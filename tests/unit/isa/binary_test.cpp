@@ -59,10 +59,10 @@ TEST_CASE("Programs of the previous version without machine record or extents ar
   const Program lines = load_program(folder + "one_lines.csgt");
   CHECK(lines.machine == MachineRecord{});
   CHECK(lines.colour.width == 24);
-  CHECK(lines.colour == field_of(lines, FieldRole::colour));
+  CHECK(lines.colour == find_field(lines, FieldRole::colour));
   CHECK(lines.background == 0xffffe5);
   CHECK(lines.extents.size() == 1);
-  CHECK(lines.extents == extents_of(lines.segments));
+  CHECK(lines.extents == compute_row_extents(lines.segments));
   CHECK(load_program(folder + "one_squares.csgt").extents.empty());
   CHECK(decode(encode(lines), "p.csgt") == lines);
 }

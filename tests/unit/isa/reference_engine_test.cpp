@@ -14,7 +14,7 @@ namespace {
 using isa::Opcode;
 
 machines::Machine machine_of(isa::ArrayShape shape) {
-  machines::Machine machine = machines::blank(pixel_planes::kind);
+  machines::Machine machine = machines::blank_machine(pixel_planes::kind);
   machine.array = shape;
   return machine;
 }
@@ -172,7 +172,7 @@ TEST_CASE("skipped instructions count no overflow") {
 
 TEST_CASE("a query on a machine without global OR is rejected before the run") {
   machines::Machine machine = machine_of({8, 4, 16});
-  machines::own<pixel_planes::Figures>(machine).has_global_or = false;
+  machines::kind_figures<pixel_planes::Figures>(machine).has_global_or = false;
   machine.name = "deaf";
   isa::Program program = two_segments();
   Recorder recorder;

@@ -100,13 +100,13 @@ TEST_CASE("instructions that read their target have one and stripes are linear")
   for (const OpcodeInfo& row : opcode_table) {
     CAPTURE(row.name);
     if (reads_target(row.opcode)) CHECK(row.operands[0] == OperandKind::target);
-    if (cuts_sum(row.opcode)) CHECK(has_operand(row.operands, OperandKind::linear));
+    if (may_exceed_width(row.opcode)) CHECK(has_operand(row.operands, OperandKind::linear));
     CHECK(reads_target(row.opcode) ==
           (row.meaning.find("> t") != row.meaning.npos || row.meaning.find("< t") != row.meaning.npos ||
            row.meaning.find("t xor k") != row.meaning.npos || row.meaning.find("t + s") != row.meaning.npos ||
            row.meaning.find("F + t") != row.meaning.npos || row.meaning.find("F - t") != row.meaning.npos ||
            row.meaning.find("root of D") != row.meaning.npos));
-    CHECK(cuts_sum(row.opcode) == (row.meaning.find("no overflow") != row.meaning.npos));
+    CHECK(may_exceed_width(row.opcode) == (row.meaning.find("no overflow") != row.meaning.npos));
   }
 }
 
@@ -114,8 +114,8 @@ TEST_CASE("only loads, sums of F and roots take wide fields; skips and squares l
   for (const OpcodeInfo& row : opcode_table) {
     CAPTURE(row.name);
     const bool loads_or_adds = row.meaning.starts_with("where E: t := the low bits of F");
-    CHECK(takes_wide_field(row.opcode) == (loads_or_adds || row.clock_class == ClockClass::root));
-    CHECK(looks_ahead(row.opcode) ==
+    CHECK(allows_wide_fields(row.opcode) == (loads_or_adds || row.clock_class == ClockClass::root));
+    CHECK(needs_lookahead(row.opcode) ==
           (has_operand(row.operands, OperandKind::count) || has_operand(row.operands, OperandKind::squares)));
   }
 }

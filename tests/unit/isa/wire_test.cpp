@@ -51,11 +51,11 @@ Command decoded(const std::vector<LinkWord>& words, unsigned link_width) {
   WireDecoder decoder(link_width);
   for (std::size_t i = 0; i + 1 < words.size(); ++i) {
     RC_ASSERT(!decoder.take(words[i]).has_value());
-    RC_ASSERT(!decoder.between_commands());
+    RC_ASSERT(!decoder.is_between_commands());
   }
   const std::optional<Command> command = decoder.take(words.back());
   RC_ASSERT(command.has_value());
-  RC_ASSERT(decoder.between_commands());
+  RC_ASSERT(decoder.is_between_commands());
   return *command;
 }
 
@@ -193,7 +193,7 @@ TEST_CASE("all instructions survive encoding without origin and with reduced coe
 }
 
 TEST_CASE("every width of link carries the longest and the shortest commands") {
-  for (unsigned link_width = 1; link_width <= LinkWord::most_bits; ++link_width) {
+  for (unsigned link_width = 1; link_width <= LinkWord::max_bits; ++link_width) {
     CAPTURE(link_width);
     for (const Command& command : {Command{longest}, Command{set_constant}, Command{SegmentStart{{1, 2, 3, 4}}},
                                    Command{SegmentEnd{}}, Command{FrameEnd{{4064, 32}}}}) {
@@ -246,7 +246,7 @@ TEST_CASE("random words are errors or decode to commands that encode to the same
   std::mt19937_64 random(1988);
   unsigned commands = 0;
   unsigned errors = 0;
-  for (unsigned link_width = 1; link_width <= LinkWord::most_bits; ++link_width) {
+  for (unsigned link_width = 1; link_width <= LinkWord::max_bits; ++link_width) {
     WireDecoder decoder(link_width);
     std::vector<LinkWord> taken;
     for (unsigned i = 0; i < 2000; ++i) {
@@ -262,9 +262,9 @@ TEST_CASE("random words are errors or decode to commands that encode to the same
         }
       } catch (const InputError&) {
         ++errors;
-        CHECK(decoder.between_commands());
+        CHECK(decoder.is_between_commands());
       }
-      if (decoder.between_commands()) taken.clear();
+      if (decoder.is_between_commands()) taken.clear();
     }
   }
   CHECK(commands > 10'000);
@@ -342,14 +342,15 @@ TEST_CASE("links have 1 to 256 bits") {
 TEST_CASE("the encoder rejects values that do not fit their bits") {
   Instruction instruction = set_constant;
   instruction.constant = 0x100;
-  CHECK_THROWS_AS(packed(instruction), std::invalid_argument);
+  CHECK_THROWS_AS(pack_command(instruction), std::invalid_argument);
   instruction = set_constant;
   instruction.fields[0].base = 4096;
-  CHECK_THROWS_AS(packed(instruction), std::invalid_argument);
-  CHECK_THROWS_AS(packed(Instruction{Opcode::skip_if_none, {}, {}, 1ULL << 32U, {}}), std::invalid_argument);
-  CHECK_THROWS_AS(packed(Instruction{static_cast<Opcode>(opcode_table.size()), {}, {}, 0, {}}), std::invalid_argument);
-  CHECK_THROWS_AS(packed(Instruction{static_cast<Opcode>(255), {}, {}, 0, {}}), std::invalid_argument);
-  CHECK_THROWS_AS(packed(SegmentStart{{0, 0, 65536, 1}}), std::invalid_argument);
+  CHECK_THROWS_AS(pack_command(instruction), std::invalid_argument);
+  CHECK_THROWS_AS(pack_command(Instruction{Opcode::skip_if_none, {}, {}, 1ULL << 32U, {}}), std::invalid_argument);
+  CHECK_THROWS_AS(pack_command(Instruction{static_cast<Opcode>(opcode_table.size()), {}, {}, 0, {}}),
+                  std::invalid_argument);
+  CHECK_THROWS_AS(pack_command(Instruction{static_cast<Opcode>(255), {}, {}, 0, {}}), std::invalid_argument);
+  CHECK_THROWS_AS(pack_command(SegmentStart{{0, 0, 65536, 1}}), std::invalid_argument);
 }
 
 }  // namespace

@@ -65,7 +65,8 @@ bool is_clear(const Surface& surface, double x, double z) {
 /// Number of pixels that do not match the formula.
 std::size_t wrong(const std::string& csg, Projection projection, Turn turn, const Surface& surface) {
   const std::string placed_csg = placed(rotation(turn.about_x, turn.about_z), csg);
-  const judges::Truth truth = analytic(make_scenery(placed_csg, turned(straight(size.height, projection), turn), size));
+  const judges::Truth truth =
+      analytic(make_scenery(placed_csg, turned(straight_camera(size.height, projection), turn), size));
   std::size_t count = 0;
   std::size_t covered = 0;
   for (std::uint32_t i = 0; i < truth.owner.size(); ++i) {
@@ -179,7 +180,7 @@ TEST_CASE("an analytic ray steeper than a cone hits only one nappe") {
 }
 
 TEST_CASE("the number of facets does not change the true picture") {
-  const view::Camera camera = straight(size.height, Projection::perspective);
+  const view::Camera camera = straight_camera(size.height, Projection::perspective);
   const judges::Truth few = analytic(make_scenery(ball({1, 2, 3}, 8, 3), camera, size));
   const judges::Truth many = analytic(make_scenery(ball({1, 2, 3}, 8, 50), camera, size));
   CHECK(few.distance == many.distance);
@@ -195,7 +196,7 @@ TEST_CASE("intended polygons stay polygons in the true picture unless overridden
       "multmatrix([[1,0,0,12],[0,1,0,0],[0,0,1,-6],[0,0,0,1]]){cylinder($fn=3,$fa=12,$fs=2,h=12,r1=6,r2=0,center=false)"
       ";}";
   for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
-    const Scenery scenery = make_scenery(nuts, turned(straight(size.height, projection), {23, 41}), size);
+    const Scenery scenery = make_scenery(nuts, turned(straight_camera(size.height, projection), {23, 41}), size);
     const judges::Truth facets = exact(scenery);
     const auto truth_as = [&](const facet::Faceting& drawn_as) {
       return judges::analytic_truth(scenery.tree, drawn_as, scenery.camera, size.width, size.height,
@@ -225,7 +226,7 @@ TEST_CASE("pictures for successive near planes equal those computed separately")
       "multmatrix([[1,0,0,-9],[0,1,0,-20],[0,0,1,0],[0,0,0,1]]){sphere($fn=50,$fa=12,$fs=2,r=4);}"
       "multmatrix([[1,0,0,0],[0,1,0,-75],[0,0,1,-4],[0,0,0,1]]){sphere($fn=50,$fa=12,$fs=2,r=9);}";
   for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
-    const Scenery scenery = make_scenery(balls, straight(size.height, projection), size);
+    const Scenery scenery = make_scenery(balls, straight_camera(size.height, projection), size);
     judges::AnalyticPictures pictures(scenery.tree, {}, scenery.camera, size.width, size.height);
     std::size_t changed = 0;
     std::vector<double> before;

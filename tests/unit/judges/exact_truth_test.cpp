@@ -14,7 +14,7 @@ constexpr Size odd{7, 5};
 
 Truth straight_on(const std::string& csg, Size size, Projection projection = Projection::orthographic,
                   double near = 1) {
-  return exact(make_scenery(csg, straight(size.height, projection), size, near));
+  return exact(make_scenery(csg, straight_camera(size.height, projection), size, near));
 }
 
 /// Whether every covered pixel lies `behind` model units behind the centre of the picture.
@@ -114,7 +114,7 @@ TEST_CASE("pixel centres on an edge-on face belong to the solid to the right or 
 
 TEST_CASE("a solid across the near plane is capped with a separate plane") {
   const Scenery scenery =
-      make_scenery(box({-50, -50, -50}, {50, 3, 50}), straight(6, Projection::perspective), even, 2);
+      make_scenery(box({-50, -50, -50}, {50, 3, 50}), straight_camera(6, Projection::perspective), even, 2);
   const Truth truth = exact(scenery);
   for (std::size_t i = 0; i < truth.owner.size(); ++i) {
     CHECK(truth.owner[i] == 0);
@@ -155,7 +155,7 @@ TEST_CASE("a perspective picture of a box has the right distance and size") {
 
 TEST_CASE("an empty model is background everywhere") {
   const model::Tree tree;
-  const Truth truth = exact({tree, facet::make_geometry(tree), straight(even.height), even.width, even.height});
+  const Truth truth = exact({tree, facet::make_geometry(tree), straight_camera(even.height), even.width, even.height});
   for (const std::uint32_t owner : truth.owner) CHECK(owner == nothing);
   CHECK(all_at(truth, 0));
 }

@@ -170,7 +170,7 @@ TEST_CASE("wrong pixels of a coarse picture are explained") {
 
 TEST_CASE("only a pixel centre exactly on an edge-on face may fall on either side") {
   // The middle column of an odd picture is on the left face.
-  Trial trial(compile_text(box({0, 0, -2.5}, {2.5, 1, 2.5}), {straight(21), picture(21, 21), 80}));
+  Trial trial(compile_text(box({0, 0, -2.5}, {2.5, 1, 2.5}), {straight_camera(21), picture(21, 21), 80}));
   CHECK(trial.judge().wrong() == 0);
   constexpr std::size_t centre = 10 * 21 + 10;
   REQUIRE(trial.truth.owner[centre] == 0);
@@ -185,7 +185,8 @@ TEST_CASE("only a pixel centre exactly on an edge-on face may fall on either sid
 TEST_CASE("a missing pixel away from edge-on faces is not explained") {
   constexpr std::size_t centre = 10 * 21 + 10;
   for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
-    Trial trial(compile_text(box({-2.5, 0, -2.5}, {2.5, 1, 2.5}), {straight(21, projection), picture(21, 21), 80}));
+    Trial trial(
+        compile_text(box({-2.5, 0, -2.5}, {2.5, 1, 2.5}), {straight_camera(21, projection), picture(21, 21), 80}));
     const Errors before = trial.judge();
     REQUIRE(trial.truth.owner[centre] == 0);
     trial.remove(centre);
@@ -195,7 +196,7 @@ TEST_CASE("a missing pixel away from edge-on faces is not explained") {
 
 TEST_CASE("the judge rejects the second primitive on coincident faces") {
   const std::string twice = unite({box({-3, 0, -3}, {3, 2, 3}), box({-2, 0, -2}, {2, 4, 2})});
-  Trial trial(compile_text(twice, {straight(20), picture(20, 20), 80}));
+  Trial trial(compile_text(twice, {straight_camera(20), picture(20, 20), 80}));
   const Errors before = trial.judge();
   CHECK(before.wrong() == 0);
   trial.frame.owner[10 * 20 + 10] = 1;

@@ -208,7 +208,7 @@ TEST_CASE("a sphere shifted by a twentieth of a pixel is not explained") {
 
 TEST_CASE("only a ray exactly on a sphere's outline may hit or miss it") {
   // The middle column of an odd picture is on the left side.
-  const Scenery scenery = make_curved_scenery(ball({4, 0, 0}, 4, 64), straight(21), {21, 21});
+  const Scenery scenery = make_curved_scenery(ball({4, 0, 0}, 4, 64), straight_camera(21), {21, 21});
   const judges::Explainer explainer = straight_explainer(scenery, 21, 4, 20, 12);
   // Half of the 2^20 - 4 steps after the first.
   constexpr std::uint32_t half_way = (1U << 19) - 1;
@@ -220,7 +220,7 @@ TEST_CASE("only a ray exactly on a sphere's outline may hit or miss it") {
 }
 
 TEST_CASE("a primitive never appears outside the rectangle of its vertices") {
-  const Scenery scenery = make_curved_scenery(ball({0, 0, 0}, 4, 64), straight(41), {41, 41});
+  const Scenery scenery = make_curved_scenery(ball({0, 0, 0}, 4, 64), straight_camera(41), {41, 41});
   const judges::Explainer explainer = straight_explainer(scenery, 41, 4, 4, 0);
   CHECK(explainer.may_show(20, 20, 0, 1));
   for (const std::uint32_t column : {27U, 13U, 0U, 40U}) {
@@ -231,7 +231,7 @@ TEST_CASE("a primitive never appears outside the rectangle of its vertices") {
 
 TEST_CASE("a cone seen along its axis has its depths around the middle of the range") {
   const std::string cone = placed(rotation(-90, 0), cylinder({0, 0, 0}, 8, 0, 6, 64));
-  const Scenery scenery = make_curved_scenery(cone, straight(21), {21, 21});
+  const Scenery scenery = make_curved_scenery(cone, straight_camera(21), {21, 21});
   const judges::Explainer explainer = straight_explainer(scenery, 21, 8, 20, 12);
   // Three pixels from the axis the surface is 4 units behind the apex.
   constexpr std::uint32_t there = 1 + ((1U << 20) - 4) / 4 * 3;

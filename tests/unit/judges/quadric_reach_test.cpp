@@ -44,7 +44,7 @@ TEST_CASE("the minimum and maximum of a quadratic over a rectangle are tight") {
 
 TEST_CASE("a sphere's reach surrounds its outline and is clipped to the picture") {
   const auto reach = [](const glm::dvec3& centre, double radius, view::Projection projection) {
-    const Scenery scenery = make_curved_scenery(ball(centre, radius, 64), straight(40, projection), {60, 40});
+    const Scenery scenery = make_curved_scenery(ball(centre, radius, 64), straight_camera(40, projection), {60, 40});
     const judges::ExactCamera camera(scenery.camera, 60, 40, {projection == view::Projection::perspective, 1, 1000});
     return judges::quadric_reaches(scenery.scene, camera).front();
   };

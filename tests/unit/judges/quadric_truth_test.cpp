@@ -23,7 +23,7 @@ std::string along_view(double low, double high, double low_radius, double high_r
 }
 
 Truth straight_on(const std::string& csg, Projection projection = Projection::orthographic, double near = 1) {
-  return exact(make_curved_scenery(csg, straight(odd.height, projection), odd, near));
+  return exact(make_curved_scenery(csg, straight_camera(odd.height, projection), odd, near));
 }
 
 /// Distance behind the origin of the surface at the pixel x to the right and z above the middle; NaN for background.

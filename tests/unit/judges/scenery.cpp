@@ -47,7 +47,7 @@ judges::Truth analytic(const Scenery& scenery) {
 
 double straight_distance(std::uint32_t height) { return height / 2.0 / view::half_height_per_distance(); }
 
-view::Camera straight(std::uint32_t height, view::Projection projection) {
+view::Camera straight_camera(std::uint32_t height, view::Projection projection) {
   return {{0, -straight_distance(height), 0}, {0, 0, 0}, projection};
 }
 
@@ -80,7 +80,7 @@ double distance_in_doubles(const Scenery& scenery, std::uint32_t column, std::ui
     if (slope < 0.0) front = std::max(front, t);
     if (slope > 0.0) back = std::min(back, t);
   }
-  return TreeRules(scenery.tree).taken_away(owner) ? back : front;
+  return TreeRules(scenery.tree).is_subtracted(owner) ? back : front;
 }
 
 }  // namespace csgsim::testing

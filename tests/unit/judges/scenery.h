@@ -36,7 +36,7 @@ judges::Truth analytic(const Scenery& scenery);
 
 /// Camera along +y towards the origin, x to the right and z upward, at the distance where a pixel of a picture of the
 /// given height is one model unit (at the origin, in perspective).
-view::Camera straight(std::uint32_t height, view::Projection projection = view::Projection::orthographic);
+view::Camera straight_camera(std::uint32_t height, view::Projection projection = view::Projection::orthographic);
 
 /// Distance in model units from the eye of that camera to the origin.
 double straight_distance(std::uint32_t height);

@@ -96,7 +96,7 @@ std::optional<Shown> nearest_shown(const model::Tree& tree, const Intervals& int
   std::optional<Shown> seen;
   for (std::uint32_t i = 0; i < intervals.size(); ++i) {
     if (!intervals[i]) continue;
-    const int depth = rules.taken_away(i) ? intervals[i]->back : intervals[i]->front;
+    const int depth = rules.is_subtracted(i) ? intervals[i]->back : intervals[i]->front;
     if (seen && seen->depth <= depth) continue;
     std::vector<bool> held;
     for (const std::optional<Interval>& in : intervals) held.push_back(in && in->front <= depth && depth < in->back);
@@ -130,8 +130,8 @@ TEST_CASE("a surface is visible where its side is present and no operator remove
     const auto held = *rc::gen::container<std::vector<bool>>(tree.primitives.size(), rc::gen::arbitrary<bool>());
     for (std::uint32_t i = 0; i < held.size(); ++i) on_ray.set(i, held[i]);
     for (std::uint32_t i = 0; i < held.size(); ++i) {
-      RC_ASSERT(on_ray.is_subtracted(i) == rules.taken_away(i));
-      RC_ASSERT(on_ray.is_exposed(i) == (held[i] != rules.taken_away(i) && rules.shows(i, held)));
+      RC_ASSERT(on_ray.is_subtracted(i) == rules.is_subtracted(i));
+      RC_ASSERT(on_ray.is_exposed(i) == (held[i] != rules.is_subtracted(i) && rules.shows(i, held)));
     }
   }));
 }

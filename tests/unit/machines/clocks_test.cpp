@@ -12,7 +12,7 @@ using isa::Opcode;
 namespace {
 
 machines::Machine machine(std::uint32_t memory_reads) {
-  machines::Machine result = machines::blank(pixel_planes::kind);
+  machines::Machine result = machines::blank_machine(pixel_planes::kind);
   result.array = {512, 512, 72};
   result.memory_reads = memory_reads;
   return result;

@@ -18,7 +18,7 @@ namespace {
 constexpr std::uint64_t first_entry = 5;
 
 machines::Machine make_machine(machines::Size picture, std::uint32_t chains, std::uint32_t ports = 0) {
-  machines::Machine machine = machines::blank(scan_line::kind);
+  machines::Machine machine = machines::blank_machine(scan_line::kind);
   machine.name = "test";
   machine.array = {picture.width, 1, 64};
   machine.picture = picture;
@@ -103,8 +103,8 @@ TEST_CASE("the host sorts and updates its list and prepares lines while the link
 
 TEST_CASE("the host's clocks depend on row extents and not on instruction purposes") {
   machines::Machine machine = make_machine({2, 3}, 1);
-  machines::own<scan_line::Figures>(machine).bucket_clocks = 7;
-  machines::own<scan_line::Figures>(machine).active_clocks = 5;
+  machines::kind_figures<scan_line::Figures>(machine).bucket_clocks = 7;
+  machines::kind_figures<scan_line::Figures>(machine).active_clocks = 5;
   const Instruction plain{.opcode = Opcode::enable_all};
   const Instruction serving{.opcode = Opcode::enable_all, .origin = {.primitive = 0, .node = 1}};
   CHECK(time(machine, {2, 2, 0}, plain).clocks == time(machine, {2, 2, 0}, serving).clocks);
@@ -114,16 +114,16 @@ TEST_CASE("the host's clocks depend on row extents and not on instruction purpos
 TEST_CASE("a frame of cells below trees ends when the last mark has passed tree and shifts") {
   machines::Machine machine = make_machine({20, 3}, 1);
   const std::uint64_t chained = time(machine, {30, 20, 30}).clocks;
-  machines::own<scan_line::Figures>(machine).network = scan_line::Network::trees;
-  machines::own<scan_line::Figures>(machine).tree_bits = 32;
+  machines::kind_figures<scan_line::Figures>(machine).network = scan_line::Network::trees;
+  machines::kind_figures<scan_line::Figures>(machine).tree_bits = 32;
   const scan_line::LineTiming timing = time(machine, {30, 20, 30});
   CHECK(timing.clocks == first_entry + 31 + 22 + 32 + (5 + 1) + 20);  // 20 cells below 5 levels
   CHECK(timing.clocks == chained - (19 - 5));
   CHECK(account_of(timing).fill_clocks == first_entry + 1 + 5);
   const Instruction wide{.opcode = Opcode::edge_negative, .linear = {.width = 24}};
-  machines::own<scan_line::Figures>(machine).tree_bits = 1;
+  machines::kind_figures<scan_line::Figures>(machine).tree_bits = 1;
   CHECK(time(machine, {1, 1, 1}, wide).account.busy_cells == 3 * 24 * 20);
-  machines::own<scan_line::Figures>(machine).tree_bits = 5;
+  machines::kind_figures<scan_line::Figures>(machine).tree_bits = 5;
   CHECK(time(machine, {1, 1, 1}, wide).account.busy_cells == 3 * 5 * 20);
 }
 
@@ -143,9 +143,9 @@ TEST_CASE("a FIFO of one word before a chain passes a word every other clock") {
 TEST_CASE("each line of a field gets an equal share of the refresh time times the chains") {
   machines::Machine machine = make_machine({4, 7}, 1);
   CHECK(scan_line::line_budget(machine, 7) == 7);  // 1000 / (20 * 7)
-  machines::own<scan_line::Figures>(machine).chains = 3;
+  machines::kind_figures<scan_line::Figures>(machine).chains = 3;
   CHECK(scan_line::line_budget(machine, 7) == 21);
-  machines::own<scan_line::Figures>(machine).interlaced = true;
+  machines::kind_figures<scan_line::Figures>(machine).interlaced = true;
   CHECK(scan_line::line_budget(machine, 7) == 3 * 12);  // 1000 / (20 * 4)
 }
 

@@ -132,7 +132,7 @@ TEST_CASE("the built-in pixel-planes-4 has the published array and clock and por
   CHECK(machine.clock_hz == 10'000'000);
   CHECK(machine.memory_reads == 1);
   CHECK(machine.alu_bits == 1);
-  CHECK(machines::own<pixel_planes::Figures>(machine).has_global_or);
+  CHECK(machines::kind_figures<pixel_planes::Figures>(machine).has_global_or);
 }
 
 TEST_CASE("every built-in machine has the name by which it is loaded") {
@@ -206,7 +206,7 @@ TEST_CASE("the tree bits per clock are read from a machine file up to the ALU wi
 TEST_CASE("global_or.present accepts only 0 and 1") {
   const Machine without = read_description(changed("[global_or.present]\nvalue = 1", "[global_or.present]\nvalue = 0"),
                                            "my.toml", kinds::all());
-  CHECK_FALSE(machines::own<pixel_planes::Figures>(without).has_global_or);
+  CHECK_FALSE(machines::kind_figures<pixel_planes::Figures>(without).has_global_or);
   CHECK(message_of_change("[global_or.present]\nvalue = 1", "[global_or.present]\nvalue = 2")
             .ends_with("global_or.present is 2; it must be 0 to 1 lines"));
 }
@@ -425,17 +425,17 @@ TEST_CASE("a Program's machine record rebuilds the machine including changed par
   for (const std::string& name : names) {
     CAPTURE(name);
     const Machine machine = kinds::load(name);
-    const isa::MachineRecord record = machines::record_of(machine);
+    const isa::MachineRecord record = machines::machine_record(machine);
     const Machine again = kinds::load(record);
     CHECK(record.figures.size() == machine.kind->schema.size());
     CHECK(again.name == machine.name);
-    CHECK(machines::same_hardware(again, machine));
-    CHECK((machines::record_of(again) == record));
+    CHECK(machines::is_same_hardware(again, machine));
+    CHECK((machines::machine_record(again) == record));
   }
 }
 
 TEST_CASE("a Program's recorded parameters take precedence over csgsim's current ones") {
-  isa::MachineRecord record = machines::record_of(kinds::load("pixel-planes-4"));
+  isa::MachineRecord record = machines::machine_record(kinds::load("pixel-planes-4"));
   for (std::string& figure : record.figures)
     if (figure == "alu.bits=1") figure = "alu.bits=2";
   const Machine machine = kinds::load(record);
@@ -447,7 +447,7 @@ TEST_CASE("a Program's recorded parameters take precedence over csgsim's current
 }
 
 TEST_CASE("an unknown machine is rebuilt from a complete set of parameters only") {
-  isa::MachineRecord record = machines::record_of(kinds::load("scan-line+clock.frequency=12000000"));
+  isa::MachineRecord record = machines::machine_record(kinds::load("scan-line+clock.frequency=12000000"));
   record.name = "my lines";
   const Machine machine = kinds::load(record);
   CHECK(machine.name == "my lines");

@@ -23,11 +23,11 @@ constexpr isa::ArrayShape shape{8, 8, 40};
 constexpr std::uint64_t tree_latency = 6;
 
 Machine machine_with(const machines::Link& link, std::uint32_t clear_clocks = 0, std::uint32_t fan_in = 0) {
-  Machine machine = machines::blank(pixel_planes::kind);
+  Machine machine = machines::blank_machine(pixel_planes::kind);
   machine.array = shape;
   machine.link = link;
   machine.clear_clocks = clear_clocks;
-  machines::own<pixel_planes::Figures>(machine).or_fan_in = fan_in;
+  machines::kind_figures<pixel_planes::Figures>(machine).or_fan_in = fan_in;
   return machine;
 }
 
@@ -45,7 +45,7 @@ isa::Program coloured(isa::Program program, std::uint32_t bits) {
 }
 
 Machine with_buffers(Machine machine, std::uint32_t buffers, ScanOutPort port) {
-  auto& figures = machines::own<pixel_planes::Figures>(machine);
+  auto& figures = machines::kind_figures<pixel_planes::Figures>(machine);
   figures.scan_out_buffers = buffers;
   figures.scan_out_port = port;
   return machine;
@@ -190,7 +190,7 @@ TEST_CASE("at a pixel a query takes one clock and a skipped instruction none") {
                                              {.opcode = Opcode::enable_all}});
   machines::Timeline timeline;
   timeline.issued = {{{13, 22}, {0, 0}, {30, 38}, {40, 43}}};
-  const std::vector<machines::ClockSpan> steps = machines::at_pixel(timeline, program, machine, 0, 0, 0);
+  const std::vector<machines::ClockSpan> steps = machines::spans_at_pixel(timeline, program, machine, 0, 0, 0);
   const std::uint64_t latency = machines::evaluator_latency(machine);
   REQUIRE(steps.size() == 4);
   CHECK(steps[0].begin == 13 + latency);
@@ -299,11 +299,11 @@ TEST_CASE("a second buffer delays a sequence by at most one copy and hides most 
     Machine machine = machine_with(arbitrary_links().worse, pick(0, 50), *rc::gen::element(0U, 2U, 8U));
     machine.alu_bits = pick(1, 4);
     const auto port = *rc::gen::element(ScanOutPort::own, ScanOutPort::shared);
-    machines::own<pixel_planes::Figures>(machine).scan_out_pixels = pick(1, 9);
+    machines::kind_figures<pixel_planes::Figures>(machine).scan_out_pixels = pick(1, 9);
     const auto one = machines::time_frame(program, with_buffers(machine, 1, port), skips);
     const auto two = machines::time_frame(program, with_buffers(machine, 2, port), skips);
     const std::uint64_t copy = 1 + (width + machine.alu_bits - 1) / machine.alu_bits;
-    const std::uint64_t pixels = machines::own<pixel_planes::Figures>(machine).scan_out_pixels;
+    const std::uint64_t pixels = machines::kind_figures<pixel_planes::Figures>(machine).scan_out_pixels;
     RC_ASSERT(two.clocks == one.clocks + copy);
     RC_ASSERT(two.interval_clocks > two.clocks);
     RC_ASSERT(two.interval_clocks >= shape.height * ((shape.width + pixels - 1) / pixels));

@@ -16,23 +16,23 @@ using pixel_square::SquareOrder;
 namespace {
 
 machines::Machine squares_of(std::uint32_t width, std::uint32_t height, machines::Size picture, SquareOrder order) {
-  machines::Machine machine = machines::blank(pixel_square::kind);
+  machines::Machine machine = machines::blank_machine(pixel_square::kind);
   machine.array = {width, height, 8};
   machine.picture = picture;
-  machines::own<pixel_square::Figures>(machine).order = order;
+  machines::kind_figures<pixel_square::Figures>(machine).order = order;
   return machine;
 }
 
 machines::Machine lines_of(machines::Size picture, bool interlaced) {
-  machines::Machine machine = machines::blank(scan_line::kind);
+  machines::Machine machine = machines::blank_machine(scan_line::kind);
   machine.array = {picture.width, 1, 8};
   machine.picture = picture;
-  machines::own<scan_line::Figures>(machine).interlaced = interlaced;
+  machines::kind_figures<scan_line::Figures>(machine).interlaced = interlaced;
   return machine;
 }
 
 machines::Machine whole_of(machines::Size picture) {
-  machines::Machine machine = machines::blank(pixel_planes::kind);
+  machines::Machine machine = machines::blank_machine(pixel_planes::kind);
   machine.array = {picture.width, picture.height, 8};
   machine.picture = picture;
   return machine;
@@ -42,7 +42,7 @@ machines::Machine whole_of(machines::Size picture) {
 
 TEST_CASE("a two-level divider gets its squares group by group") {
   machines::Machine machine = squares_of(10, 10, {30, 25}, SquareOrder::serpentine);
-  auto& figures = machines::own<pixel_square::Figures>(machine);
+  auto& figures = machines::kind_figures<pixel_square::Figures>(machine);
   figures.divider = pixel_square::DividerKind::corners;
   figures.group_side = 2;
   const std::vector<isa::Region> rows = {{0, 0, 10, 10},   {10, 0, 10, 10},  {20, 0, 10, 10},

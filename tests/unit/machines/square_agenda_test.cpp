@@ -118,7 +118,7 @@ TEST_CASE("parts act at their latest scheduled clock edge in order of their numb
                                     rc::gen::weightedElement<Time>({{3, 0}, {6, 1}, {2, 2}, {1, 3}, {1, 70}}));
     };
     const auto put = [&](std::size_t part, Time when) {
-      agenda.put(part, when);
+      agenda.schedule(part, when);
       due[part] = when;
     };
     put(any_number(), any_time());
@@ -274,10 +274,10 @@ TEST_CASE("a latched row transfers when a word needs it and the next row is latc
 
 TEST_CASE("the clocks of a part cover the frame from its first clock to its last") {
   pixel_square::PartClocks clocks;
-  clocks.wait(SquareActivity::waiting_for_host, 4);  // clocks 1 to 3
-  clocks.work(2);                                    // 4 and 5
-  clocks.wait(SquareActivity::waiting_for_renderer, 6);
-  clocks.wait(SquareActivity::waiting_for_renderer, 7);  // 6
+  clocks.count_waiting(SquareActivity::waiting_for_host, 4);  // clocks 1 to 3
+  clocks.count_working(2);                                    // 4 and 5
+  clocks.count_waiting(SquareActivity::waiting_for_renderer, 6);
+  clocks.count_waiting(SquareActivity::waiting_for_renderer, 7);  // 6
   const pixel_square::SquareClocks& whole = clocks.complete(10);
   CHECK(whole == pixel_square::SquareClocks{2, 3, 0, 1, 0, 4});
 }

@@ -33,7 +33,7 @@ TEST_CASE("half-spaces and nodes and planes beyond a divider's memories cost ext
   const auto clocks = [&](const auto& change) {
     Machine machine = make_machine(2, dividing());
     machine.link.latency = 6;
-    change(machines::own<Figures>(machine));
+    change(machines::kind_figures<Figures>(machine));
     return time(program, machine).clocks;
   };
   const std::uint64_t fits = clocks([](Figures&) {});
@@ -52,7 +52,7 @@ TEST_CASE("a square starts to leave when it is stored completely or fills the st
   *program.segments[0].division = {.steps = {{.boxes = 100, .instructions = 2}, {.boxes = 100, .instructions = 1}}};
   const auto time_with = [&](std::uint32_t words) {
     Machine machine = make_machine(2, dividing());
-    machines::own<Figures>(machine).store_words = words;
+    machines::kind_figures<Figures>(machine).store_words = words;
     return time(program, machine);
   };
   // SegmentStart, two instructions, 200 clocks of boxes, an instruction, SegmentEnd. With room for three words the
@@ -80,7 +80,7 @@ TEST_CASE("two dividers halve the time of a frame that is limited by box tests")
   }
   Machine machine = make_machine(2, dividing());
   const std::uint64_t one = time(program, machine).clocks;
-  machines::own<Figures>(machine).dividers = 2;
+  machines::kind_figures<Figures>(machine).dividers = 2;
   const Timing timing = time(program, machine);
   CHECK(timing.account.dividers.size() == 2);
   // The last two squares arrive together: the second's header waits a clock, and so does its background.

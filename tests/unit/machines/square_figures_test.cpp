@@ -104,7 +104,7 @@ TEST_CASE("a divider takes clocks for its tree and for linear instructions") {
   CHECK(clocks.instruction_clocks({.opcode = Opcode::edge_negative}) == 4);
   CHECK(clocks.is_listed(100));
   CHECK_FALSE(clocks.is_listed(101));
-  machines::own<Figures>(machine).levels = 1;
+  machines::kind_figures<Figures>(machine).levels = 1;
   CHECK_FALSE(DivisionClocks(program, machine).is_listed(0));
 }
 
@@ -114,14 +114,14 @@ TEST_CASE("dividers take groups in turn, or single squares if there is one level
       isa::Region{0, 0, 2, 2}, {2, 0, 2, 2}, {4, 0, 2, 2}, {6, 0, 2, 2}, {0, 4, 2, 2}, {0, 6, 2, 2}};
   for (std::size_t i = 0; i < regions.size(); ++i) program.segments[i].region = regions[i];
   Machine machine = make_machine(2, hand_calculated_figures());
-  auto& figures = machines::own<Figures>(machine);
+  auto& figures = machines::kind_figures<Figures>(machine);
   figures.group_side = 2;
   figures.dividers = 2;
-  CHECK(pixel_square::dividers_of(program, machine) == std::vector<std::size_t>{0, 0, 1, 1, 0, 0});
+  CHECK(pixel_square::divider_of_each_square(program, machine) == std::vector<std::size_t>{0, 0, 1, 1, 0, 0});
   figures.levels = 1;
-  CHECK(pixel_square::dividers_of(program, machine) == std::vector<std::size_t>{0, 1, 0, 1, 0, 1});
+  CHECK(pixel_square::divider_of_each_square(program, machine) == std::vector<std::size_t>{0, 1, 0, 1, 0, 1});
   figures.dividers = 3;
-  CHECK(pixel_square::dividers_of(program, machine) == std::vector<std::size_t>{0, 1, 2, 0, 1, 2});
+  CHECK(pixel_square::divider_of_each_square(program, machine) == std::vector<std::size_t>{0, 1, 2, 0, 1, 2});
 }
 
 TEST_CASE("each count of a divider's tests may be 2^36 and no more") {
@@ -174,7 +174,7 @@ TEST_CASE("a frame's tests may take 2^60 clocks in total") {
 TEST_CASE("a model and its spills must fit the divider's memory to the bit") {
   isa::Program program = with_model();
   const std::uint64_t model_bits = 8 * program.display_model.size();
-  const std::uint64_t planes = division::sizes_of(program.display_model).planes;
+  const std::uint64_t planes = division::read_model_sizes(program.display_model).planes;
   REQUIRE(planes > 0);
   Figures figures = dividing();
   figures.halfspaces = 2;
@@ -223,19 +223,19 @@ TEST_CASE("a machine's memory includes its pixels and pictures and stores and di
   constexpr std::uint64_t of_divider = 1000 + 10 * 32 + 4 * 281 + 6 * 98 + 7 * 256;
   CHECK(resources().processors == 12);
   CHECK(resources().memory_bits == of_pixels + 2 * of_divider);
-  machines::own<Figures>(machine).levels = 1;
+  machines::kind_figures<Figures>(machine).levels = 1;
   CHECK(resources().memory_bits == of_pixels + 2 * (of_divider - 320));
-  machines::own<Figures>(machine).divider = pixel_square::DividerKind::host;
+  machines::kind_figures<Figures>(machine).divider = pixel_square::DividerKind::host;
   CHECK(resources().memory_bits == of_pixels);
 }
 
 TEST_CASE("a second buffer holds one waiting square and a backing store as many as fit") {
-  CHECK(pixel_square::squares_waiting({.buffers = 1}, 24) == 0);
-  CHECK(pixel_square::squares_waiting({.buffers = 2}, 24) == 1);
-  CHECK(pixel_square::squares_waiting({.buffers = 1, .backing_bits = 48}, 24) == 2);
-  CHECK(pixel_square::squares_waiting({.buffers = 1, .backing_bits = 47}, 24) == 1);
-  CHECK(pixel_square::squares_waiting({.buffers = 2, .backing_bits = 23}, 24) == 0);
-  CHECK(pixel_square::squares_waiting({.buffers = 2, .backing_bits = 5}, 0) == 5);
+  CHECK(pixel_square::waiting_square_capacity({.buffers = 1}, 24) == 0);
+  CHECK(pixel_square::waiting_square_capacity({.buffers = 2}, 24) == 1);
+  CHECK(pixel_square::waiting_square_capacity({.buffers = 1, .backing_bits = 48}, 24) == 2);
+  CHECK(pixel_square::waiting_square_capacity({.buffers = 1, .backing_bits = 47}, 24) == 1);
+  CHECK(pixel_square::waiting_square_capacity({.buffers = 2, .backing_bits = 23}, 24) == 0);
+  CHECK(pixel_square::waiting_square_capacity({.buffers = 2, .backing_bits = 5}, 0) == 5);
 }
 
 TEST_CASE("queries take one clock per level of a renderer's OR") {
@@ -245,7 +245,7 @@ TEST_CASE("queries take one clock per level of a renderer's OR") {
   Machine machine = make_machine(8, figures);
   const isa::Instruction query{.opcode = Opcode::skip_if_none, .constant = 1};
   const auto clocks = [&](std::uint32_t fan_in) {
-    machines::own<Figures>(machine).or_fan_in = fan_in;
+    machines::kind_figures<Figures>(machine).or_fan_in = fan_in;
     return machine.kind->clocks(query, machine);
   };
   const std::uint64_t at_once = clocks(0);

@@ -43,24 +43,24 @@ isa::Program divided_program(const Machine& machine) {
 TEST_CASE("graphics processors share the host's work only if the divider is `processors`") {
   Machine machine = make_machine(2, {.processors = 7});
   machine.host.count = 3;
-  CHECK(machine.kind->hosts(machine) == 3);
-  machines::own<Figures>(machine).divider = pixel_square::DividerKind::corners;
-  CHECK(machine.kind->hosts(machine) == 3);
-  machines::own<Figures>(machine).divider = pixel_square::DividerKind::processors;
-  CHECK(machine.kind->hosts(machine) == 7);
+  CHECK(machine.kind->host_processor_count(machine) == 3);
+  machines::kind_figures<Figures>(machine).divider = pixel_square::DividerKind::corners;
+  CHECK(machine.kind->host_processor_count(machine) == 3);
+  machines::kind_figures<Figures>(machine).divider = pixel_square::DividerKind::processors;
+  CHECK(machine.kind->host_processor_count(machine) == 7);
 }
 
 TEST_CASE("only corner dividers divide the model and only two levels have groups") {
   Machine machine = make_machine(2, {.levels = 2, .group_side = 5, .list_entries = 9});
   const auto division = [&] { return machine.kind->division(machine); };
   CHECK_FALSE(division());
-  machines::own<Figures>(machine).divider = pixel_square::DividerKind::processors;
+  machines::kind_figures<Figures>(machine).divider = pixel_square::DividerKind::processors;
   CHECK_FALSE(division());
-  machines::own<Figures>(machine).divider = pixel_square::DividerKind::corners;
+  machines::kind_figures<Figures>(machine).divider = pixel_square::DividerKind::corners;
   REQUIRE(division());
   CHECK(division()->group_side == 5);
   CHECK(division()->list_entries == 9);
-  machines::own<Figures>(machine).levels = 1;
+  machines::kind_figures<Figures>(machine).levels = 1;
   REQUIRE(division());
   CHECK(division()->group_side == 0);
   CHECK(division()->list_entries == 9);
@@ -96,7 +96,7 @@ TEST_CASE("pixels execute an instruction after the trees' latency and a query at
       enable, {.opcode = Opcode::skip_if_none, .constant = 1}, enable, {.opcode = Opcode::skip_if_none, .constant = 1}};
   machines::Timeline timeline;
   timeline.issued = {{{1, 2}}, {{3, 7}, {8, 15}, {0, 0}, {0, 0}}};
-  CHECK(machines::at_pixel(timeline, program, machine, 1, 0, 0) ==
+  CHECK(machines::spans_at_pixel(timeline, program, machine, 1, 0, 0) ==
         std::vector<machines::ClockSpan>{{6, 10}, {11, 12}, {0, 0}, {0, 0}});
 }
 
@@ -122,13 +122,13 @@ TEST_CASE("a query takes the clocks of the OR's gates and other instructions tak
   const isa::Instruction query{.opcode = Opcode::skip_if_none, .constant = 1};
   const std::uint64_t gated = machine.kind->clocks(query, machine);
   CHECK(machine.kind->clocks(set({0, 3}), machine) == 3);
-  machines::own<Figures>(machine).or_fan_in = 0;
+  machines::kind_figures<Figures>(machine).or_fan_in = 0;
   CHECK(machine.kind->clocks(query, machine) == gated - 2);
   CHECK(machine.kind->clocks(set({0, 3}), machine) == 3);
   // One pixel needs no gate.
   machine.array = {1, 1, 16};
   const std::uint64_t at_once = machine.kind->clocks(query, machine);
-  machines::own<Figures>(machine).or_fan_in = 4;
+  machines::kind_figures<Figures>(machine).or_fan_in = 4;
   CHECK(machine.kind->clocks(query, machine) == at_once);
 }
 
@@ -225,7 +225,7 @@ TEST_CASE("rejects a Program that differs from its division in one level and in 
     REQUIRE(!program.segments[0].instructions.empty());
     program.segments[0].instructions.pop_back();
     CHECK(refused() == "segment 0 does not match the division of its display model; compile the model again");
-    machines::own<Figures>(machine).divider = pixel_square::DividerKind::host;
+    machines::kind_figures<Figures>(machine).divider = pixel_square::DividerKind::host;
     CHECK(refused() == "");
   }
 }
@@ -250,7 +250,7 @@ TEST_CASE("a group's first square includes the group's work if it has boxes or e
 
 TEST_CASE("ideal parameters of a pixel-square machine remove limits and take no clocks") {
   const auto own = [](const std::string& key) {
-    return machines::own<Figures>(kinds::load("pixel-square+" + key + "=ideal"));
+    return machines::kind_figures<Figures>(kinds::load("pixel-square+" + key + "=ideal"));
   };
   // Ideal: one gate, immediate latching, every plane moved, no screen, one channel per source.
   CHECK(own("global_or.fan_in").or_fan_in == 0);

@@ -28,8 +28,8 @@ TEST_CASE("on a ring a square's commands and colours each take a clock more than
   Machine machine = make_machine(2, on_a_ring({.buffers = 2, .port_fifo_depth = 8, .ring_bits = 32}));
   machine.link.width = 1;
   const Timing wide_words = time(program, machine);
-  machines::own<Figures>(machine).ring_bits = 256;
-  machines::own<Figures>(machine).port_bits = 1;
+  machines::kind_figures<Figures>(machine).ring_bits = 256;
+  machines::kind_figures<Figures>(machine).port_bits = 1;
   const Timing timing = time(program, machine);
   // A header and two words of colours: they leave at 12 and 13.
   CHECK(timing.clocks == 15);

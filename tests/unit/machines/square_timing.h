@@ -30,7 +30,7 @@ using Clocks = pixel_square::SquareClocks;
 inline constexpr machines::Link wide{.width = 256, .word_clocks = 1, .fifo_depth = 1000, .latency = 0};
 
 inline Machine make_machine(std::uint32_t side, Figures figures, machines::Link link = wide) {
-  Machine machine = machines::blank(pixel_square::kind);
+  Machine machine = machines::blank_machine(pixel_square::kind);
   machine.name = "squares";
   machine.array = {side, side, 16};
   machine.picture = {4, 4};

@@ -34,12 +34,12 @@ Machine any_machine() {
   return machine;
 }
 
-std::uint64_t words_in(std::uint64_t bits, std::uint64_t width) { return (bits + width - 1) / width; }
+std::uint64_t arriving_words(std::uint64_t bits, std::uint64_t width) { return (bits + width - 1) / width; }
 
 /// Returns any_machine() with a divider whose tests take random clocks.
 Machine any_dividing_machine() {
   Machine machine = any_machine();
-  auto& figures = machines::own<Figures>(machine);
+  auto& figures = machines::kind_figures<Figures>(machine);
   const Figures own = dividing();
   figures.divider = own.divider;
   figures.model_bits = own.model_bits;
@@ -72,7 +72,7 @@ isa::Program any_divided_program(const Machine& machine) {
 
 /// Clocks of a divider between the model's last word and its own last one.
 std::uint64_t dividing_clocks(const isa::Program& program, const Machine& machine) {
-  const auto& figures = machines::own<Figures>(machine);
+  const auto& figures = machines::kind_figures<Figures>(machine);
   constexpr std::uint64_t nodes = 3;
   std::uint64_t clocks = nodes * figures.node_clocks;
   for (const isa::Segment& one : program.segments) {
@@ -96,13 +96,13 @@ struct Work {
 };
 
 Work work_of(const isa::Program& program, const Machine& machine) {
-  const auto& figures = machines::own<Figures>(machine);
+  const auto& figures = machines::kind_figures<Figures>(machine);
   const std::uint64_t colour_bits = isa::frame_header(program).colour.width;
-  const std::uint64_t header = words_in(64, figures.port_bits);
+  const std::uint64_t header = arriving_words(64, figures.port_bits);
   Work work{.host = machine.link.latency};
   for (const isa::Segment& one : program.segments) {
     const std::uint64_t leaving =
-        header + words_in(colour_bits * one.region.width * one.region.height, figures.port_bits);
+        header + arriving_words(colour_bits * one.region.width * one.region.height, figures.port_bits);
     work.frame_buffer += leaving;
     std::uint64_t words = one.instructions.empty() ? header : 0;
     if (words == 0) {
@@ -111,7 +111,8 @@ Work work_of(const isa::Program& program, const Machine& machine) {
       for (const Instruction& instruction : one.instructions) words += isa::wire_words(instruction, machine.link.width);
       work.renderers += std::max(machine.clear_clocks, 1U) + machines::clocks(one.instructions, machine) + 1 +
                         machines::evaluator_latency(machine) + leaving + 2;
-      if (figures.buffers == 2 && figures.move_bits > 0) work.renderers += words_in(colour_bits, figures.move_bits);
+      if (figures.buffers == 2 && figures.move_bits > 0)
+        work.renderers += arriving_words(colour_bits, figures.move_bits);
     }
     work.host += words * machine.link.word_clocks;
   }
@@ -128,7 +129,7 @@ void draw_everywhere(isa::Program& program) {
 /// Returns the clocks after a change of the machine's figures.
 template <class Change>
 std::uint64_t clocks_with(const Change& change, const isa::Program& program, Machine machine) {
-  change(machine, machines::own<Figures>(machine));
+  change(machine, machines::kind_figures<Figures>(machine));
   return time(program, machine).clocks;
 }
 
@@ -151,7 +152,7 @@ TEST_CASE("a frame takes at least its busiest part's work and at most the sum of
 TEST_CASE("with one renderer and no clears no faster part or deeper FIFO adds clocks") {
   CHECK(rc::check([] {
     Machine machine = any_machine();
-    machines::own<Figures>(machine).renderers = 1;
+    machines::kind_figures<Figures>(machine).renderers = 1;
     isa::Program program = *test::arbitrary_program_in_parts(machine, 8);
     draw_everywhere(program);
     const std::uint64_t clocks = time(program, machine).clocks;
@@ -170,7 +171,7 @@ TEST_CASE("with a divider a frame lies between its busiest part's and all parts'
   CHECK(rc::check([] {
     const Machine machine = any_dividing_machine();
     const isa::Program program = any_divided_program(machine);
-    const std::uint64_t model = words_in(8 * program.display_model.size(), machine.link.width);
+    const std::uint64_t model = arriving_words(8 * program.display_model.size(), machine.link.width);
     const std::uint64_t host = machine.link.latency + model * machine.link.word_clocks;
     // The words of the squares enter the store and leave it, one per clock; an empty square takes one word.
     Machine sending = machine;
@@ -182,7 +183,7 @@ TEST_CASE("with a divider a frame lies between its busiest part's and all parts'
     for (const isa::Segment& one : program.segments) {
       const bool is_clear = one.instructions.empty();
       stored += is_clear ? 1 : 0;
-      headers += is_clear ? words_in(64, machines::own<Figures>(machine).port_bits) : 0;
+      headers += is_clear ? arriving_words(64, machines::kind_figures<Figures>(machine).port_bits) : 0;
     }
     stored += work.host - headers;
     const std::uint64_t divider = model + dividing_clocks(program, machine) + stored;
@@ -202,7 +203,7 @@ TEST_CASE("with a divider a frame lies between its busiest part's and all parts'
 TEST_CASE("with a divider and one renderer and no clears no faster test or part adds clocks") {
   CHECK(rc::check([] {
     Machine machine = any_dividing_machine();
-    machines::own<Figures>(machine).renderers = 1;
+    machines::kind_figures<Figures>(machine).renderers = 1;
     isa::Program program = any_divided_program(machine);
     draw_everywhere(program);
     const std::uint64_t clocks = time(program, machine).clocks;
@@ -228,11 +229,11 @@ TEST_CASE("more renderers never add clocks if the divider never waits for room")
   CHECK(rc::check([] {
     Machine machine = any_dividing_machine();
     machine.link.fifo_depth = 1000;
-    machines::own<Figures>(machine).port_fifo_depth = 1000;
+    machines::kind_figures<Figures>(machine).port_fifo_depth = 1000;
     isa::Program program = any_divided_program(machine);
     draw_everywhere(program);
     Machine alone = machine;
-    machines::own<Figures>(alone).renderers = 1;
+    machines::kind_figures<Figures>(alone).renderers = 1;
     RC_ASSERT(time(program, machine).clocks <= time(program, alone).clocks);
   }));
 }
@@ -255,7 +256,7 @@ TEST_CASE("all squares are drawn and all clocks are accounted for at any FIFO de
 TEST_CASE("on a ring all squares are drawn and the number of words is that of the links") {
   CHECK(rc::check([] {
     Machine machine = any_machine();
-    Figures& figures = machines::own<Figures>(machine);
+    Figures& figures = machines::kind_figures<Figures>(machine);
     figures = on_a_ring(figures);
     figures.processors = pick(1, 5);
     figures.ring_bits = pick(1, 64);

@@ -98,7 +98,7 @@ TEST_CASE("a query waits for its answer and a dropped instruction takes one cloc
     CHECK(pixel_square::time_squares(program, machine, {{none}}).clocks == 14 + skipped - 1);
     CHECK(time(program, machine).clocks == 13 + 3 * skipped);
   }
-  machines::own<Figures>(machine).or_fan_in = 2;
+  machines::kind_figures<Figures>(machine).or_fan_in = 2;
   const isa::Program program = make_program(3, {square(2, {query, set({0, 3})})});
   CHECK(pixel_square::time_squares(program, machine, {{none}}).clocks == 14 + 2);
   CHECK(machines::clocks(query, machine) == 1 + 2 + 2);
@@ -191,13 +191,13 @@ TEST_CASE("rejects a global-OR query on machines without the OR and suggests an 
   isa::Program program = make_program(2, {square(1, {enable, {.opcode = Opcode::global_or}})});
   for (const machines::Kind* const kind :
        std::initializer_list<const machines::Kind*>{&scan_line::kind, &pixel_square::kind}) {
-    Machine machine = machines::blank(*kind);
+    Machine machine = machines::blank_machine(*kind);
     machine.name = "squares";
     CHECK(error_of([&] { machines::check_runs_on(program, machine); }) ==
           "segment 0, instruction 1: global_or needs a global OR, which the machine squares does not have; compile the "
           "model for this machine, or use one with global_or.present = 1");
   }
-  CHECK_NOTHROW(machines::check_runs_on(program, machines::blank(pixel_planes::kind)));
+  CHECK_NOTHROW(machines::check_runs_on(program, machines::blank_machine(pixel_planes::kind)));
 }
 
 TEST_CASE("renderers with an OR skip instructions but send no answers to the host") {
@@ -212,7 +212,7 @@ TEST_CASE("renderers with an OR skip instructions but send no answers to the hos
   CHECK(error_of([&] { machines::check_runs_on(program, machine); }) ==
         "segment 1, instruction 1: global_or returns an answer to the host, but the renderers of squares cannot send "
         "one; omit global_or, or use a machine of kind frame-buffer, such as pixel-planes-4");
-  machines::own<Figures>(machine).divider = pixel_square::DividerKind::corners;
+  machines::kind_figures<Figures>(machine).divider = pixel_square::DividerKind::corners;
   CHECK_FALSE(machines::has_global_or(machine));
 }
 

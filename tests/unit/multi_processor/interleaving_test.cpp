@@ -12,10 +12,10 @@ using namespace csgsim;
 namespace {
 
 machines::Machine make_machine(isa::ArrayShape nodes, machines::Size picture, std::uint32_t levels) {
-  machines::Machine machine = machines::blank(multi_processor::kind);
+  machines::Machine machine = machines::blank_machine(multi_processor::kind);
   machine.array = nodes;
   machine.picture = picture;
-  machines::own<multi_processor::Figures>(machine).levels = levels;
+  machines::kind_figures<multi_processor::Figures>(machine).levels = levels;
   return machine;
 }
 
@@ -50,7 +50,7 @@ TEST_CASE("a node holds exactly the pixels of its remainder") {
     std::set<std::pair<std::uint32_t, std::uint32_t>> seen;
     for (std::uint32_t row = 0; row < nodes.height; ++row) {
       for (std::uint32_t column = 0; column < nodes.width; ++column) {
-        const multi_processor::NodePixels own = multi_processor::pixels_of(region, nodes, row, column);
+        const multi_processor::NodePixels own = multi_processor::pixels_of_node(region, nodes, row, column);
         for (std::uint32_t i = 0; i < own.rows; ++i) {
           for (std::uint32_t j = 0; j < own.columns; ++j) {
             const std::uint32_t x = own.first_x + j * nodes.width;

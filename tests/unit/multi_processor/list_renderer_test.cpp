@@ -22,9 +22,9 @@ constexpr unsigned slice_bits = 32;
 std::uint32_t below(std::uint32_t most) { return *rc::gen::inRange<std::uint32_t>(0, most); }
 
 machines::Machine any_machine() {
-  machines::Machine machine = machines::blank(multi_processor::kind);
+  machines::Machine machine = machines::blank_machine(multi_processor::kind);
   machine.array = {1 + below(4), 1 + below(4), 8 + below(92)};
-  auto& figures = machines::own<Figures>(machine);
+  auto& figures = machines::kind_figures<Figures>(machine);
   figures.order = static_cast<multi_processor::RenderingOrder>(below(3));
   figures.word_bits = 1 + below(64);
   figures.operations = {below(20), below(20), below(20), below(20), below(20), below(90), below(9), below(3)};
@@ -65,8 +65,9 @@ void check_pixels(const multi_processor::PixelMemory& memory, const NodePixels& 
 /// Compares each pixel's reported moments with the recorded states and the computed clocks.
 void check_moments(const std::vector<std::vector<multi_processor::PixelMoment>>& moments,
                    const std::vector<multi_processor::NodeState>& steps, const std::vector<isa::Instruction>& list,
-                   const NodePixels& own, const machines::PixelActivity* met, const machines::Machine& machine) {
-  const multi_processor::RenderingClocks clocks({.instructions = list, .met = met}, machine);
+                   const NodePixels& own, const machines::PixelActivity* pixel_activity,
+                   const machines::Machine& machine) {
+  const multi_processor::RenderingClocks clocks({.instructions = list, .pixel_activity = pixel_activity}, machine);
   for (std::uint32_t pixel = 0; pixel < moments.size(); ++pixel) {
     RC_ASSERT(moments[pixel].size() == list.size());
     const auto spans = clocks.spans_at(own, pixel % own.columns, pixel / own.columns);
@@ -86,14 +87,14 @@ std::vector<machines::PixelActivity> enabled_pixels(const std::vector<isa::Instr
                                                     const isa::Region& region, const machines::Machine& machine) {
   isa::Program program;
   program.segments.push_back({region, list});
-  engine::MetRecorder recorder(program, machine);
+  engine::PixelActivityRecorder recorder(program, machine);
   reference::ReferenceArray reference(region, machine.array.memory_bits);
   for (std::uint32_t i = 0; i < list.size(); ++i) {
     recorder.before({0, i}, list[i], reference);
     reference.execute(list[i]);
     recorder.after({0, i}, list[i], reference);
   }
-  return *recorder.met();
+  return *recorder.pixel_activity();
 }
 
 }  // namespace
@@ -107,15 +108,16 @@ TEST_CASE("nodes match the reference after every instruction in the computed clo
     const std::vector<systemc::Keep> keeps(list.size(), systemc::Keep::all);
     const isa::Field colour{0, static_cast<std::uint16_t>(1 + below(8))};
     const std::vector<machines::PixelActivity> all_met = enabled_pixels(list, region, machine);
-    const machines::PixelActivity* const met = all_met.empty() ? nullptr : all_met.data();
+    const machines::PixelActivity* const pixel_activity = all_met.empty() ? nullptr : all_met.data();
     for (std::uint32_t node = 0; node < machine.array.width * machine.array.height; ++node) {
-      const NodePixels own =
-          multi_processor::pixels_of(region, machine.array, node / machine.array.width, node % machine.array.width);
-      multi_processor::ListRenderer renderer(machines::own<Figures>(machine), machine.array, list, {}, keeps, own, {});
+      const NodePixels own = multi_processor::pixels_of_node(region, machine.array, node / machine.array.width,
+                                                             node % machine.array.width);
+      multi_processor::ListRenderer renderer(machines::kind_figures<Figures>(machine), machine.array, list, {}, keeps,
+                                             own, {});
       std::vector<std::vector<multi_processor::PixelMoment>> moments(own.count());
       for (std::size_t pixel = 0; pixel < own.count(); ++pixel) renderer.watch(pixel, moments[pixel]);
       renderer.render();
-      check_moments(moments, renderer.steps(), list, own, met, machine);
+      check_moments(moments, renderer.steps(), list, own, pixel_activity, machine);
       reference::ReferenceArray reference(region, machine.array.memory_bits);
       for (std::size_t i = 0; i < list.size(); ++i) {
         reference.execute(list[i]);
@@ -124,9 +126,10 @@ TEST_CASE("nodes match the reference after every instruction in the computed clo
       }
       RC_ASSERT(renderer.store_colours(colour).size() == own.count());
       const auto clocks = [&](const machines::PixelActivity* pixels) {
-        return multi_processor::RenderingClocks({.instructions = list, .met = pixels}, machine).all(own, colour);
+        return multi_processor::RenderingClocks({.instructions = list, .pixel_activity = pixels}, machine)
+            .all(own, colour);
       };
-      RC_ASSERT(renderer.clocks() == clocks(met));
+      RC_ASSERT(renderer.clocks() == clocks(pixel_activity));
       RC_ASSERT(renderer.clocks() <= clocks(nullptr));
       RC_ASSERT(static_cast<double>(clocks(nullptr)) <=
                 multi_processor::max_rendering_clocks(list, region, {}, machine));
@@ -154,8 +157,9 @@ TEST_CASE("nodes add with carries and cut sums into stripes like the reference")
         {.opcode = Opcode::add, .fields = {isa::Field{0, 9}, isa::Field{9, 9}}},
         {.opcode = Opcode::add, .fields = {isa::Field{0, 7}, isa::Field{10, 3}}}};
     const std::vector<systemc::Keep> keeps(list.size(), systemc::Keep::all);
-    const NodePixels own = multi_processor::pixels_of(region, machine.array, 0, 0);
-    multi_processor::ListRenderer renderer(machines::own<Figures>(machine), machine.array, list, {}, keeps, own, {});
+    const NodePixels own = multi_processor::pixels_of_node(region, machine.array, 0, 0);
+    multi_processor::ListRenderer renderer(machines::kind_figures<Figures>(machine), machine.array, list, {}, keeps,
+                                           own, {});
     renderer.render();
     reference::ReferenceArray reference(region, machine.array.memory_bits);
     for (std::size_t i = 0; i < list.size(); ++i) {
@@ -166,8 +170,8 @@ TEST_CASE("nodes add with carries and cut sums into stripes like the reference")
 }
 
 TEST_CASE("a sum takes a node clocks for the target's words and for reading the source's") {
-  machines::Machine machine = machines::blank(multi_processor::kind);
-  auto& figures = machines::own<Figures>(machine);
+  machines::Machine machine = machines::blank_machine(multi_processor::kind);
+  auto& figures = machines::kind_figures<Figures>(machine);
   figures.order = multi_processor::RenderingOrder::segment;
   figures.word_bits = 8;
   figures.operations = {.read = 1, .write = 100, .add = 10'000, .compare = 0, .logic = 1'000'000, .multiply = 0};
@@ -182,8 +186,8 @@ TEST_CASE("a sum takes a node clocks for the target's words and for reading the 
 }
 
 TEST_CASE("a stripe takes a node as long as an edge") {
-  machines::Machine machine = machines::blank(multi_processor::kind);
-  machines::own<Figures>(machine).word_bits = 8;
+  machines::Machine machine = machines::blank_machine(multi_processor::kind);
+  machines::kind_figures<Figures>(machine).word_bits = 8;
   const auto clocks = [&](isa::Opcode opcode) {
     return multi_processor::pixel_clocks({.opcode = opcode, .linear = {.a = 1, .width = 20}}, machine);
   };
@@ -191,8 +195,8 @@ TEST_CASE("a stripe takes a node as long as an edge") {
 }
 
 TEST_CASE("a node's shift takes clocks for places but not for whole words") {
-  machines::Machine machine = machines::blank(multi_processor::kind);
-  auto& figures = machines::own<Figures>(machine);
+  machines::Machine machine = machines::blank_machine(multi_processor::kind);
+  auto& figures = machines::kind_figures<Figures>(machine);
   figures.word_bits = 16;
   const auto clocks = [&](std::uint8_t shift) {
     const isa::Linear linear{.a = 1, .width = 40, .shift = shift};
@@ -212,8 +216,8 @@ TEST_CASE("a node's shift takes clocks for places but not for whole words") {
 }
 
 TEST_CASE("decoding an instruction's numbers takes a node the hand-counted clocks") {
-  machines::Machine machine = machines::blank(multi_processor::kind);
-  auto& figures = machines::own<Figures>(machine);
+  machines::Machine machine = machines::blank_machine(multi_processor::kind);
+  auto& figures = machines::kind_figures<Figures>(machine);
   figures.word_bits = 16;
   figures.operations = {
       .read = 0, .write = 0, .add = 0, .compare = 0, .logic = 11, .multiply = 0, .shift = 67, .shift_bit = 71};
@@ -238,9 +242,9 @@ TEST_CASE("decoding an instruction's numbers takes a node the hand-counted clock
 
 TEST_CASE("a node that branches over work without effect takes the hand-counted clocks") {
   using isa::Opcode;
-  machines::Machine machine = machines::blank(multi_processor::kind);
+  machines::Machine machine = machines::blank_machine(multi_processor::kind);
   machine.array = {1, 1, 16};
-  auto& figures = machines::own<Figures>(machine);
+  auto& figures = machines::kind_figures<Figures>(machine);
   figures.word_bits = 16;
   figures.operations = {.read = 2, .write = 3, .add = 5, .compare = 7, .logic = 11, .multiply = 0};
   figures.branches = {.over = multi_processor::Branches::pixels, .taken = 100, .passed = 1000};
@@ -253,9 +257,9 @@ TEST_CASE("a node that branches over work without effect takes the hand-counted 
   const std::uint64_t look = 2 + 11;
   const auto clocks = [&](std::vector<isa::Instruction> before, const isa::Instruction& last) {
     before.push_back(last);
-    const std::vector<machines::PixelActivity> met = enabled_pixels(before, region, machine);
+    const std::vector<machines::PixelActivity> pixel_activity = enabled_pixels(before, region, machine);
     const isa::Segment segment{region, before};
-    return multi_processor::all_pixel_clocks(segment, before.size() - 1, machine, met.data());
+    return multi_processor::subsegment_pixel_clocks(segment, before.size() - 1, machine, pixel_activity.data());
   };
   // Instructions that enable pixels again execute at each pixel.
   CHECK(clocks({}, all) == machines::PixelClocks{4 * (look + 3), 0});
@@ -277,8 +281,8 @@ TEST_CASE("a node that branches over work without effect takes the hand-counted 
 }
 
 TEST_CASE("a native node decodes a list once and then calls its instructions (by hand)") {
-  machines::Machine machine = machines::blank(multi_processor::kind);
-  auto& figures = machines::own<Figures>(machine);
+  machines::Machine machine = machines::blank_machine(multi_processor::kind);
+  auto& figures = machines::kind_figures<Figures>(machine);
   figures.word_bits = 16;
   figures.operations = {.read = 2, .write = 3, .add = 0, .compare = 0, .logic = 0, .multiply = 0};
   figures.loop = {.pixel = 0, .row = 0, .instruction = 100};

@@ -22,13 +22,13 @@
 #include "tests/unit/division/hand_models.h"
 
 using namespace csgsim;
-using multi_processor::by_segment;
 using multi_processor::frame_records;
 using multi_processor::frame_words;
 using multi_processor::RecordReader;
 using multi_processor::Records;
 using multi_processor::segment_records;
 using multi_processor::segment_words;
+using multi_processor::subsegments_by_segment;
 
 namespace {
 
@@ -36,11 +36,11 @@ using Words = std::vector<isa::LinkWord>;
 
 machines::Machine any_machine() {
   const auto below = [](std::uint32_t most) { return *rc::gen::inRange<std::uint32_t>(0, most); };
-  machines::Machine machine = machines::blank(multi_processor::kind);
+  machines::Machine machine = machines::blank_machine(multi_processor::kind);
   machine.array = {1 + below(4), 1 + below(4), 200};
   machine.picture = {1 + below(60), 1 + below(60)};
   machine.link.width = 1 + below(80);
-  machines::own<multi_processor::Figures>(machine).levels = below(5);
+  machines::kind_figures<multi_processor::Figures>(machine).levels = below(5);
   return machine;
 }
 
@@ -58,7 +58,7 @@ void take_all(RecordReader& reader, const Words& words) {
 }
 
 /// Returns the division of a node's subsegment from the words received over the bus.
-division::Divided divided_by_node(const RecordReader& reader, const isa::Region& part) {
+division::SquareDivision divided_by_node(const RecordReader& reader, const isa::Region& part) {
   division::PlainDatapath path(reader.model());
   return division::Divider(reader.model()).divide(part, reader.survivors(), path);
 }
@@ -94,7 +94,7 @@ bool alike(const isa::Instruction& one, const isa::Instruction& other) {
   return isa::as_received(one) == isa::as_received(other);
 }
 
-void check_list(const division::Divided& divided, const isa::Segment& expected) {
+void check_list(const division::SquareDivision& divided, const isa::Segment& expected) {
   RC_ASSERT(std::equal(divided.instructions.begin(), divided.instructions.end(), expected.instructions.begin(),
                        expected.instructions.end(), alike));
   const isa::DivisionStep facts = expected.division->sum();
@@ -118,7 +118,7 @@ TEST_CASE("a node's division from the bus equals the host's list and counts") {
     reader.begin_frame();
     take_all(reader, display.frame());
     RC_ASSERT(reader.is_complete());
-    for (const multi_processor::Subsegments parts : by_segment(display.program, display.machine)) {
+    for (const multi_processor::Subsegments parts : subsegments_by_segment(display.program, display.machine)) {
       reader.begin_segment();
       take_all(reader, display.segment(display.whole_of(parts)));
       RC_ASSERT(reader.is_complete());
@@ -130,15 +130,15 @@ TEST_CASE("a node's division from the bus equals the host's list and counts") {
 TEST_CASE("lists with or without half-space numbers arrive unchanged in the computed bits") {
   CHECK(rc::check([] {
     Display display(any_machine());
-    machines::own<multi_processor::Figures>(display.machine).lists =
+    machines::kind_figures<multi_processor::Figures>(display.machine).lists =
         *rc::gen::element(multi_processor::ListKind::instructions, multi_processor::ListKind::numbers);
     const std::uint32_t width = display.machine.link.width;
-    const multi_processor::ModelSizes sizes = multi_processor::sizes_of(display.program.display_model);
+    const multi_processor::ModelSizes sizes = multi_processor::read_model_sizes(display.program.display_model);
     RecordReader reader(width, 16);
     reader.begin_frame();
     take_all(reader, display.frame());
     multi_processor::ListReader list(width);
-    for (const multi_processor::Subsegments parts : by_segment(display.program, display.machine)) {
+    for (const multi_processor::Subsegments parts : subsegments_by_segment(display.program, display.machine)) {
       reader.begin_segment();
       take_all(reader, display.segment(display.whole_of(parts)));
       const multi_processor::ListForm form = multi_processor::list_form(parts, false, sizes, display.machine);
@@ -185,7 +185,7 @@ TEST_CASE("records of a segment take the computed words on the bus and in memory
   CHECK(rc::check([] {
     const Display display(any_machine());
     const std::uint32_t width = display.machine.link.width;
-    const multi_processor::ModelSizes sizes = multi_processor::sizes_of(display.program.display_model);
+    const multi_processor::ModelSizes sizes = multi_processor::read_model_sizes(display.program.display_model);
     RC_ASSERT(sizes.planes == display.model.planes.size());
     RC_ASSERT(display.frame().size() == frame_words(sizes, width));
     const auto memory_width = *rc::gen::inRange<std::uint32_t>(1, 70);
@@ -193,8 +193,8 @@ TEST_CASE("records of a segment take the computed words on the bus and in memory
     reader.begin_frame();
     take_all(reader, display.frame());
     RC_ASSERT(reader.memory_words() == frame_words(sizes, memory_width));
-    for (const multi_processor::Subsegments parts : by_segment(display.program, display.machine)) {
-      const multi_processor::SegmentDivision division = multi_processor::division_of(parts);
+    for (const multi_processor::Subsegments parts : subsegments_by_segment(display.program, display.machine)) {
+      const multi_processor::SegmentDivision division = multi_processor::segment_division(parts);
       const auto words_of = [&](std::uint32_t bits) {
         return segment_words(sizes, division.primitives, division.halfspaces, bits);
       };

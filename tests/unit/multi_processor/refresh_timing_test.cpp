@@ -16,12 +16,12 @@ TEST_CASE("only the nodes of a multi-processor stop in screen turns (hand calcul
   machine.clock_hz = 1000;
   figures(machine).refresh = {.rate = 10, .bits = 16, .clocks = 5};
   const multi_processor::Refresh refresh(isa::frame_header(program), machine);
-  CHECK(refresh.end_of(0, 50) == 50);
-  CHECK(refresh.end_of(0, 51) == 56);
-  CHECK(refresh.end_of(50, 1) == 56);
-  CHECK(refresh.end_of(52, 1) == 56);
-  CHECK(refresh.end_of(52, 0) == 52);
-  CHECK(refresh.end_of(40, 60) == 110);
+  CHECK(refresh.end_clock(0, 50) == 50);
+  CHECK(refresh.end_clock(0, 51) == 56);
+  CHECK(refresh.end_clock(50, 1) == 56);
+  CHECK(refresh.end_clock(52, 1) == 56);
+  CHECK(refresh.end_clock(52, 0) == 52);
+  CHECK(refresh.end_clock(40, 60) == 110);
   const FrameAccount shown = account_of(program, machine);
   figures(machine).refresh.rate = 0;
   const FrameAccount account = account_of(program, machine);
@@ -56,7 +56,7 @@ TEST_CASE("the clocks left by the screen equal a turn-by-turn simulation") {
       if (turn == 0 || now >= first + figures(machine).refresh.clocks) --left;
       ++now;
     }
-    RC_ASSERT(refresh.end_of(begin, clocks) == now);
+    RC_ASSERT(refresh.end_clock(begin, clocks) == now);
   }));
 }
 

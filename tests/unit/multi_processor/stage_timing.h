@@ -31,7 +31,7 @@ using multi_processor::RenderingOrder;
 
 /// A machine of 2 x 2 nodes and a segment of 4 x 4 pixels; its clock figures are distinguishable in a sum.
 inline Machine machine_4x4() {
-  Machine machine = machines::blank(multi_processor::kind);
+  Machine machine = machines::blank_machine(multi_processor::kind);
   machine.name = "four";
   machine.array = {2, 2, 16};
   machine.picture = {4, 4};
@@ -55,7 +55,7 @@ inline Machine machine_4x4() {
   return machine;
 }
 
-inline Figures& figures(Machine& machine) { return machines::own<Figures>(machine); }
+inline Figures& figures(Machine& machine) { return machines::kind_figures<Figures>(machine); }
 
 /// Returns a model of two primitives with five half-spaces on three planes: 264 bits of header, 3 planes of 8, 2
 /// primitives of 77, 5 half-spaces of 3 bits, 3 of them with a colour of 3 bits, and nodes of 1, 1 and 4 bits: 59

@@ -75,9 +75,9 @@ TEST_CASE("a frame waits for the node with the slowest pixels (hand calculation)
   const FrameAccount before = account_of(program, machine);
   figures(machine).branches = {.over = multi_processor::Branches::pixels, .taken = 101, .passed = 103};
   // Each node has a pixel of the first subsegment. E is 1 at the second's pixel when F is loaded.
-  std::vector<machines::PixelActivity> met(program.segments.size());
-  met[0] = {.row_words = 1, .planes = {{}, {0b10, 0}}, .instructions = {{0, 0}, {1, 1}}};
-  const FrameAccount account = multi_processor::time_stages(program, machine, met).account;
+  std::vector<machines::PixelActivity> pixel_activity(program.segments.size());
+  pixel_activity[0] = {.row_words = 1, .planes = {{}, {0b10, 0}}, .instructions = {{0, 0}, {1, 1}}};
+  const FrameAccount account = multi_processor::time_stages(program, machine, pixel_activity).account;
   CHECK(account.stages.rendering == before.stages.rendering + 103);
   const std::uint64_t shift = 2 * (67 + 4 * 71) + (67 + 12 * 71 + 11);
   const std::uint64_t over = shift + 3 + 2 * 7 + 3;  // the shift, the fields written, the range check of F

@@ -29,7 +29,7 @@ isa::Program program() {
 }
 
 machines::Machine machine() {
-  machines::Machine machine = machines::blank(pixel_planes::kind);
+  machines::Machine machine = machines::blank_machine(pixel_planes::kind);
   machine.array = {1, 1, 8};  // no tree levels, so that a query takes one clock
   return machine;
 }

@@ -108,7 +108,7 @@ TEST_CASE("the clocks by opcode and by purpose and by primitive each add up to t
 TEST_CASE("stats in JSON have the clocks and seconds and memory in use and the account") {
   isa::Program one = program();
   one.facts->fields = {{"Z2", {0, 7}, isa::FieldRole::depth}, {"mask", {9, 1}, isa::FieldRole::mask}};
-  machines::Machine machine = machines::blank(pixel_planes::kind);
+  machines::Machine machine = machines::blank_machine(pixel_planes::kind);
   machine.array = {8, 4, 16};
   machine.clock_hz = 1000;
   engine::RunResult result;

@@ -146,7 +146,7 @@ TEST_CASE("the half-spaces left by pruning count once across all squares") {
 TEST_CASE("the part that bounds a frame is reported as its bottleneck") {
   const auto bound = [](const std::string& machine, const std::string& model = "carburettor") {
     const Drawn drawn = draw(machine, model);
-    const auto found = observe::bound_of(drawn.result, drawn.machine);
+    const auto found = observe::find_bottleneck(drawn.result, drawn.machine);
     REQUIRE(found);
     CHECK(found->share > 0);
     CHECK(found->share <= 1);

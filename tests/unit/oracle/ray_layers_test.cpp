@@ -11,7 +11,7 @@ constexpr glm::dvec3 green{0, 1, 0};
 constexpr glm::dvec3 blue{0, 0, 1};
 
 std::string pane(const glm::dvec3& colour, double from, double to) {
-  return coloured(colour, box({-5, from, -5}, {5, to, 5}));
+  return with_colour(colour, box({-5, from, -5}, {5, to, 5}));
 }
 
 scene::Scene on_white() {
@@ -53,7 +53,8 @@ TEST_CASE("the ray oracle shows nothing behind an opaque surface") {
 }
 
 TEST_CASE("a cavity in glass shows the wall behind it in the colour of the removed solid") {
-  const std::string model = "difference(){" + pane(red, -5, -1) + coloured(green, box({-2, -4, -2}, {2, -2, 2})) + "}";
+  const std::string model =
+      "difference(){" + pane(red, -5, -1) + with_colour(green, box({-2, -4, -2}, {2, -2, 2})) + "}";
   CHECK(is_near(seen_through(model, {0.5, 0.5}, 4), glm::dvec3(0.5, 0.25, 0) + 0.25));
 }
 

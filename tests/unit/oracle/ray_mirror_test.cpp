@@ -10,14 +10,14 @@ constexpr glm::dvec3 grey{0.4, 0.4, 0.4};
 constexpr glm::dvec3 red{1, 0, 0};
 
 /// A slab whose front face is x + y = 0: it turns the view to the left.
-const std::string mirror = coloured(
+const std::string mirror = with_colour(
     grey,
     "multmatrix([[0.7071067811865476,0.7071067811865476,0,0],[-0.7071067811865476,0.7071067811865476,0,0],[0,0,1,0],"
     "[0,0,0,1]]){" +
         box({-6, 0, -4.5}, {6, 1, 4.5}) + "}");
 
 /// A cube to the left of the mirror; its right face is at x = -7. The pixel at x shows the point y = -x.
-const std::string cube = coloured(red, box({-9, -0.5, -0.5}, {-7, 2.5, 1.5}));
+const std::string cube = with_colour(red, box({-9, -0.5, -0.5}, {-7, 2.5, 1.5}));
 
 const std::string both = "union(){" + mirror + cube + "}";
 
@@ -94,7 +94,7 @@ TEST_CASE("mirrors reflect mirrors up to the requested depth") {
 }
 
 TEST_CASE("a mirror does not show objects behind it") {
-  const std::string behind = coloured(red, box({-3, 4, -3}, {4, 6, 3}));
+  const std::string behind = with_colour(red, box({-3, 4, -3}, {4, 6, 3}));
   Stage stage("union(){" + mirror + behind + "}", testing::plain_colours());
   stage.cast(mirroring(0.75));
   CHECK(is_near(stage.at(0, 0).colour, 0.25 * grey));
@@ -103,7 +103,7 @@ TEST_CASE("a mirror does not show objects behind it") {
 TEST_CASE("in a mirror the light keeps its place and highlights use the mirrored eye") {
   scene::Scene scene;
   scene.background.colour = glm::dvec3(0);
-  scene.lights.push_back(testing::shining({-1, 0, 0}));
+  scene.lights.push_back(testing::white_light({-1, 0, 0}));
   scene.lights.front().intensity = 0.5;
   scene::MaterialRule shiny;
   shiny.material = {.ambient = 1, .diffuse = 1, .specular = 0.2, .shininess = 100};
@@ -117,7 +117,7 @@ TEST_CASE("in a mirror the light keeps its place and highlights use the mirrored
 TEST_CASE("a mirrored point is shadowed at its place and faded by the whole path") {
   scene::Scene scene;
   scene.background.colour = glm::dvec3(0);
-  scene.lights.push_back(testing::shining({-1, 0, -1}));
+  scene.lights.push_back(testing::white_light({-1, 0, -1}));
   const std::string roof = box({-4.8, -3, 3}, {-4.2, 3, 4});  // between the right face of the cube and the light
   Stage stage("union(){" + mirror + cube + roof + "}", scene);
   testing::RayEffects effects = mirroring(1);
@@ -141,8 +141,8 @@ TEST_CASE("a mirrored point is shadowed at its place and faded by the whole path
 
 TEST_CASE("in perspective a mirror image is as far behind the mirror as the object before") {
   // A mirror across the view, and a cube behind the eye, as seen from the mirror image of the eye.
-  const std::string across = coloured(grey, box({-50, 40, -50}, {50, 41, 50}));
-  const std::string thing = coloured(red, box({4, -5, 2}, {9, 0, 6}));
+  const std::string across = with_colour(grey, box({-50, 40, -50}, {50, 41, 50}));
+  const std::string thing = with_colour(red, box({4, -5, 2}, {9, 0, 6}));
   Stage stage("union(){" + across + thing + "}", testing::plain_colours());
   stage.shot.camera = {{0, 10, 0}, {0, 40, 0}, view::Projection::perspective};
   stage.cast(mirroring(0.5));

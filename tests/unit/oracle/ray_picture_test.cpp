@@ -9,8 +9,8 @@ using namespace testing;
 
 namespace {
 
-const std::string left = coloured({1, 0, 0}, box({-8, 0, -2}, {2, 3, 2}));
-const std::string right = coloured({0, 1, 0}, box({-2, 0, -2}, {8, 5, 2}));
+const std::string left = with_colour({1, 0, 0}, box({-8, 0, -2}, {2, 3, 2}));
+const std::string right = with_colour({0, 1, 0}, box({-2, 0, -2}, {8, 5, 2}));
 
 }  // namespace
 
@@ -63,7 +63,7 @@ TEST_CASE("the background is in doubt where a solid may be in front of it") {
 }
 
 TEST_CASE("samples are rounded to 8 bits before averaging") {
-  Stage stage(coloured({0.21, 1, 0}, box({-8, 0, -8}, {0.1, 1, 8})), testing::plain_colours());
+  Stage stage(with_colour({0.21, 1, 0}, box({-8, 0, -8}, {0.1, 1, 8})), testing::plain_colours());
   stage.shot.samples = {{-0.25, -0.25}, {0.25, -0.25}, {-0.25, 0.25}, {-0.25, 0.4}};
   stage.cast();
   // Three of four samples hit it; 0.21 is 53.55 of 255.
@@ -80,7 +80,7 @@ TEST_CASE("samples are rounded to 8 bits before averaging") {
 }
 
 TEST_CASE("sample offsets point right and down from the pixel's centre") {
-  Stage stage(coloured({0, 1, 0}, box({0.1, 0, -8}, {8, 1, -0.1})), testing::plain_colours());
+  Stage stage(with_colour({0, 1, 0}, box({0.1, 0, -8}, {8, 1, -0.1})), testing::plain_colours());
   stage.shot.samples = {{0.25, 0.25}};
   stage.cast();
   CHECK(is_near(stage.at(0, 0).colour, {0, 1, 0}));
@@ -90,7 +90,8 @@ TEST_CASE("sample offsets point right and down from the pixel's centre") {
 }
 
 TEST_CASE("in perspective the near plane hides nearer surfaces and cut ones are in doubt") {
-  Stage stage("union(){" + left + coloured({0, 1, 0}, box({-8, 20, -2}, {8, 25, 2})) + "}", testing::plain_colours());
+  Stage stage("union(){" + left + with_colour({0, 1, 0}, box({-8, 20, -2}, {8, 25, 2})) + "}",
+              testing::plain_colours());
   stage.shot.camera = {{0, -30, 0}, {0, 0, 0}, view::Projection::perspective};
   stage.cast();
   CHECK(is_near(stage.at(0, 0).colour, {1, 0, 0}));
@@ -107,9 +108,9 @@ TEST_CASE("in perspective the near plane hides nearer surfaces and cut ones are 
 }
 
 TEST_CASE("colours fade between two distances and the background does not") {
-  Stage stage("union(){" + coloured({1, 0, 0}, box({-8, 2, -8}, {-4, 3, 8})) +
-                  coloured({1, 0, 0}, box({-3, 6, -8}, {3, 7, 8})) + coloured({1, 0, 0}, box({4, 11, -8}, {8, 12, 8})) +
-                  "}",
+  Stage stage("union(){" + with_colour({1, 0, 0}, box({-8, 2, -8}, {-4, 3, 8})) +
+                  with_colour({1, 0, 0}, box({-3, 6, -8}, {3, 7, 8})) +
+                  with_colour({1, 0, 0}, box({4, 11, -8}, {8, 12, 8})) + "}",
               testing::plain_colours());
   stage.cast();
   const double origin = stage.at(-6, 0).depth - 2.0;

@@ -6,7 +6,7 @@ using namespace testing;
 
 namespace {
 
-const std::string wall = testing::coloured({0.5, 0.5, 0.5}, box({-11.5, 5, -11.5}, {11.5, 6, 11.5}));
+const std::string wall = testing::with_colour({0.5, 0.5, 0.5}, box({-11.5, 5, -11.5}, {11.5, 6, 11.5}));
 
 testing::RayEffects shadows() {
   testing::RayEffects effects;
@@ -27,7 +27,7 @@ bool is_lit(const Stage& stage, std::int32_t x, std::int32_t z) {
 }
 
 /// A light that shines to the right and away from the eye: from the wall at y = 5 the path to it has x falling with y.
-const scene::Light slanted = testing::shining({1, 1, 0});
+const scene::Light slanted = testing::white_light({1, 1, 0});
 
 scene::Light lamp(const glm::dvec3& position) {
   scene::Light light;
@@ -39,7 +39,7 @@ scene::Light lamp(const glm::dvec3& position) {
 }  // namespace
 
 TEST_CASE("a box casts its slanted shadow on the wall and none on itself") {
-  Stage stage("union(){" + wall + box({-1.5, 0, -1.5}, {1.5, 1, 1.5}) + "}", lit_by(slanted));
+  Stage stage("union(){" + wall + box({-1.5, 0, -1.5}, {1.5, 1, 1.5}) + "}", scene_with_light(slanted));
   stage.cast(shadows());
   // The box lies 4 to 5 to the left along the path: x from 2.5 to 6.5.
   for (const std::int32_t z : {-1, 0, 1}) {
@@ -54,7 +54,7 @@ TEST_CASE("a box casts its slanted shadow on the wall and none on itself") {
 }
 
 TEST_CASE("a wall behind a box is lit without shadows and by shadowless lights") {
-  Stage stage("union(){" + wall + box({-1.5, 0, -1.5}, {1.5, 1, 1.5}) + "}", lit_by(slanted));
+  Stage stage("union(){" + wall + box({-1.5, 0, -1.5}, {1.5, 1, 1.5}) + "}", scene_with_light(slanted));
   stage.cast();
   CHECK(is_lit(stage, 4, 0));
   testing::RayEffects effects = shadows();
@@ -69,7 +69,7 @@ TEST_CASE("a wall behind a box is lit without shadows and by shadowless lights")
 TEST_CASE("light passes through a hole as far as the hole's walls allow") {
   const std::string plate = box({-3.5, 0, -3.5}, {3.5, 1, 3.5});
   const std::string hole = box({-1.5, -1, -1.5}, {1.5, 2, 1.5});
-  Stage stage("union(){" + wall + "difference(){" + plate + hole + "}}", lit_by(slanted));
+  Stage stage("union(){" + wall + "difference(){" + plate + hole + "}}", scene_with_light(slanted));
   stage.cast(shadows());
   // The plate shades 0.5 to 8.5; through the hole the path is free from 3.5 (its far end) to 5.5 (its near end).
   for (const std::int32_t z : {-1, 0, 1}) {
@@ -87,13 +87,13 @@ TEST_CASE("light passes through a hole as far as the hole's walls allow") {
 
 TEST_CASE("a subtracted solid casts no shadow whatever its size") {
   const std::string cut = box({-9, -4, -9}, {9, 3, 9});
-  Stage stage("difference(){" + wall + cut + "}", lit_by(slanted));
+  Stage stage("difference(){" + wall + cut + "}", scene_with_light(slanted));
   stage.cast(shadows());
   for (const std::int32_t x : {-8, 0, 8}) CHECK(is_lit(stage, x, 0));
 }
 
 TEST_CASE("a ball's shadow is the ellipse of lines closer than its radius") {
-  Stage stage("union(){" + wall + "sphere($fn=96,$fa=12,$fs=2,r=3);}", lit_by(slanted));
+  Stage stage("union(){" + wall + "sphere($fn=96,$fa=12,$fs=2,r=3);}", scene_with_light(slanted));
   stage.cast(shadows());
   int dark = 0;
   for (std::int32_t x = -11; x <= 11; ++x) {
@@ -109,7 +109,7 @@ TEST_CASE("a ball's shadow is the ellipse of lines closer than its radius") {
 }
 
 TEST_CASE("a point light's shadow grows with distance and its edge is in doubt") {
-  Stage stage("union(){" + wall + box({-1.5, 0, -1.5}, {1.5, 1, 1.5}) + "}", lit_by(lamp({0, -5, 0})));
+  Stage stage("union(){" + wall + box({-1.5, 0, -1.5}, {1.5, 1, 1.5}) + "}", scene_with_light(lamp({0, -5, 0})));
   stage.cast(shadows());
   for (const std::int32_t x : {-2, 2}) CHECK_FALSE(is_lit(stage, x, 0));
   for (const std::int32_t x : {-4, 4}) CHECK(is_lit(stage, x, 0));
@@ -120,7 +120,7 @@ TEST_CASE("a point light's shadow grows with distance and its edge is in doubt")
 TEST_CASE("the shadow of a sheet thinner than the gap is in doubt") {
   const std::string sheet = box({-1.5, 0, -1.5}, {1.5, 0.001, 1.5});
   const std::string behind = box({-11.5, 9, -11.5}, {11.5, 10, 11.5});
-  Stage stage("union(){" + wall + sheet + behind + "}", lit_by(slanted));
+  Stage stage("union(){" + wall + sheet + behind + "}", scene_with_light(slanted));
   stage.cast(shadows(), {0.01, 1e-4});
   CHECK_FALSE(is_lit(stage, 5, 0));
   stage.cast(shadows(), {0.01, 1e-2});
@@ -135,7 +135,8 @@ TEST_CASE("the shadow of a sheet thinner than the gap is in doubt") {
 
 TEST_CASE("at grazing light a shadow's edge is in doubt as far as the gap shifts it") {
   // A post on the wall, 0.5 high; the light's slope along the wall is 1 in 20: the shadow is 10 long, from x = 0 to 10.
-  Stage stage("union(){" + wall + box({-1, 4.5, -3}, {0, 5, 3}) + "}", lit_by(testing::shining({20, 1, 0})));
+  Stage stage("union(){" + wall + box({-1, 4.5, -3}, {0, 5, 3}) + "}",
+              scene_with_light(testing::white_light({20, 1, 0})));
   const auto is_dark = [&](std::int32_t x) { return std::abs(stage.at(x, 0).colour.x - 0.15) < 1e-9; };
   stage.cast(shadows(), {0.01, 0.02});  // moves the shadow's end by 0.4 pixels
   CHECK(is_dark(9));
@@ -149,15 +150,15 @@ TEST_CASE("at grazing light a shadow's edge is in doubt as far as the gap shifts
 }
 
 TEST_CASE("objects beyond a point light cast no shadow") {
-  Stage stage("union(){" + wall + box({4, -4, -9}, {5, -3, 9}) + "}", lit_by(lamp({8, 0, 0})));
+  Stage stage("union(){" + wall + box({4, -4, -9}, {5, -3, 9}) + "}", scene_with_light(lamp({8, 0, 0})));
   stage.cast(shadows());
   for (const std::int32_t x : {-8, 0, 3, 8}) CHECK(is_lit(stage, x, 0));
 }
 
 TEST_CASE("shadows change no colour of a lone ball") {
-  const std::string ball = testing::coloured({0.5, 0.5, 0.5}, "sphere($fn=16,$fa=12,$fs=2,r=8);");
-  Stage stage(ball, lit_by(slanted));
-  Stage plain(ball, lit_by(slanted));
+  const std::string ball = testing::with_colour({0.5, 0.5, 0.5}, "sphere($fn=16,$fa=12,$fs=2,r=8);");
+  Stage stage(ball, scene_with_light(slanted));
+  Stage plain(ball, scene_with_light(slanted));
   stage.cast(shadows());
   plain.cast();
   for (std::int32_t x = -9; x <= 9; ++x) {
@@ -166,9 +167,9 @@ TEST_CASE("shadows change no colour of a lone ball") {
 }
 
 TEST_CASE("the bottom of a pit is in the shadow of the pit's wall") {
-  const std::string block = testing::coloured({0.5, 0.5, 0.5}, box({-10, 0, -10}, {10, 9, 10}));
-  const std::string pit = testing::coloured({0.5, 0.5, 0.5}, box({-4.5, -1, -4.5}, {4.5, 3, 4.5}));
-  Stage stage("difference(){" + block + pit + "}", lit_by(slanted));
+  const std::string block = testing::with_colour({0.5, 0.5, 0.5}, box({-10, 0, -10}, {10, 9, 10}));
+  const std::string pit = testing::with_colour({0.5, 0.5, 0.5}, box({-4.5, -1, -4.5}, {4.5, 3, 4.5}));
+  Stage stage("difference(){" + block + pit + "}", scene_with_light(slanted));
   stage.cast(shadows());
   // The bottom is 3 deep: dark for 3 from the left wall at -4.5.
   for (const std::int32_t x : {-4, -3, -2}) CHECK(stage.at(x, 0).colour.x == doctest::Approx(0.15));

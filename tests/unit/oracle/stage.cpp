@@ -35,26 +35,26 @@ std::string box(const glm::dvec3& low, const glm::dvec3& high) {
       low.z, size.x, size.y, size.z);
 }
 
-std::string coloured(const glm::dvec3& colour, const std::string& csg) {
+std::string with_colour(const glm::dvec3& colour, const std::string& csg) {
   return fmt::format("color([{},{},{},1]){{{}}}\n", colour.x, colour.y, colour.z, csg);
 }
 
 scene::Scene plain_colours() {
   scene::Scene scene;
   scene.ambient.intensity = 1;
-  scene.lights.push_back(shining({0, 1, 0}));
+  scene.lights.push_back(white_light({0, 1, 0}));
   scene.lights.front().intensity = 0;
   scene.background.colour = glm::dvec3(0);
   return scene;
 }
 
-scene::Light shining(const glm::dvec3& direction) {
+scene::Light white_light(const glm::dvec3& direction) {
   scene::Light light;
   light.direction = direction;
   return light;
 }
 
-scene::Scene lit_by(const scene::Light& light) {
+scene::Scene scene_with_light(const scene::Light& light) {
   scene::Scene scene;
   scene.lights.push_back(light);
   return scene;

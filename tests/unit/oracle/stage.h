@@ -40,16 +40,16 @@ class Stage {
 /// A box from one corner to the other, as OpenSCAD prints it.
 std::string box(const glm::dvec3& low, const glm::dvec3& high);
 
-std::string coloured(const glm::dvec3& colour, const std::string& csg);
+std::string with_colour(const glm::dvec3& colour, const std::string& csg);
 
 /// A scene with ambient light only: every surface has its own colour on a black background.
 scene::Scene plain_colours();
 
 /// A light of intensity 0.7 in the given direction, in addition to the default ambient light of 0.3.
-scene::Light shining(const glm::dvec3& direction);
+scene::Light white_light(const glm::dvec3& direction);
 
 /// A scene with the light and the default ambient light.
-scene::Scene lit_by(const scene::Light& light);
+scene::Scene scene_with_light(const scene::Light& light);
 
 /// Whether two colours are equal up to rounding of doubles.
 bool is_near(const glm::dvec3& a, const glm::dvec3& b);

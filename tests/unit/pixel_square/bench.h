@@ -23,7 +23,7 @@ inline machines::Machine square_machine(const pixel_square::Figures& figures, co
                                                                                   .fifo_depth = 64,
                                                                                   .latency = 0,
                                                                               }) {
-  machines::Machine machine = machines::blank(pixel_square::kind);
+  machines::Machine machine = machines::blank_machine(pixel_square::kind);
   machine.name = "squares";
   machine.array = {2, 2, 8};
   machine.picture = {4, 2};

@@ -129,7 +129,7 @@ struct Board {
 };
 
 /// Returns the commands that hw/division computes for a square.
-std::vector<isa::Command> expected_commands(const isa::Region& square, const division::Divided& divided) {
+std::vector<isa::Command> expected_commands(const isa::Region& square, const division::SquareDivision& divided) {
   std::vector<isa::Command> all{isa::SegmentStart{square}};
   for (const isa::Instruction& one : divided.instructions) all.push_back(isa::as_received(one));
   all.push_back(isa::SegmentEnd{});
@@ -160,9 +160,9 @@ TEST_CASE("the divider tests and writes squares in turn while complete ones leav
   const division::DisplayModel slab = testing::slab_with_hole();  // in the left half of the picture
   testing::ModelDivider judge(slab);
   const isa::Region left{0, 0, 8, 8};
-  const division::Divided drawn = judge.divide(left);
+  const division::SquareDivision drawn = judge.divide(left);
   REQUIRE((drawn.counts().boxes > 0 && drawn.counts().halfspaces > 0 && drawn.counts().nodes > 0));
-  const division::Divided empty = judge.divide({8, 0, 8, 8});
+  const division::SquareDivision empty = judge.divide({8, 0, 8, 8});
   REQUIRE(!drawn.instructions.empty());
   REQUIRE(empty.instructions.empty());
   const std::vector<isa::Command> expected = expected_commands(left, drawn);
@@ -203,7 +203,7 @@ TEST_CASE("a two-level divider tests a group first and then squares from the gro
   const division::Candidates list = judge.survivors({0, 0, 16, 16});
   const division::Counts group = judge.path.take_counts();
   const isa::Region left{0, 0, 8, 8};
-  const division::Divided drawn = judge.divide(left, list);
+  const division::SquareDivision drawn = judge.divide(left, list);
   const std::vector<isa::Command> expected = expected_commands(left, drawn);
   const std::uint64_t group_clocks = clocks_of_group(group, list.entry_count());
   REQUIRE(group_clocks > 0);
@@ -226,7 +226,7 @@ TEST_CASE("an incomplete square leaves a full store while the divider waits") {
   constexpr std::uint32_t room = 6;
   REQUIRE(words_of(expected) > 2 * room);
   machines::Machine machine = Board::make_machine(1, 2, 100);
-  machines::own<pixel_square::Figures>(machine).store_words = room;
+  machines::kind_figures<pixel_square::Figures>(machine).store_words = room;
 
   Board board(machine);
   std::uint64_t edges = board.begin(slab);
@@ -263,7 +263,7 @@ void check_list_with(std::uint64_t entries_short) {
   const isa::Region left{0, 0, 8, 8};
   const division::Candidates list = judge.survivors({0, 0, 8, 8});
   const division::Counts group = judge.path.take_counts();
-  const division::Divided drawn = judge.divide(left, list);
+  const division::SquareDivision drawn = judge.divide(left, list);
   const std::uint64_t from_list = clocks_of(drawn.counts(), true);
   const std::uint64_t from_all = clocks_of(judge.divide(left).counts());
   REQUIRE(list.entry_count() > 0);

@@ -79,8 +79,8 @@ TEST_CASE("ScreenTiming computes the turns of a stepped screen at every clock ed
       const std::optional<std::uint32_t> row = screen.row();
       if (row) ++clocks;
       const std::optional<std::uint32_t> bank = row ? std::optional(*row % figures.banks) : std::nullopt;
-      RC_ASSERT(timing.bank(edge) == bank);
-      if (edge % seldom == 0) RC_ASSERT(seldom_asked.bank(edge) == bank);
+      RC_ASSERT(timing.occupied_bank(edge) == bank);
+      if (edge % seldom == 0) RC_ASSERT(seldom_asked.occupied_bank(edge) == bank);
       RC_ASSERT(timing.clocks_until(edge) == clocks);
     }
   }));

@@ -36,7 +36,7 @@ plots::Names numbered(const std::string& stem, int count) {
 
 TEST_CASE("a series has the same colour and mark in all plots of a study") {
   std::vector<plots::Plot> plots{make_chart("one", {"a", "b", "c"}), make_chart("other", {"c", "d", "a"})};
-  plots::give_common_looks(plots);
+  plots::set_common_looks(plots);
   std::set<std::string_view> colours;
   for (const char* name : {"a", "c"}) {
     const plots::palette::Look look = look_in(plots[0], name);
@@ -51,7 +51,7 @@ TEST_CASE("a series has the same colour and mark in all plots of a study") {
 
 TEST_CASE("plots with more names than colours reuse colours but never within one plot") {
   std::vector<plots::Plot> plots{make_chart("one", numbered("a", 5)), make_chart("other", numbered("b", 7))};
-  plots::give_common_looks(plots);
+  plots::set_common_looks(plots);
   for (const plots::Plot& plot : plots) {
     std::set<std::string_view> colours;
     const auto& chart = std::get<plots::Chart>(plot.content);
@@ -63,7 +63,7 @@ TEST_CASE("plots with more names than colours reuse colours but never within one
 
 TEST_CASE("an unnamed series gets a colour that no named series of another plot has") {
   std::vector<plots::Plot> plots{make_chart("one", {""}), make_chart("other", {"a", "b"})};
-  plots::give_common_looks(plots);
+  plots::set_common_looks(plots);
   CHECK(look_in(plots[1], "a").colour == plots::palette::looks[0].colour);
   CHECK(look_in(plots[0], "").colour == plots::palette::looks[2].colour);
 }
@@ -71,7 +71,7 @@ TEST_CASE("an unnamed series gets a colour that no named series of another plot 
 TEST_CASE("the key calls unlisted series smaller only if the plot chose its own colours") {
   plots::Names names = numbered("a", 9);
   std::vector<plots::Plot> plots{make_chart("one", names), make_chart("other", {names.rbegin(), names.rend()})};
-  plots::give_common_looks(plots);
+  plots::set_common_looks(plots);
   const auto last_of_key = [](const plots::Plot& plot) {
     return plots::series_looks(std::get<plots::Chart>(plot.content)).key.back().text;
   };
@@ -83,10 +83,10 @@ TEST_CASE("the key calls unlisted series smaller only if the plot chose its own 
 TEST_CASE("plots with looks from two calls get common looks from a third call for all") {
   std::vector<plots::Plot> first{make_chart("one", {"octree", "exact"}), make_chart("two", {"exact", "run"})};
   std::vector<plots::Plot> second{make_chart("three", {"run", "octree"}), make_chart("four", {"exact"})};
-  plots::give_common_looks(first);
-  plots::give_common_looks(second);
+  plots::set_common_looks(first);
+  plots::set_common_looks(second);
   first.insert(first.end(), second.begin(), second.end());
-  plots::give_common_looks(first);
+  plots::set_common_looks(first);
   for (const char* const name : {"exact", "octree", "run"}) {
     std::set<std::string_view> colours;
     std::set<plots::palette::Mark> marks;

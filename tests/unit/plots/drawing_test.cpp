@@ -71,7 +71,7 @@ TEST_CASE("segments cross exactly if each has the other's ends on both sides") {
 
 TEST_CASE("a segment meets a box if one of its points is inside and not on the edge") {
   const auto meets = [](const plots::Segment& segment, const plots::Segment& diagonal) {
-    return plots::meets(segment, box_about(diagonal));
+    return plots::segment_meets_box(segment, box_about(diagonal));
   };
   const auto has_point = [](const plots::Segment& segment, const plots::Segment& diagonal) {
     return has_a_point_inside(segment, box_about(diagonal));

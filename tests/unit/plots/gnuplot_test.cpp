@@ -148,8 +148,8 @@ TEST_CASE("gnuplot draws a mark and a line at the drawing's coordinates") {
   plots::Drawing drawing{400, 300, {}, {}, {}, {}};
   drawing.marks.push_back({{100, 200}, plots::palette::Mark::square, "#000000", 9});
   plots::Box ink = ink_box(decoded(plots::draw_png(png, drawing).picture));
-  CHECK(plots::is_within(ink, plots::around({100, 200}, 6.5)));
-  CHECK(plots::is_within(plots::around({100, 200}, 3), ink));
+  CHECK(plots::is_within(ink, plots::square_around({100, 200}, 6.5)));
+  CHECK(plots::is_within(plots::square_around({100, 200}, 3), ink));
   drawing.marks.clear();
   drawing.lines.push_back({{{50, 60}, {350, 60}}, "#000000"});
   ink = ink_box(decoded(plots::draw_png(png, drawing).picture));

@@ -26,7 +26,7 @@ Case random_case(std::mt19937& random) {
     const plots::Pixel at{400 + uniform(-heap, heap), 225 + uniform(-heap, heap) / 2};
     if (joined && !one.requests.empty()) one.surroundings.segments.push_back({one.requests.back().at, at});
     one.requests.push_back({at, uniform(10, 150)});
-    one.surroundings.boxes.push_back(plots::around(at, 4.5));
+    one.surroundings.boxes.push_back(plots::square_around(at, 4.5));
   }
   return one;
 }
@@ -46,16 +46,17 @@ TEST_CASE("labels overlap neither each other nor marks or lines and stay in the 
     for (std::size_t i = 0; i < placed.size(); ++i) {
       const plots::PlacedLabel& label = placed[i];
       CHECK(plots::is_within(label.box, area));
-      for (const plots::Box& box : one.surroundings.boxes) CHECK(!plots::overlap(box, label.box));
-      for (const plots::Segment& segment : one.surroundings.segments) CHECK(!plots::meets(segment, label.box));
+      for (const plots::Box& box : one.surroundings.boxes) CHECK(!plots::boxes_overlap(box, label.box));
+      for (const plots::Segment& segment : one.surroundings.segments)
+        CHECK(!plots::segment_meets_box(segment, label.box));
       leaders += label.leader ? 1 : 0;
       numbers += label.number ? 1 : 0;
       for (std::size_t j = 0; j < placed.size(); ++j) {
         if (j == i) continue;
-        CHECK(!plots::overlap(label.box, placed[j].box));
+        CHECK(!plots::boxes_overlap(label.box, placed[j].box));
         CHECK(label.request != placed[j].request);
-        if (placed[j].leader) CHECK(!plots::meets(*placed[j].leader, label.box));
-        if (label.leader && placed[j].leader) CHECK(!plots::cross(*label.leader, *placed[j].leader));
+        if (placed[j].leader) CHECK(!plots::segment_meets_box(*placed[j].leader, label.box));
+        if (label.leader && placed[j].leader) CHECK(!plots::segments_cross(*label.leader, *placed[j].leader));
       }
     }
   }
@@ -76,7 +77,7 @@ TEST_CASE("label placement is deterministic") {
 
 TEST_CASE("a single label is placed to the upper right of its point without a leader") {
   const std::vector<plots::LabelRequest> requests{request(400, 200)};
-  const auto placed = plots::place_labels(requests, {area, {plots::around({400, 200}, 4)}, {}});
+  const auto placed = plots::place_labels(requests, {area, {plots::square_around({400, 200}, 4)}, {}});
   REQUIRE(placed.size() == 1);
   CHECK(placed[0].box.left > 400);
   CHECK(placed[0].box.bottom < 200);

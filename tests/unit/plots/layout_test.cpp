@@ -17,16 +17,17 @@ void check_texts(const plots::Drawing& drawing) {
     CHECK(plots::is_within(plots::bounding_box(text), picture));
     for (std::size_t j = 0; j < i; ++j) {
       CAPTURE(drawing.texts[j].text);
-      CHECK(!plots::overlap(plots::bounding_box(text), plots::bounding_box(drawing.texts[j])));
+      CHECK(!plots::boxes_overlap(plots::bounding_box(text), plots::bounding_box(drawing.texts[j])));
     }
   }
 }
 
 void check_marks_and_lines(const plots::Drawing& drawing) {
   const plots::Box picture{0, 0, drawing.width, drawing.height};
-  for (const plots::Mark& mark : drawing.marks) CHECK(plots::is_within(plots::around(mark.at, mark.size / 2), picture));
+  for (const plots::Mark& mark : drawing.marks)
+    CHECK(plots::is_within(plots::square_around(mark.at, mark.size / 2), picture));
   for (const plots::Line& line : drawing.lines) {
-    for (const plots::Pixel& point : line.points) CHECK(plots::is_within(plots::around(point, 0), picture));
+    for (const plots::Pixel& point : line.points) CHECK(plots::is_within(plots::square_around(point, 0), picture));
   }
 }
 

@@ -128,7 +128,8 @@ TEST_CASE("parts of bars differ in grey and in normal and red-green-blind vision
 }
 
 TEST_CASE("texts on parts of bars have a contrast ratio above 4.5") {
-  for (const std::string_view colour : palette::fills) CHECK(palette::contrast(colour, palette::text_on(colour)) > 4.5);
+  for (const std::string_view colour : palette::fills)
+    CHECK(palette::contrast(colour, palette::readable_text_colour(colour)) > 4.5);
 }
 
 TEST_CASE("contrast() computes the contrast ratio of the WCAG guidelines") {

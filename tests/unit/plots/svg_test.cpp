@@ -91,8 +91,8 @@ void check_mark(const pugi::xml_node& shape, const plots::Mark& mark) {
     for (const plots::Pixel& corner : points_of(shape))
       box = {std::min(box.left, corner.x), std::min(box.top, corner.y), std::max(box.right, corner.x),
              std::max(box.bottom, corner.y)};
-    CHECK(plots::is_within(plots::around(mark.at, 0.43 * mark.size), box));
-    CHECK(plots::is_within(box, plots::around(mark.at, 0.68 * mark.size)));
+    CHECK(plots::is_within(plots::square_around(mark.at, 0.43 * mark.size), box));
+    CHECK(plots::is_within(box, plots::square_around(mark.at, 0.68 * mark.size)));
   }
   const bool is_hollow = mark.form == plots::palette::Mark::ring || mark.form == plots::palette::Mark::box;
   CHECK(shape.attribute(is_hollow ? "stroke" : "fill").value() == mark.colour);

@@ -88,8 +88,8 @@ TEST_CASE("a logarithmic axis for values from 0 places 0 before the smallest pos
   CHECK(extent.ticks(8).front() == plots::Tick{0, "0"});
   double before = 0;
   for (const double value : values) {
-    CHECK(extent.along(value) > before);
-    before = extent.along(value);
+    CHECK(extent.fraction_along(value) > before);
+    before = extent.fraction_along(value);
   }
   CHECK(before < 1);
 }
@@ -109,7 +109,7 @@ TEST_CASE("an axis that must start at 0 does so unless a value is negative") {
     const plots::Extent extent = plots::make_extent(values, plots::Scale::by_range, plots::Begin::at_zero);
     CHECK(extent.low == 0);
     CHECK(extent.ticks(6).front() == plots::Tick{0, "0"});
-    CHECK(extent.along(values.back()) < 0.96);
+    CHECK(extent.fraction_along(values.back()) < 0.96);
   }
   CHECK(plots::make_extent(Values{21.5, 22.8}, plots::Scale::by_range, plots::Begin::near_zero).low > 21);
   CHECK(plots::make_extent(Values{-3, 5}, plots::Scale::by_range, plots::Begin::at_zero).low < -3);
@@ -141,8 +141,8 @@ TEST_CASE("values of random axes lie within the axis and its tick texts are dist
     const auto scale = static_cast<plots::Scale>(random() % 3);
     const plots::Extent extent = plots::make_extent(values, scale, static_cast<plots::Begin>(random() % 3));
     for (const double value : values) {
-      CHECK(extent.along(value) >= 0);
-      CHECK(extent.along(value) <= 1);
+      CHECK(extent.fraction_along(value) >= 0);
+      CHECK(extent.fraction_along(value) <= 1);
     }
     const Words words = texts(extent.ticks(static_cast<unsigned>(3 + random() % 8)));
     CAPTURE(base);
@@ -160,8 +160,8 @@ TEST_CASE("extreme or equal or missing values get an axis with two or more ticks
       const plots::Extent extent = plots::make_extent(values, scale, plots::Begin::near_zero);
       CHECK(extent.ticks(6).size() >= 2);
       for (const double value : values) {
-        CHECK(extent.along(value) >= 0);
-        CHECK(extent.along(value) <= 1);
+        CHECK(extent.fraction_along(value) >= 0);
+        CHECK(extent.fraction_along(value) <= 1);
       }
     }
   }

@@ -253,7 +253,7 @@ namespace {
 /// Checks that the faces give a tetrahedron of volume 1/6, as in OpenSCAD 2021.01, with exactly this warning.
 void check_drawn(const std::string& faces, const std::string& warning) {
   CAPTURE(faces);
-  const auto [tree, warnings] = read_warned(polyhedron(tetrahedron_points, faces));
+  const auto [tree, warnings] = read_with_warnings(polyhedron(tetrahedron_points, faces));
   CHECK(volume(tree) == doctest::Approx(1.0 / 6));
   REQUIRE(warnings.size() == 1);
   CHECK(warnings[0] == "m.csg:1:" + warning + ", as in OpenSCAD");
@@ -299,7 +299,7 @@ TEST_CASE("a polyhedron without valid faces is empty and warns") {
   for (const auto& one : {std::pair("[]", "[[0,1,2]]"), std::pair("[[0,0,0]]", "[[1,2,3]]"),
                           std::pair("[[0,0,0],[1,0,0],[0,1,0]]", "[0,1,2]")}) {
     CAPTURE(one.second);
-    const auto [tree, warnings] = read_warned(polyhedron(one.first, one.second));
+    const auto [tree, warnings] = read_with_warnings(polyhedron(one.first, one.second));
     CHECK(outline(tree) == "nothing");
     CHECK(warnings.size() == 1);
   }

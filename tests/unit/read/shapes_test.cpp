@@ -88,12 +88,12 @@ TEST_CASE("a nonexistent imported file causes a warning and the rest is drawn") 
   for (const char* file :
        {"no/x.stl", "/no/such/folder/x.stl", "../no-such-x.stl", "a/../../no-such-x.off", "/etc/passwd/x.stl"}) {
     CAPTURE(file);
-    const auto [tree, warnings] = read_warned(fmt::format("import(file = \"{}\"); cube(5);", file));
+    const auto [tree, warnings] = read_with_warnings(fmt::format("import(file = \"{}\"); cube(5);", file));
     CHECK(outline(tree) == "cube");
     REQUIRE(warnings.size() == 1);
     CHECK(warnings[0] == fmt::format("m.csg:1:1: warning: {} does not exist; import() is empty, as in OpenSCAD", file));
   }
-  const auto [tree, warnings] = read_warned("surface(file = \"/no/such/x.png\", center = false); cube(5);");
+  const auto [tree, warnings] = read_with_warnings("surface(file = \"/no/such/x.png\", center = false); cube(5);");
   CHECK(outline(tree) == "cube");
   CHECK(warnings.size() == 1);
 }
@@ -103,8 +103,8 @@ TEST_CASE("invalid indices in a polygon's paths are dropped or truncated with a 
   for (const char* paths : {"[[0,1,2,9]]", "[[0,1,2,-1]]", "[[0,1,2.9]]", "[[1,2,undef]]", "[[0,1,2],[7]]",
                             "[[0,1,2],7]", "[[0,1,2],undef]"}) {
     CAPTURE(paths);
-    const auto [tree, warnings] =
-        read_warned(fmt::format("linear_extrude(height = 1) {{ polygon([[0,0],[10,0],[0,10]], paths = {}); }}", paths));
+    const auto [tree, warnings] = read_with_warnings(
+        fmt::format("linear_extrude(height = 1) {{ polygon([[0,0],[10,0],[0,10]], paths = {}); }}", paths));
     REQUIRE(tree.primitives.size() == 1);
     CHECK(std::get<csgsim::model::Polyhedron>(tree.primitives[0].shape).points.size() == 6);
     CHECK(warnings.size() == 1);
@@ -157,5 +157,5 @@ TEST_CASE("text with explicit default alignment equals text without alignment") 
 
 TEST_CASE("strings of a .csg file have the values that OpenSCAD wrote") {
   const std::string file = "../a\\\\b.stl";
-  CHECK(read_warned("import(file = \"" + file + "\");").warnings.at(0).find("a\\") != std::string::npos);
+  CHECK(read_with_warnings("import(file = \"" + file + "\");").warnings.at(0).find("a\\") != std::string::npos);
 }

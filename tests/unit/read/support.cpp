@@ -56,7 +56,7 @@ struct ShapeDumper {
 
 model::Tree read(std::string_view text) { return read::read_csg_text(text, "m.csg"); }
 
-Warned read_warned(std::string_view text) {
+ReadResult read_with_warnings(std::string_view text) {
   const CollectedLines kept;
   model::Tree tree = read(text);
   return {std::move(tree), kept.lines()};

@@ -12,12 +12,12 @@ namespace csgsim::read_test {
 model::Tree read(std::string_view text);
 
 /// A tree and the warnings from reading it.
-struct Warned {
+struct ReadResult {
   model::Tree tree;
   std::vector<std::string> warnings;
 };
 
-Warned read_warned(std::string_view text);
+ReadResult read_with_warnings(std::string_view text);
 
 /// Returns the message of the InputError for a text; fails the test if the text is valid.
 std::string error_of(std::string_view text);

@@ -128,7 +128,7 @@ namespace {
 /// Returns the string that import() receives: the file does not exist, and the warning names it.
 std::string file_name(std::string_view written) {
   const auto [tree, warnings] =
-      read_warned("import(file = \"no-such/" + std::string(written) + "\", layer = \"\", $fn = 0);");
+      read_with_warnings("import(file = \"no-such/" + std::string(written) + "\", layer = \"\", $fn = 0);");
   const std::string warning = warnings.empty() ? "" : warnings.front();
   const std::string_view begin = "m.csg:1:1: warning: no-such/";
   const std::size_t end = warning.find(" does not exist");

@@ -35,7 +35,7 @@ TEST_CASE("numbers in a page are encoded as varints with the lowest 7 bits first
 
 TEST_CASE("owners in a page are encoded as runs of a count and owner + 1") {
   const std::vector<std::uint32_t> owners{~0U, ~0U, 4, 4, 4, 0};
-  CHECK(report::owner_runs(owners) == std::string("\x02\x00\x03\x05\x01\x01", 6));
+  CHECK(report::encode_owner_runs(owners) == std::string("\x02\x00\x03\x05\x01\x01", 6));
 }
 
 TEST_CASE("encoded changes turn earlier states into later ones and back") {

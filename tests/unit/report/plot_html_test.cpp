@@ -105,7 +105,7 @@ TEST_CASE("a section of a page omits empty plots") {
 
 TEST_CASE("lines with the same name look alike in all plots of a page") {
   std::vector<plots::Plot> plots{make_chart({"a", "b", "c"}), make_chart({"c", "a"})};
-  plots::give_common_looks(plots);
+  plots::set_common_looks(plots);
   const auto colour_of = [](const std::string& html, const std::string& name) {
     const std::size_t at = html.find("<title>" + name + ": ");
     const std::size_t fill = html.find("fill=\"", at) + 6;

@@ -25,7 +25,7 @@ TEST_CASE("a primitive extends from the first to the last row in which it is use
   const std::vector<isa::Segment> lines{line_of(0, {}), line_of(1, {{.primitive = 7}, {}}),
                                         line_of(2, {{.primitive = 3, .node = 9}}),
                                         line_of(3, {{.primitive = 7, .node = 9}})};
-  std::vector<RowExtent> extents = isa::extents_of(lines);
+  std::vector<RowExtent> extents = isa::compute_row_extents(lines);
   std::sort(extents.begin(), extents.end(), [](const RowExtent& one, const RowExtent& other) {
     return std::pair(one.first, one.last) < std::pair(other.first, other.last);
   });

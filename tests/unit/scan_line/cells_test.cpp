@@ -98,7 +98,7 @@ TEST_CASE("a cell below a tree gets the bits of C + A x + S x x at any tree widt
     for (std::uint32_t x = 0; x < 40; ++x) {
       const auto expected = static_cast<std::uint64_t>((static_cast<Wide>(square) * x + linear.a) * x + linear.c);
       const std::uint64_t mask = (std::uint64_t{1} << linear.width) - 1;
-      RC_ASSERT((sum_in(packet, packet.words, x, shape) & mask) == (expected & mask));
+      RC_ASSERT((received_sum(packet, packet.words, x, shape) & mask) == (expected & mask));
     }
   }));
 }

@@ -226,7 +226,7 @@ void require_same(const Chain& chain, const test::PlainChain& judge, std::uint32
   RC_ASSERT(*actual.packet == static_cast<const Packet&>(*expected));
   RC_ASSERT(actual.number == expected->number);
   if (cell.tree_bits == 0 && expected->brings_f())
-    RC_ASSERT(words_in(actual, x, cell) == (scan_line::BeatWords{expected->f, expected->a, expected->aa}));
+    RC_ASSERT(arriving_words(actual, x, cell) == (scan_line::BeatWords{expected->f, expected->a, expected->aa}));
 }
 
 }  // namespace

@@ -32,8 +32,8 @@ void check_adders(const isa::Linear& linear, std::int64_t square, std::uint32_t 
     judge.step(clock < packet.beats ? Beat{&packet, clock} : Beat{});
     for (std::uint32_t cell = 1; cell < cells; ++cell) {
       if (const test::PlainBeat* const beat = judge.beat_in(cell))
-        RC_ASSERT(words_in({&packet, beat->number}, cell, shape) == (BeatWords{beat->f, beat->a, beat->aa}));
-      if (clock >= cell) RC_ASSERT(sum_in(packet, clock - cell + 1, cell, shape) == judge.cells().sum(cell));
+        RC_ASSERT(arriving_words({&packet, beat->number}, cell, shape) == (BeatWords{beat->f, beat->a, beat->aa}));
+      if (clock >= cell) RC_ASSERT(received_sum(packet, clock - cell + 1, cell, shape) == judge.cells().sum(cell));
     }
   }
 }

@@ -17,7 +17,7 @@ namespace {
 
 machines::Machine random_machine() {
   const auto pick = [](std::uint32_t least, std::uint32_t most) { return *rc::gen::inRange(least, most + 1); };
-  machines::Machine machine = machines::blank(scan_line::kind);
+  machines::Machine machine = machines::blank_machine(scan_line::kind);
   machine.name = "test";
   const std::uint32_t width = pick(1, 20);
   const Figures figures{.words = pick(1, 64),
@@ -96,7 +96,7 @@ std::uint64_t most_work(const Instruction& instruction, const Figures& figures) 
 }
 
 Busy least(const isa::Program& program, const machines::Machine& machine) {
-  const Figures& figures = machines::own<Figures>(machine);
+  const Figures& figures = machines::kind_figures<Figures>(machine);
   Busy busy;
   busy.links.resize(figures.chains);
   busy.entries.resize(figures.chains);
@@ -138,7 +138,7 @@ TEST_CASE("a frame takes at least its busiest part's work and at most the sum of
   CHECK(rc::check([] {
     const machines::Machine machine = random_machine();
     const isa::Program program = *test::arbitrary_program_in_parts(machine, 12);
-    const Figures& figures = machines::own<Figures>(machine);
+    const Figures& figures = machines::kind_figures<Figures>(machine);
     const std::uint64_t clocks = clocks_on(program, machine);
     const Busy busy = least(program, machine);
     const std::uint64_t width = program.shape.width;
@@ -198,7 +198,7 @@ TEST_CASE("better links and more ports and wider ALUs and faster hosts never add
     const std::uint64_t clocks = clocks_on(program, machine);
     const auto improve = [&](const auto& change) {
       machines::Machine better = machine;
-      change(better, machines::own<Figures>(better));
+      change(better, machines::kind_figures<Figures>(better));
       RC_ASSERT(clocks_on(program, better) <= clocks);
     };
     const auto more = [](std::uint32_t least, std::uint32_t most) { return *rc::gen::inRange(least, most + 1); };

@@ -15,8 +15,8 @@ scene::Light towards(const glm::dvec3& direction, double intensity) {
   return light;
 }
 
-glm::dvec3 lit(const scene::Scene& scene, const scene::Material& material, const lighting::SurfacePoint& at) {
-  return lighting::lit(lighting::make_lighting(scene, along_y), material, {1, 0.5, 0.25}, at);
+glm::dvec3 lit_colour(const scene::Scene& scene, const scene::Material& material, const lighting::SurfacePoint& at) {
+  return lighting::lit_colour(lighting::make_lighting(scene, along_y), material, {1, 0.5, 0.25}, at);
 }
 
 /// A point that faces the eye.
@@ -28,7 +28,7 @@ TEST_CASE("a surface facing a light gets the light's intensity plus ambient ligh
   scene::Scene scene;
   scene.ambient.intensity = 0.2;
   scene.lights = {towards({0, 3, 0}, 0.6)};
-  const glm::dvec3 colour = lit(scene, {}, facing);
+  const glm::dvec3 colour = lit_colour(scene, {}, facing);
   CHECK(colour.r == doctest::Approx(0.8));
   CHECK(colour.g == doctest::Approx(0.4));
   CHECK(colour.b == doctest::Approx(0.2));
@@ -38,11 +38,11 @@ TEST_CASE("light falls off with the cosine and adds up and is zero on faces turn
   scene::Scene scene;
   scene.ambient.intensity = 0;
   scene.lights = {towards({std::sqrt(3.0), 1, 0}, 1)};
-  CHECK(lit(scene, {}, facing).r == doctest::Approx(0.5));
+  CHECK(lit_colour(scene, {}, facing).r == doctest::Approx(0.5));
   scene.lights = {towards({0, -1, 0}, 1)};
-  CHECK(lit(scene, {}, facing).r == 0);
+  CHECK(lit_colour(scene, {}, facing).r == 0);
   scene.lights = {towards({0, 1, 0}, 0.25), towards({std::sqrt(3.0), 1, 0}, 1), towards({0, -1, 0}, 1)};
-  CHECK(lit(scene, {}, facing).r == doctest::Approx(0.75));
+  CHECK(lit_colour(scene, {}, facing).r == doctest::Approx(0.75));
 }
 
 TEST_CASE("a point light shines from its position in either coordinate system") {
@@ -53,10 +53,10 @@ TEST_CASE("a point light shines from its position in either coordinate system") 
   light.intensity = 1;
   light.position = {3, -4, 0};  // the point is at the model's origin, 10 in front of the eye
   scene.lights = {light};
-  CHECK(lit(scene, {}, facing).r == doctest::Approx(0.8));
+  CHECK(lit_colour(scene, {}, facing).r == doctest::Approx(0.8));
   scene.lights[0].axes = scene::Axes::camera;
   scene.lights[0].position = {3, 0, 6};
-  CHECK(lit(scene, {}, facing).r == doctest::Approx(0.8));
+  CHECK(lit_colour(scene, {}, facing).r == doctest::Approx(0.8));
 }
 
 TEST_CASE("a highlight has the light's colour and peaks half-way between light and eye") {
@@ -67,10 +67,10 @@ TEST_CASE("a highlight has the light's colour and peaks half-way between light a
   scene::Material shiny;
   shiny.diffuse = 0;
   shiny.specular = 0.5;
-  const glm::dvec3 straight = lit(scene, shiny, facing);
+  const glm::dvec3 straight = lit_colour(scene, shiny, facing);
   CHECK(straight.r == 0);
   CHECK(straight.g == doctest::Approx(0.5));
-  const glm::dvec3 aside = lit(scene, shiny, {{0, 0, 10}, glm::normalize(glm::dvec3(1, 0, -3))});
+  const glm::dvec3 aside = lit_colour(scene, shiny, {{0, 0, 10}, glm::normalize(glm::dvec3(1, 0, -3))});
   CHECK(aside.g < straight.g);
   CHECK(aside.g == doctest::Approx(0.5 * std::pow(3 / std::sqrt(10.0), shiny.shininess)));
 }

@@ -13,7 +13,7 @@ using testing::usage_error_of;
 namespace {
 
 const std::string box = "cube(size=[8,6,4],center=true);";
-const session::InPlace box_in_place{.text = box};
+const session::ContentReplacement box_in_place{.text = box};
 
 /// A view along y from 50 in front of the centre: 33 x 25 pixels, with the origin at the middle one, 16,12. The view of
 /// 22.5 degrees is 2 * 50 * tan 11.25 deg = 19.891 high there, so a unit is 1.2568 pixels.
@@ -23,12 +23,12 @@ Texts seen(const Texts& more) {
   return words;
 }
 
-story::Answer explanation(const Texts& words, const session::InPlace& in_place = box_in_place) {
+story::PixelExplanation explanation(const Texts& words, const session::ContentReplacement& in_place = box_in_place) {
   const Parsed<ExplainRequest> parsed(words);
   return session::explain(parsed.options, parsed.list, in_place);
 }
 
-std::string misuse(const Texts& words, const session::InPlace& in_place = {}) {
+std::string misuse(const Texts& words, const session::ContentReplacement& in_place = {}) {
   const Parsed<ExplainRequest> parsed(words);
   return usage_error_of([&] { session::refuse_misuse(parsed.options, parsed.list, in_place); });
 }
@@ -40,7 +40,7 @@ std::string point_error(const Texts& words) {
 /// The box compiled for a machine.
 isa::Program compiled_box(const std::string& machine) {
   const session::ModelRequest options =
-      session::model_request_in(seen({"--machine", machine, "--fraction-bits", "10"}));
+      session::parse_model_request(seen({"--machine", machine, "--fraction-bits", "10"}));
   const machines::Machine built = session::machine_of(options);
   return session::compile_model(session::read_model_file(options, box), session::choices_of(options, built), built)
       .program;
@@ -71,8 +71,8 @@ TEST_CASE("explain takes run options for a Program and every compile option for 
     return words;
   };
   const isa::Program program;
-  const session::InPlace a_program{.text = {}, .program = &program};
-  const session::InPlace a_text{.text = box};
+  const session::ContentReplacement a_program{.text = {}, .program = &program};
+  const session::ContentReplacement a_text{.text = box};
   const Texts compiling{"--z-bits", "12"};
   CHECK(misuse(with("a.csg", compiling)) == "");
   CHECK(misuse(with("a.csgt", compiling)).find("--z-bits") != std::string::npos);
@@ -95,8 +95,8 @@ TEST_CASE("explain shows a point of the model as its pixel with the distance fro
   for (const Row& row : {Row{"0,-3,0", "16,12", "47"}, Row{"1,2,-3", "17,16", "52"},
                          Row{"-3.5,0.25,1.5", "12,10", "50.25"}, Row{"0,-60,0", "16,12", "-10"}}) {
     CAPTURE(row.point);
-    const story::Answer of_point = explanation(seen({"--point", row.point}));
-    const story::Answer of_pixel = explanation(seen({"--pixel", row.pixel}));
+    const story::PixelExplanation of_point = explanation(seen({"--point", row.point}));
+    const story::PixelExplanation of_pixel = explanation(seen({"--pixel", row.pixel}));
     CHECK(of_point.text == std::string("point ") + row.point + " is " + row.distance +
                                " model units in front of the eye, along the view axis\n" + of_pixel.text);
     CHECK(of_point.json["point_distance"].get<double>() == doctest::Approx(std::stod(row.distance)));
@@ -143,9 +143,9 @@ TEST_CASE("explain reports why a primitive is not seen on request") {
 
 TEST_CASE("explain names half-spaces only for a model and runs a Program on its own machine") {
   const isa::Program program = compiled_box("pixel-planes-4");
-  const session::InPlace in_place{.text = {}, .program = &program};
-  const story::Answer of_program = explanation({"box.csgt", "--pixel", "16,12"}, in_place);
-  const story::Answer of_model = explanation(seen({"--pixel", "16,12", "--fraction-bits", "10"}));
+  const session::ContentReplacement in_place{.text = {}, .program = &program};
+  const story::PixelExplanation of_program = explanation({"box.csgt", "--pixel", "16,12"}, in_place);
+  const story::PixelExplanation of_model = explanation(seen({"--pixel", "16,12", "--fraction-bits", "10"}));
   CHECK(of_model.text.find("half-space 3 of 6") != std::string::npos);
   CHECK(of_program.text.find("half-space 3 of 6") == std::string::npos);
   CHECK(of_program.text.find("p0 cube") != std::string::npos);
@@ -154,7 +154,7 @@ TEST_CASE("explain names half-spaces only for a model and runs a Program on its 
   const auto clocks = [&](const isa::Program& of, const Texts& more) {
     Texts words{"box.csgt", "--pixel", "16,12"};
     words.insert(words.end(), more.begin(), more.end());
-    const story::Answer answer = explanation(words, {.text = {}, .program = &of});
+    const story::PixelExplanation answer = explanation(words, {.text = {}, .program = &of});
     return answer.json["events"].back()["clocks"][1].get<std::uint64_t>();
   };
   CHECK(clocks(program, {"--machine", "pixel-planes-4"}) == clocks(program, {}));

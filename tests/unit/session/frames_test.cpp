@@ -140,11 +140,11 @@ TEST_CASE("a repeated frame finds all active trees and counts less host work") {
   const view::Camera camera = compiler.model().camera;
   const isa::Program alone = compiled_alone(request, machine, camera);
   const isa::Program first = compiler.compile(camera);
-  const csg::Reused in_first = compiler.reused();
+  const csg::ReuseCounts in_first = compiler.reused();
   CHECK(in_first.trees < in_first.lookups);
   CHECK(in_first.trees > 0);  // trees of lines above are reused
   const isa::Program second = compiler.compile(camera);
-  const csg::Reused in_second = compiler.reused();
+  const csg::ReuseCounts in_second = compiler.reused();
   CHECK(in_second.trees == in_second.lookups);
   CHECK(in_second.certificates >= in_first.certificates);
   const isa::Preparation work = host_work(second);

@@ -32,7 +32,7 @@ Texts house_words(const Texts& more) {
 /// Returns the judge's report on the picture that the options draw.
 nlohmann::ordered_json judged(const RenderRequest& options, const session::Compiled& compiled) {
   nlohmann::ordered_json json;
-  const session::Judge judge = session::judge_of(options, compiled);
+  const session::Judge judge = session::make_judge(options, compiled);
   REQUIRE(judge);
   CHECK_FALSE(judge(session::draw(compiled.model.program, compiled.machine).frame, json).empty());
   return json;
@@ -102,20 +102,20 @@ TEST_CASE("a compiled model records its file and imports or its text in memory a
 TEST_CASE("render --check compares with the exact picture and rejects transparency") {
   Parsed<RenderRequest> plain(house_words({}));
   const session::Compiled compiled = session::compile(plain.options, studies::choose_bits);
-  CHECK_FALSE(session::judge_of(plain.options, compiled));
+  CHECK_FALSE(session::make_judge(plain.options, compiled));
   Parsed<RenderRequest> checked(house_words({"--check", "--z-bits", "6"}));
   const nlohmann::ordered_json coarse =
       judged(checked.options, session::compile(checked.options, studies::choose_bits));
   Parsed<RenderRequest> fine(house_words({"--check"}));
   const nlohmann::ordered_json usual = judged(fine.options, session::compile(fine.options, studies::choose_bits));
   CHECK(coarse["wrong"].get<std::uint64_t>() > usual["wrong"].get<std::uint64_t>());
-  const session::InPlace glass{.text = "color([1,0,0,0.5]) { cube(size=[8,6,4],center=true); }"};
+  const session::ContentReplacement glass{.text = "color([1,0,0,0.5]) { cube(size=[8,6,4],center=true); }"};
   for (const bool is_checked : {true, false}) {
     Parsed<RenderRequest> parsed({"glass.csg", "--size", "24x20", "--camera", "0,-50,0,0,0,0"});
     parsed.options.check = is_checked;
     const session::Compiled seen_through = session::compile(parsed.options, studies::choose_bits, glass);
     const std::string error =
-        testing::error_of([&] { static_cast<void>(session::judge_of(parsed.options, seen_through)); });
+        testing::error_of([&] { static_cast<void>(session::make_judge(parsed.options, seen_through)); });
     CHECK((error.find("supports opaque solids only") != std::string::npos) == is_checked);
   }
 }
@@ -172,7 +172,7 @@ TEST_CASE("render --advice measures advice for the requested machine") {
     CHECK(advice.ask == "--advice tries machine parameters, settings and prunings");
     REQUIRE(advice.commands.size() == 1);
     if (!is_asked) continue;
-    const session::Drawn drawn = session::draw(compiled.model.program, compiled.machine);
+    const session::DrawnRun drawn = session::draw(compiled.model.program, compiled.machine);
     CHECK(advice.settings(drawn.result).size() > 0);
   }
 }

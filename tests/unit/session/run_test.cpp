@@ -108,7 +108,7 @@ namespace {
 /// A box as a Program for pixel-planes-4.
 isa::Program small_program() {
   const std::vector<std::string> words{"box.csg", "--size", "16x12", "--camera", "0,-50,0,0,0,0"};
-  const session::ModelRequest options = session::model_request_in(words);
+  const session::ModelRequest options = session::parse_model_request(words);
   const machines::Machine machine = session::machine_of(options);
   return session::compile_model(session::read_model_file(options, "cube(size=[8,6,4],center=true);"),
                                 session::choices_of(options, machine), machine)
@@ -156,12 +156,12 @@ TEST_CASE("a Program in memory runs like its file and has the file's hash") {
   const std::vector<std::byte> bytes = isa::encode(program);
   std::ofstream(options.program, std::ios::binary)
       .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  const session::Loaded of_file = session::load(options);
+  const session::LoadedProgram of_file = session::load(options);
   CHECK(of_file.hash.empty());
   CHECK_FALSE(of_file.is_in_place);
   CHECK_FALSE(of_file.subject().is_in_place);
   CHECK(of_file.inputs == std::vector<fs::path>{options.program});
-  const session::Loaded in_place = session::load(options, {.text = {}, .program = &program});
+  const session::LoadedProgram in_place = session::load(options, {.text = {}, .program = &program});
   CHECK(in_place.hash == hash_of_file(options.program));
   CHECK(in_place.is_in_place);
   CHECK(in_place.subject().is_in_place);
@@ -169,7 +169,7 @@ TEST_CASE("a Program in memory runs like its file and has the file's hash") {
   CHECK(in_place.inputs == of_file.inputs);
   CHECK(isa::encode(in_place.program) == bytes);
   CHECK(isa::encode(of_file.program) == bytes);
-  for (const session::Loaded* const loaded : {&of_file, &in_place}) {
+  for (const session::LoadedProgram* const loaded : {&of_file, &in_place}) {
     CHECK(loaded->machine.picture.width == 16);
     CHECK(loaded->machine.picture.height == 12);
     CHECK(&loaded->subject().program == &loaded->program);

@@ -56,8 +56,9 @@ Square square_of(const Block& block) {
   Square square;
   for (std::size_t row = 0; row < static_cast<std::size_t>(height); ++row) {
     const auto first = picture.seen.begin() + static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(width));
-    const auto columns = static_cast<double>(std::count_if(first, first + static_cast<std::ptrdiff_t>(width),
-                                                           [](const software::Seen& seen) { return seen.owner == 0; }));
+    const auto columns =
+        static_cast<double>(std::count_if(first, first + static_cast<std::ptrdiff_t>(width),
+                                          [](const software::VisibleSurface& seen) { return seen.owner == 0; }));
     if (columns == 0) continue;
     square.columns = columns;
     square.rows += 1;
@@ -181,7 +182,7 @@ TEST_CASE("list priority of one block takes the hand-calculated clocks") {
     const software::DisplayCounts counts =
         block.counts(has_depth_buffer ? "list-priority/depth-buffer" : "list-priority");
     REQUIRE(counts.drawn_polygons == 2);
-    REQUIRE(counts.looked_parts == 1);
+    REQUIRE(counts.visited_parts == 1);
     const auto edges = static_cast<double>(counts.words.polygons - 3 * 24 - 8 * 6 - 10 * 2) / 6;
     REQUIRE(edges == block.linears());
     CHECK(clocks(counts, Phase::preprocessing) > 0);

@@ -29,7 +29,7 @@ std::string difference(const software::Picture& picture, const std::vector<testi
                        std::uint32_t width) {
   if (picture.seen.size() != expected.size()) return "another number of pixels";
   for (std::size_t i = 0; i < expected.size(); ++i) {
-    const software::Seen& seen = picture.seen[i];
+    const software::VisibleSurface& seen = picture.seen[i];
     if (seen.depth == expected[i].depth && seen.owner == expected[i].owner) continue;
     return fmt::format("pixel {}, {} is {} at {}, not {} at {}", i % width, i / width, seen.owner, seen.depth,
                        expected[i].owner, expected[i].depth);
@@ -40,7 +40,8 @@ std::string difference(const software::Picture& picture, const std::vector<testi
 /// Returns the fault of a scene's pictures by exact methods; empty if none.
 std::string find_fault(const Scene& scene, Tally& tally) {
   const std::vector<testing::Seen> expected = testing::draw_by_rules(scene.tree, scene.geometry, scene.view);
-  for (const testing::Seen& seen : expected) tally.covered += seen.owner != software::Seen::nothing_seen ? 1U : 0U;
+  for (const testing::Seen& seen : expected)
+    tally.covered += seen.owner != software::VisibleSurface::nothing_seen ? 1U : 0U;
   tally.pixels += expected.size();
   const Shown shown(scene);
   for (const DisplayRow* const row : software::display_methods()) {
@@ -87,7 +88,8 @@ Recount recounted(const Scene& scene) {
         if (i > 0) recount.evaluated.insert(sequence);
       }
       recount.points += points;
-      recount.layers = std::max(recount.layers, points + (seen.owner == software::Seen::nothing_seen ? 1 : 0));
+      recount.layers =
+          std::max(recount.layers, points + (seen.owner == software::VisibleSurface::nothing_seen ? 1 : 0));
     }
   }
   return recount;
@@ -215,7 +217,7 @@ TEST_CASE("counts of a facet method start at zero and buckets hold 24 polygons")
   const software::DisplayCounts counts;
   CHECK(counts.polygons + counts.pieces + counts.shared + counts.references + counts.crossing_tests +
             counts.overlap_tests + counts.drawn_polygons + counts.pixel_events + counts.passes + counts.spans +
-            counts.splits + counts.cells + counts.drawn_cells + counts.looked_parts + counts.overfull_cells +
+            counts.splits + counts.cells + counts.drawn_cells + counts.visited_parts + counts.overfull_cells +
             counts.conflicts ==
         0);
   for (const software::Operations& operations : counts.operations) CHECK(operations == software::Operations{});

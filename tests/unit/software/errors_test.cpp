@@ -29,16 +29,16 @@ std::string error_of_way(const SoftwareScene& software, const std::string& way,
                          software::Shape shape = software::Shape::written) {
   return error_of([&] {
     const std::unique_ptr<software::Method> method =
-        software.make(testing::way_of(way, software::Pruning::none, shape), true);
+        software.make(testing::variant_named(way, software::Pruning::none, shape), true);
     CHECK(method != nullptr);
   });
 }
 
 void check_draws_the_cube(const SoftwareScene& software, const std::string& way) {
   CAPTURE(way);
-  const software::Picture picture = software.draw(testing::way_of(way));
+  const software::Picture picture = software.draw(testing::variant_named(way));
   CHECK(picture.seen[9 * 4 + 4].owner == 0);
-  CHECK(picture.seen.front().owner == software::Seen::nothing_seen);
+  CHECK(picture.seen.front().owner == software::VisibleSurface::nothing_seen);
 }
 
 }  // namespace
@@ -86,7 +86,7 @@ TEST_CASE("recursive traversals draw a tree of 19000 levels") {
     check_draws_the_cube(software, way);
 }
 TEST_CASE("a software method and its coherence are selected by name") {
-  for (const testing::Way& way : testing::all_ways()) {
+  for (const testing::MethodVariant& way : testing::all_variants()) {
     const software::Choice choice = software::choice_of(software::name_of(way.choice));
     CHECK(choice.method == way.choice.method);
     CHECK(choice.coherence == way.choice.coherence);

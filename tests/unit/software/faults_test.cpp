@@ -123,9 +123,9 @@ TEST_CASE("a primitive around the ray's start is entered at 0 and left at its ne
   const Scene scene = testing::make_scene(read::read_csg_text("cube(size=[80,80,80],center=true);", "block"),
                                           {{0, 10, 0}, {0, 11, 0}, view::Projection::perspective}, sampling);
   const software::RealDepths real(scene.geometry, scene.view);
-  CHECK(real.of(0, 2, 1) == 0);
-  CHECK(real.of(0, 0, 2) == 0);
-  CHECK(real.of(1, 2, 1) == doctest::Approx(isa::depth_of(scene.view.depth, 20, 30)).epsilon(1e-9));
+  CHECK(real.depth_of(0, 2, 1) == 0);
+  CHECK(real.depth_of(0, 0, 2) == 0);
+  CHECK(real.depth_of(1, 2, 1) == doctest::Approx(isa::depth_of(scene.view.depth, 20, 30)).epsilon(1e-9));
 }
 
 namespace {
@@ -176,7 +176,7 @@ TEST_CASE("the real depths of a primitive are where the ray meets its planes") {
           const double expected = depth_by_rays(*scene, event.crossing, column, at);
           if (expected < 0) continue;
           ++held;
-          CHECK(real.of(event.crossing, column, at) == doctest::Approx(expected).epsilon(1e-9).scale(1 + step));
+          CHECK(real.depth_of(event.crossing, column, at) == doctest::Approx(expected).epsilon(1e-9).scale(1 + step));
         }
       }
     }

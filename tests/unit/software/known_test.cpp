@@ -24,7 +24,7 @@ std::uint64_t wrongly_apart(std::span<const Interval> intervals, const std::vect
 
 /// Counts wrong classifications: those of primitives with pixels in the cell must be undecided, all others `out`.
 std::uint64_t wrong_in_cell(const view::View& view, const software::RayBand& band, std::uint32_t first_column) {
-  const std::vector<Known> known = software::known_in(view, band, first_column, software::cell_columns);
+  const std::vector<Known> known = software::classes_in_cell(view, band, first_column, software::cell_columns);
   std::uint64_t wrong = 0;
   for (std::size_t i = 0; i < known.size(); ++i) {
     const view::PixelRect& pixels = view.extents[i].pixels;
@@ -47,7 +47,7 @@ void check_scene(const Scene& scene, Tally& tally) {
   const software::RayCaster rays(scene.tree, scene.geometry, scene.view);
   std::vector<std::vector<Known>> inside;
   for (std::uint32_t primitive = 0; primitive < scene.tree.primitives.size(); ++primitive) {
-    inside.push_back(software::known_inside(scene.view, primitive));
+    inside.push_back(software::classes_inside(scene.view, primitive));
     for (std::uint32_t other = 0; other < inside.back().size(); ++other) {
       const Known known = inside.back()[other];
       CHECK((known == Known::in) == (other == primitive));

@@ -56,7 +56,7 @@ std::string find_report_fault(const Scene& scene, const software::Displayed& dis
     for (std::size_t ray = 0; ray < band.rays(); ++ray) {
       const std::size_t pixel = std::size_t{row} * rays.width() + ray;
       events += band.events_of(ray).size();
-      const software::Seen& seen = displayed.picture.seen[pixel];
+      const software::VisibleSurface& seen = displayed.picture.seen[pixel];
       if (seen.depth == expected[pixel].depth && seen.owner == expected[pixel].owner) continue;
       ++all;
       unexplained += has_near_events(band.events_of(ray), std::max(seen.depth, expected[pixel].depth)) ? 0U : 1U;

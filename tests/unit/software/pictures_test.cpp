@@ -8,10 +8,10 @@
 #include "tests/unit/software/scenes.h"
 
 using namespace csgsim;
-using testing::all_ways;
+using testing::all_variants;
+using testing::MethodVariant;
 using testing::Scene;
 using testing::SoftwareScene;
-using testing::Way;
 
 namespace {
 
@@ -22,7 +22,7 @@ struct Tally {
   std::uint64_t empty = 0;  ///< scenes without visible pixels
   std::uint64_t pixels = 0;
   std::uint64_t covered = 0;
-  std::vector<std::uint64_t> drawn_by = std::vector<std::uint64_t>(all_ways().size());
+  std::vector<std::uint64_t> drawn_by = std::vector<std::uint64_t>(all_variants().size());
 };
 
 void count(const std::vector<testing::Seen>& expected, Tally& tally) {
@@ -42,16 +42,16 @@ std::string find_fault(std::uint64_t seed, std::size_t ways, Tally& tally) {
   const std::vector<testing::Seen> expected = testing::draw_by_rules(scene->tree, scene->geometry, scene->view);
   count(expected, tally);
   const SoftwareScene software(scene->tree, scene->geometry, scene->view);
-  for (std::size_t i = 0; i < ways; ++i) ++tally.drawn_by[(seed * ways + i) % all_ways().size()];
-  const std::string fault = software.fault_of_some(seed, ways, expected);
+  for (std::size_t i = 0; i < ways; ++i) ++tally.drawn_by[(seed * ways + i) % all_variants().size()];
+  const std::string fault = software.describe_some_mismatch(seed, ways, expected);
   return fault.empty() ? fault : "seed " + std::to_string(seed) + ", " + fault;
 }
 
 void check_all_ways(const Scene& scene) {
   const std::vector<testing::Seen> expected = testing::draw_by_rules(scene.tree, scene.geometry, scene.view);
   const SoftwareScene software(scene.tree, scene.geometry, scene.view);
-  for (const Way& way : all_ways()) {
-    if (!software.is_too_deep(way)) CHECK(software.fault_of(way, expected) == "");
+  for (const MethodVariant& way : all_variants()) {
+    if (!software.is_too_deep(way)) CHECK(software.describe_mismatch(way, expected) == "");
   }
 }
 
@@ -91,7 +91,7 @@ TEST_CASE("a random sample of software methods draws random models as the judge 
 }
 TEST_CASE("all software methods draw random models as the rule-based judge does") {
   Tally tally;
-  for (std::uint64_t seed = 1; seed <= 24; ++seed) CHECK(find_fault(seed, all_ways().size(), tally) == "");
+  for (std::uint64_t seed = 1; seed <= 24; ++seed) CHECK(find_fault(seed, all_variants().size(), tally) == "");
   CHECK(tally.covered > tally.pixels / 20);
 }
 TEST_CASE("all software methods draw the thesis's objects as the rule-based judge does") {
@@ -151,7 +151,7 @@ TEST_CASE("a software method draws the same picture whether it counts or not") {
     if (!scene) continue;
     const SoftwareScene software(scene->tree, scene->geometry, scene->view);
     for (int i = 0; i < 8; ++i, ++number) {
-      const Way& way = all_ways()[number % all_ways().size()];
+      const MethodVariant& way = all_variants()[number % all_variants().size()];
       CAPTURE(seed);
       CAPTURE(testing::to_text(way));
       const std::unique_ptr<software::Method> counts = software.make(way, true);

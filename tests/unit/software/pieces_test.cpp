@@ -37,7 +37,7 @@ bool is_seen(const facet::Box& box, bool perspective) {
   const glm::dvec3 centre{1, -2, 3};
   Polygons polygons;
   polygons.cells.push_back(cell_with({box.low - centre, box.high - centre}));
-  const software::CellOrder order = software::front_to_back(polygons, plain_eye(perspective), centre, 8, 4);
+  const software::CellOrder order = software::order_front_to_back(polygons, plain_eye(perspective), centre, 8, 4);
   CHECK(order.looked_at == 1);
   return order.cells.size() == 1;
 }
@@ -59,7 +59,7 @@ std::vector<std::uint32_t> order_of_two(int axis, const view::EyeSpace& eye) {
   facet::Plane wall{glm::dvec3{0}, -2};
   wall.normal[axis] = 1;
   polygons.walls.push_back(wall);
-  const software::CellOrder order = software::front_to_back(polygons, eye, glm::dvec3{0}, 8000, 8000);
+  const software::CellOrder order = software::order_front_to_back(polygons, eye, glm::dvec3{0}, 8000, 8000);
   CHECK(order.looked_at == 3);
   return order.cells;
 }
@@ -80,8 +80,8 @@ Polygons pieces_of(const software::Facets& facets, const testing::Scene& scene, 
 /// Corners of each polygon after clipping.
 std::vector<Places> corners_after_clipping(const software::Facets& facets, const testing::Scene& scene) {
   software::UncountedMethod uncounted;
-  const software::ClippedFacets clipped =
-      software::clip_each_other(facets, scene.geometry, software::directory_of("excell"), 100, uncounted);
+  const software::ClippedFacets clipped = software::clip_facets_against_each_other(
+      facets, scene.geometry, software::directory_of("excell"), 100, uncounted);
   std::vector<Places> corners;
   for (std::uint32_t i = 0; i < clipped.facets.size(); ++i) {
     CHECK(clipped.facets[i] == i);
@@ -190,7 +190,7 @@ TEST_CASE("cells without pieces are not drawn and pieces without area are not co
   CHECK(Polygons{}.piece_count() == 0);
   CHECK(Polygons{}.filled_cells() == 0);
   polygons.cells = {polygons.cells[2]};
-  CHECK(software::front_to_back(polygons, plain_eye(false), glm::dvec3{0}, 8, 4).cells.empty());
+  CHECK(software::order_front_to_back(polygons, plain_eye(false), glm::dvec3{0}, 8, 4).cells.empty());
 }
 TEST_CASE("a facet without area has its own corners or else a corner of its primitive") {
   for (const double apart : {-10.0, 10.0}) {

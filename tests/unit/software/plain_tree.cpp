@@ -116,7 +116,7 @@ TreeVisits PlainTree::positional(const Held& held) const {
   return tally;
 }
 
-TreeVisits PlainTree::change(Held& held, std::uint32_t primitive) const {
+TreeVisits PlainTree::update_tree(Held& held, std::uint32_t primitive) const {
   const Held before = held;
   held[primitive] = !held[primitive];
   TreeVisits tally{1};

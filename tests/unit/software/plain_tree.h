@@ -43,7 +43,7 @@ class PlainTree {
   /// Table 4.4: also skips operands in which no primitive holds the point.
   [[nodiscard]] TreeVisits positional(const Held& held) const;
   /// Table 4.5: walks from the primitive's leaf upwards to the first node whose status stays the same.
-  [[nodiscard]] TreeVisits change(Held& held, std::uint32_t primitive) const;
+  [[nodiscard]] TreeVisits update_tree(Held& held, std::uint32_t primitive) const;
   /// Whether no operator above the primitive's leaf removes its surface; `tally` receives the visited nodes.
   [[nodiscard]] bool shows(const Held& held, std::uint32_t primitive, TreeVisits& tally) const;
 

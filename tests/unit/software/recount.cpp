@@ -219,7 +219,7 @@ class Traversal {
   }
 
   TreeVisits changed(std::uint32_t primitive) {
-    if (name_ == "status") return tree_.change(held_, primitive);
+    if (name_ == "status") return tree_.update_tree(held_, primitive);
     held_[primitive] = !held_[primitive];
     return {};
   }
@@ -263,11 +263,11 @@ void count_tie(const PlainTree& tree, std::size_t primitives, const RecordedRay&
   ++counts.ties;
   Held held(primitives);
   TreeVisits tally;
-  for (const std::uint32_t primitive : active) tally += tree.change(held, primitive);
+  for (const std::uint32_t primitive : active) tally += tree.update_tree(held, primitive);
   for (const std::uint32_t primitive : candidates) {
     if (tree.shows(held, primitive, tally)) break;
   }
-  for (const std::uint32_t primitive : active) tally += tree.change(held, primitive);
+  for (const std::uint32_t primitive : active) tally += tree.update_tree(held, primitive);
   counts.node_visits += tally.visits;
   counts.early_outs += tally.early_outs;
 }
@@ -280,8 +280,8 @@ std::vector<std::uint32_t> RecordedRay::sequence(std::size_t end) const {
   return sequence;
 }
 
-std::vector<RecordedRay> recorded(const software::RayCaster& rays, const std::vector<Seen>& seen,
-                                  software::RayCounts& counts) {
+std::vector<RecordedRay> record_rays(const software::RayCaster& rays, const std::vector<Seen>& seen,
+                                     software::RayCounts& counts) {
   std::vector<RecordedRay> all;
   software::RayBand band;
   for (std::uint32_t row = 0; row < rays.height(); row += software::band_rows) {
@@ -302,7 +302,7 @@ std::vector<RecordedRay> recorded(const software::RayCaster& rays, const std::ve
   return all;
 }
 
-software::Survey surveyed(const std::vector<RecordedRay>& rays) {
+software::Survey survey_rays(const std::vector<RecordedRay>& rays) {
   software::Survey survey;
   std::vector<Sequence> of_rays;
   for (const RecordedRay& ray : rays) {
@@ -335,8 +335,8 @@ Coherence coherence_of(const std::string& name, const std::vector<RecordedRay>& 
   return coherence;
 }
 
-software::Counts recounted(const PlainTree& tree, std::size_t primitives, const std::string& traversal,
-                           const Coherence& coherence, const std::vector<RecordedRay>& rays) {
+software::Counts recount_traversal(const PlainTree& tree, std::size_t primitives, const std::string& traversal,
+                                   const Coherence& coherence, const std::vector<RecordedRay>& rays) {
   software::Counts counts;
   counts.evaluations = coherence.evaluations.size();
   counts.looked_up = coherence.looked_up;
@@ -350,8 +350,8 @@ software::Counts recounted(const PlainTree& tree, std::size_t primitives, const 
     Held held(primitives);
     // Insertion and removal.
     for (std::uint32_t primitive = 0; primitive < primitives; ++primitive) {
-      tally += tree.change(held, primitive);
-      tally += tree.change(held, primitive);
+      tally += tree.update_tree(held, primitive);
+      tally += tree.update_tree(held, primitive);
     }
   }
   counts.node_visits = tally.visits;

@@ -30,10 +30,10 @@ struct RecordedRay {
 };
 
 /// The rays of a picture in pixel order; `seen` is the picture drawn by the rules.
-std::vector<RecordedRay> recorded(const software::RayCaster& rays, const std::vector<Seen>& seen,
-                                  software::RayCounts& counts);
+std::vector<RecordedRay> record_rays(const software::RayCaster& rays, const std::vector<Seen>& seen,
+                                     software::RayCounts& counts);
 
-software::Survey surveyed(const std::vector<RecordedRay>& rays);
+software::Survey survey_rays(const std::vector<RecordedRay>& rays);
 
 /// An evaluation of the tree after the first `end` events of a ray.
 struct Evaluation {
@@ -56,7 +56,7 @@ Coherence coherence_of(const std::string& name, const std::vector<RecordedRay>& 
 
 /// Returns all counts except words and operations for a named traversal (standard, early-out, positional, status,
 /// bit-sequential or bit-parallel) on the tree as written.
-software::Counts recounted(const PlainTree& tree, std::size_t primitives, const std::string& traversal,
-                           const Coherence& coherence, const std::vector<RecordedRay>& rays);
+software::Counts recount_traversal(const PlainTree& tree, std::size_t primitives, const std::string& traversal,
+                                   const Coherence& coherence, const std::vector<RecordedRay>& rays);
 
 }  // namespace csgsim::testing

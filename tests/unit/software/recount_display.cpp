@@ -18,7 +18,7 @@ DisplayRecount::DisplayRecount(const Scene& of)
       rays(of),
       numbers(numbers_of(of)),
       farthest((1U << of.view.sampling.z_bits) - 1),
-      seen(rays.size(), {farthest, software::Seen::nothing_seen}) {
+      seen(rays.size(), {farthest, software::VisibleSurface::nothing_seen}) {
   for (const software::ScreenFacet& facet : screen.facets) scans.push_back(scanned(screen, facet, rays));
   this->of(Phase::transformation) = transformed(facets.corners.size(), screen.facets.size(), screen.linears.size());
   this->of(Phase::initialisation) = rays.size() * steps({{store_long, 2}, branch_taken});
@@ -60,7 +60,7 @@ void DisplayRecount::check(const software::Displayed& found) {
   CHECK(found.counts.splits == expected.splits);
   CHECK(found.counts.cells == expected.cells);
   CHECK(found.counts.drawn_cells == expected.drawn_cells);
-  CHECK(found.counts.looked_parts == expected.looked_parts);
+  CHECK(found.counts.visited_parts == expected.visited_parts);
   CHECK(found.counts.overfull_cells == expected.overfull_cells);
   CHECK(found.counts.conflicts == expected.conflicts);
   CHECK(found.counts.words.polygons == expected.words.polygons);

@@ -25,8 +25,8 @@ struct DisplayRecount {
   std::vector<FacetScan> scans;  ///< one per facet on the screen
   Numbers numbers;
   std::uint32_t farthest;
-  std::vector<software::Seen> seen;  ///< the picture
-  software::Counts csg;              ///< counts of classification
+  std::vector<software::VisibleSurface> seen;  ///< the picture
+  software::Counts csg;                        ///< counts of classification
   software::DisplayCounts expected;
 
   /// Sets the costs common to all methods. Keeps a reference.

@@ -17,7 +17,7 @@ using software::DisplayCounts;
 using software::Event;
 using software::Phase;
 using software::ScreenFacet;
-using software::Seen;
+using software::VisibleSurface;
 using testing::comparisons;
 using testing::DisplayRecount;
 using testing::FacetEvent;
@@ -227,10 +227,10 @@ class ScanLineRecount {
 
   void run_span(std::int32_t first, std::int32_t last) {
     ++recount_.expected.spans;
-    const Seen seen = classify(first);
+    const VisibleSurface seen = classify(first);
     if (first == last) return fill(first, last, false, seen);
-    if (is_sure(first, last, seen.owner != Seen::nothing_seen))
-      return fill(first, last, seen.owner != Seen::nothing_seen, seen);
+    if (is_sure(first, last, seen.owner != VisibleSurface::nothing_seen))
+      return fill(first, last, seen.owner != VisibleSurface::nothing_seen, seen);
     ++recount_.expected.splits;
     const std::int32_t middle = (first + last) / 2;
     run_span(first, middle);
@@ -238,7 +238,7 @@ class ScanLineRecount {
   }
 
   /// Events at a column and the visible surface.
-  Seen classify(std::int32_t column) {
+  VisibleSurface classify(std::int32_t column) {
     recount_.of(Phase::depth_test) += testing::depths(inside_.size(), recount_.numbers);
     scanning() += testing::pixel_steps(inside_.size());
     scanning() += (recount_.numbers.longs * inside_.size()) * steps({multiply, load_long});
@@ -307,11 +307,11 @@ class ScanLineRecount {
   }
 
   /// Sets pixels to one value or to the depths of a surface.
-  void fill(std::int32_t first, std::int32_t last, bool has_surface, const Seen& seen) {
+  void fill(std::int32_t first, std::int32_t last, bool has_surface, const VisibleSurface& seen) {
     const auto columns = static_cast<std::uint64_t>(last - first) + 1;
     scanning() += columns * steps({{store_long, 2}, branch_taken});
     for (std::int32_t column = first; column <= last; ++column) {
-      Seen& pixel = recount_.seen[recount_.pixel({column, row_, {}})];
+      VisibleSurface& pixel = recount_.seen[recount_.pixel({column, row_, {}})];
       pixel = seen;
       if (!has_surface) continue;
       const std::uint32_t crossing = left_[used_ - 1].first.crossing;

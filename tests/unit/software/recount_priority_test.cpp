@@ -21,8 +21,8 @@ using software::Phase;
 using software::Polygons;
 using software::ScreenFacet;
 using software::ScreenPieces;
-using software::Seen;
 using software::SpacePart;
+using software::VisibleSurface;
 using testing::DisplayRecount;
 using testing::FacetEvent;
 using testing::FacetScan;
@@ -74,7 +74,7 @@ class Preprocessing {
     std::uint64_t polygons = 0;
     for (const auto& regions : regions_) polygons += std::max<std::size_t>(1, regions.size());
     software::UncountedMethod uncounted;
-    const software::ClippedFacets clipped = software::clip_each_other(
+    const software::ClippedFacets clipped = software::clip_facets_against_each_other(
         recount_.facets, recount_.scene.geometry, software::directory_of(directory_), bucket_size_, uncounted);
     REQUIRE(clipped.facets.size() == polygons);
     const software::FacetShapes cut_shapes(clipped.polygons, reach_);
@@ -123,7 +123,7 @@ class Preprocessing {
         ++recount_.expected.crossing_tests;
         sum_ += steps({{load_long, 12}, {compare_long, 6}, {branch, 6}});
         const auto box_of = [&](std::uint32_t facet, const software::Region& region) {
-          return sheets_.of(facet).bounds(region).box;
+          return sheets_.sheet_of(facet).bounds(region).box;
         };
         if (software::are_apart(box_of(one, of_one), box_of(other, of_other))) continue;
         sum_ += heights(of_one.corners.size() + of_other.corners.size());
@@ -137,7 +137,7 @@ class Preprocessing {
   }
 
   void cut(std::uint32_t facet, std::size_t number, std::uint32_t plane) {
-    software::Parts parts = sheets_.of(facet).cut(regions_[facet][number], {plane, true});
+    software::Parts parts = sheets_.sheet_of(facet).cut(regions_[facet][number], {plane, true});
     sum_ += crossings(2) + kept(parts.in.corners.size() + parts.out.corners.size());
     regions_[facet][number] = std::move(parts.in);
     regions_[facet].push_back(std::move(parts.out));
@@ -250,7 +250,7 @@ class Retrieval {
  private:
   /// The eye's side of the cell's wall, then four sides of the picture at eight corners, by three products each.
   void look_into(std::uint32_t number) {
-    ++recount_.expected.looked_parts;
+    ++recount_.expected.visited_parts;
     recount_.of(Phase::sorting) +=
         steps({{load_long, 8}, {compare_long, 33}, {multiply, 4 * 24}, {add_long, 4 * 30}, {branch, 33}});
     const software::PolygonCell& cell = polygons_.cells[number];
@@ -445,7 +445,7 @@ class Drawing {
     std::vector<Event> events{};
     std::size_t level = 0;  ///< number of last events at one depth
     bool is_set = false;
-    Seen seen{0, Seen::nothing_seen};
+    VisibleSurface seen{0, VisibleSurface::nothing_seen};
   };
 
   Operations& scanning() { return recount_.of(Phase::scan_conversion); }
@@ -465,7 +465,7 @@ class Drawing {
     pixel.level = level;
     ++recount_.csg.points;
     pixel.is_set = sequences_.is_in(pixel.sequence, level, recount_.csg);
-    pixel.seen = {recount_.farthest, Seen::nothing_seen};
+    pixel.seen = {recount_.farthest, VisibleSurface::nothing_seen};
     if (!pixel.is_set) return;
     scanning() += steps({{store_long, has_depth_buffer_ ? 2U : 1U}});
     const bool is_alone = level == 1;

@@ -10,7 +10,7 @@ using enum processors::Operation;
 
 using software::Counts;
 using software::Event;
-using software::Seen;
+using software::VisibleSurface;
 
 SequenceRecount::SequenceRecount(const PlainTree& tree, std::size_t primitives, Counts& counts, Evaluate evaluate)
     : tree_(tree), primitives_(primitives), evaluate_(evaluate), held_(primitives) {
@@ -26,7 +26,7 @@ SequenceRecount::SequenceRecount(const PlainTree& tree, std::size_t primitives, 
 
 /// Inverts a leaf and recomputes each node above it until one does not change.
 void SequenceRecount::change(Held& held, std::uint32_t primitive, Counts& counts) const {
-  const TreeVisits tally = tree_.change(held, primitive);
+  const TreeVisits tally = tree_.update_tree(held, primitive);
   counts.node_visits += tally.visits;
   counts.early_outs += tally.early_outs;
   const std::uint64_t nodes = tally.visits - 1;
@@ -64,7 +64,7 @@ void SequenceRecount::follow(Sequence& sequence, std::uint32_t primitive, Counts
   elements_.insert(sequence);
 }
 
-void SequenceRecount::take_back(Counts& traversal) {
+void SequenceRecount::undo_flips(Counts& traversal) {
   for (const std::uint32_t primitive : in_) change(held_, primitive, traversal);
   in_.clear();
 }
@@ -88,10 +88,10 @@ bool SequenceRecount::evaluated(const Sequence& sequence, Counts& counts) {
   Counts traversal;
   if (evaluate_ == Evaluate::back) {
     counts.operations += sequence.size() * steps({load_long, load, branch_taken});
-    take_back(traversal);
+    undo_flips(traversal);
     for (std::size_t i = sequence.size(); i-- > 0;) take_in(sequence[i], counts, traversal);
   } else {
-    if (taken_in_ == 0) take_back(traversal);
+    if (taken_in_ == 0) undo_flips(traversal);
     for (; taken_in_ < sequence.size(); ++taken_in_) take_in(sequence[taken_in_], counts, traversal);
   }
   traversal.operations += steps({load});
@@ -136,9 +136,9 @@ std::uint32_t SequenceRecount::owner(std::span<const Event> before, std::span<co
   }
   Held held(primitives_);
   for (const std::uint32_t primitive : active) change(held, primitive, counts);
-  std::uint32_t owner = Seen::nothing_seen;
+  std::uint32_t owner = VisibleSurface::nothing_seen;
   TreeVisits tally;
-  for (std::size_t i = 0; i < candidates.size() && owner == Seen::nothing_seen; ++i) {
+  for (std::size_t i = 0; i < candidates.size() && owner == VisibleSurface::nothing_seen; ++i) {
     if (tree_.shows(held, candidates[i], tally)) owner = candidates[i];
   }
   counts.node_visits += tally.visits;
@@ -158,7 +158,8 @@ std::uint32_t SequenceRecount::owner(const Sequence& sequence, std::size_t at, C
   return owner({events.begin(), first}, {first, events.end()}, counts);
 }
 
-Seen SequenceRecount::along(std::span<const Event> events, std::uint32_t farthest, std::size_t& used, Counts& counts) {
+VisibleSurface SequenceRecount::along(std::span<const Event> events, std::uint32_t farthest, std::size_t& used,
+                                      Counts& counts) {
   Sequence sequence;
   taken_in_ = 0;
   for (used = 0; used < events.size();) {
@@ -171,7 +172,7 @@ Seen SequenceRecount::along(std::span<const Event> events, std::uint32_t farthes
     if (is_in(sequence, at, counts))
       return {events[begin].depth, owner(events.first(begin), events.subspan(begin, at), counts)};
   }
-  return {farthest, Seen::nothing_seen};
+  return {farthest, VisibleSurface::nothing_seen};
 }
 
 std::vector<std::uint32_t> SequenceRecount::held(const Sequence& sequence, Counts& counts) const {

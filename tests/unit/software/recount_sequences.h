@@ -40,8 +40,8 @@ class SequenceRecount {
   /// Owner of the visible surface of a sequence whose last `at` surfaces are entered.
   std::uint32_t owner(const Sequence& sequence, std::size_t at, software::Counts& counts) const;
   /// Returns the visible surface of a ray's events; `used` is their number up to it, or all.
-  software::Seen along(std::span<const software::Event> events, std::uint32_t farthest, std::size_t& used,
-                       software::Counts& counts);
+  software::VisibleSurface along(std::span<const software::Event> events, std::uint32_t farthest, std::size_t& used,
+                                 software::Counts& counts);
   /// Primitives that contain the points after a sequence, found by following it back.
   std::vector<std::uint32_t> held(const Sequence& sequence, software::Counts& counts) const;
 
@@ -49,7 +49,7 @@ class SequenceRecount {
 
  private:
   void change(Held& held, std::uint32_t primitive, software::Counts& counts) const;
-  void take_back(software::Counts& traversal);
+  void undo_flips(software::Counts& traversal);
   void take_in(std::uint32_t primitive, software::Counts& counts, software::Counts& traversal);
   bool evaluated(const Sequence& sequence, software::Counts& counts);
 

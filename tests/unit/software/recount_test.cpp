@@ -34,13 +34,13 @@ struct Counted {
   explicit Counted(const Scene& scene)
       : software(scene.tree, scene.geometry, scene.view),
         seen(testing::draw_by_rules(scene.tree, scene.geometry, scene.view)),
-        rays(testing::recorded(software.rays(), seen, ray_counts)),
+        rays(testing::record_rays(software.rays(), seen, ray_counts)),
         tree(scene.tree),
         primitives(scene.tree.primitives.size()),
         width(scene.view.sampling.width) {}
 
   [[nodiscard]] Counts counts_of(const std::string& way, Pruning pruning = Pruning::none) const {
-    const std::unique_ptr<software::Method> method = software.make(testing::way_of(way, pruning), true);
+    const std::unique_ptr<software::Method> method = software.make(testing::variant_named(way, pruning), true);
     software::draw(software.rays(), *method);
     return method->counts();
   }
@@ -60,9 +60,9 @@ void check_same(const Counts& found, const Counts& expected) {
 }
 
 void check_survey(const Counted& counted) {
-  const software::Picture picture = counted.software.draw(testing::way_of("standard"));
+  const software::Picture picture = counted.software.draw(testing::variant_named("standard"));
   const software::Survey found = software::survey(counted.software.rays(), picture);
-  const software::Survey expected = testing::surveyed(counted.rays);
+  const software::Survey expected = testing::survey_rays(counted.rays);
   CHECK(found.rays == expected.rays);
   CHECK(found.met == expected.met);
   CHECK(found.hits == expected.hits);
@@ -103,7 +103,7 @@ void check_pruned(const Counted& counted, const view::View& view) {
     points += ray.points.size();
   }
   for (const std::string& traversal : traversals) {
-    if (counted.software.is_too_deep(testing::way_of(traversal))) continue;
+    if (counted.software.is_too_deep(testing::variant_named(traversal))) continue;
     CAPTURE(traversal);
     const Counts by_cells = counted.counts_of(traversal, Pruning::cells);
     CHECK(by_cells.pruned_nodes == pruned_for_cells(counted.tree, view));
@@ -131,9 +131,10 @@ std::uint64_t check_scene(const Scene& scene) {
     CAPTURE(name);
     const testing::Coherence coherence = testing::coherence_of(name, counted.rays, counted.width);
     for (const std::string& traversal : traversals) {
-      if (counted.software.is_too_deep(testing::way_of(traversal))) continue;
+      if (counted.software.is_too_deep(testing::variant_named(traversal))) continue;
       CAPTURE(traversal);
-      const Counts expected = testing::recounted(counted.tree, counted.primitives, traversal, coherence, counted.rays);
+      const Counts expected =
+          testing::recount_traversal(counted.tree, counted.primitives, traversal, coherence, counted.rays);
       check_same(counted.counts_of(fmt::format("{}/{}", traversal, name)), expected);
       ties = expected.ties;
     }
@@ -173,7 +174,7 @@ TEST_CASE("every method counts as many returns as calls") {
     if (!scene) continue;
     CAPTURE(seed);
     const SoftwareScene drawn(scene->tree, scene->geometry, scene->view);
-    for (const testing::Way& way : testing::all_ways()) {
+    for (const testing::MethodVariant& way : testing::all_variants()) {
       if (drawn.is_too_deep(way)) continue;
       const std::string name = testing::to_text(way);
       CAPTURE(name);

@@ -16,11 +16,11 @@ using software::FacetTest;
 using software::ItemPass;
 using software::RaysMet;
 using software::ScreenFacet;
-using software::Seen;
 using software::SpaceRay;
 using software::TraceCounts;
 using software::TraceOptions;
 using software::TraceScene;
+using software::VisibleSurface;
 using testing::comparisons;
 using testing::Operations;
 using testing::products;
@@ -136,7 +136,7 @@ struct Met {
 
 /// A ray's entry into the solid.
 struct Hit {
-  Seen seen;
+  VisibleSurface seen;
   std::uint32_t facet = TraceScene::none;  ///< on the screen or in the model
   Sequence before{};
   double t = endless;
@@ -262,7 +262,7 @@ class TraceRecount {
   Hit primary(std::int32_t column, std::int32_t row) {
     RaysMet& met = counts_.primary;
     const SpaceRay ray = traced_.ray_of(column, row);
-    Hit hit{{traced_.screen().farthest, Seen::nothing_seen}};
+    Hit hit{{traced_.screen().farthest, VisibleSurface::nothing_seen}};
     std::vector<Met> waiting;
     Sequence sequence;
     std::vector<Event> events;
@@ -368,7 +368,7 @@ class TraceRecount {
         return a < b;
       });
       sum += testing::sorted(compared) + steps({{store_long, 2}});
-      Hit& hit = hits.emplace_back(Hit{{traced_.screen().farthest, Seen::nothing_seen}});
+      Hit& hit = hits.emplace_back(Hit{{traced_.screen().farthest, VisibleSurface::nothing_seen}});
       Sequence sequence;
       std::vector<Event> before;
       if (!classify(events, events.size(), sequence, before, hit)) hit.before.clear();
@@ -388,7 +388,7 @@ class TraceRecount {
     RaysMet& met = counts_.primary;
     add_ray(0, met);
     counts_.intersection += comparisons(1);
-    if (hit.seen.owner == Seen::nothing_seen) return hit;
+    if (hit.seen.owner == VisibleSurface::nothing_seen) return hit;
     ++met.hits;
     ++met.tested;
     ++met.met;
@@ -468,7 +468,7 @@ class TraceRecount {
     std::set<std::uint32_t> held(list.begin(), list.end());
     std::vector<Event> events;
     std::ranges::transform(list, std::back_inserter(events), [](std::uint32_t one) { return Event{0, 2 * one}; });
-    Hit hit{{0, Seen::nothing_seen}};
+    Hit hit{{0, VisibleSurface::nothing_seen}};
     Sequence sequence = from.before;
     std::vector<RealEvent> waiting;
     std::set<std::uint32_t> taken;

@@ -8,7 +8,7 @@
 #include "tests/unit/software/scenes.h"
 
 using namespace csgsim;
-using software::Seen;
+using software::VisibleSurface;
 using testing::Random;
 using testing::Scene;
 
@@ -117,7 +117,7 @@ std::string find_shadow_fault(std::uint64_t seed, Tally& tally) {
 /// Colour at the end of a chain of mirrors.
 glm::dvec3 shown(const Scene& scene, const software::TracedPixel& pixel) {
   const std::uint32_t owner = pixel.mirrored.empty() ? pixel.surface.owner : pixel.mirrored.back().owner;
-  return owner == Seen::nothing_seen ? glm::dvec3{0} : *scene.tree.primitives[owner].colour;
+  return owner == VisibleSurface::nothing_seen ? glm::dvec3{0} : *scene.tree.primitives[owner].colour;
 }
 
 /// Returns the fault in a random model with all facets mirroring; empty if none.
@@ -149,8 +149,8 @@ std::string find_mirror_fault(std::uint64_t seed, Tally& tally) {
     ++tally.pixels;
     if (!expected[i].is_certain || expected[i].primitive == model::no_index) continue;
     ++tally.judged;
-    const bool shows_another =
-        pixels[i].mirrored.size() == effects.reflections && pixels[i].mirrored.back().owner != Seen::nothing_seen;
+    const bool shows_another = pixels[i].mirrored.size() == effects.reflections &&
+                               pixels[i].mirrored.back().owner != VisibleSurface::nothing_seen;
     tally.mirrored += shows_another ? 1U : 0U;
     tally.reflected += shows_another ? 0U : 1U;
     const glm::dvec3 off = glm::abs(shown(scene, pixels[i]) - expected[i].colour);

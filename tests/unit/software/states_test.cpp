@@ -60,7 +60,7 @@ class Walker {
     for (const std::uint32_t primitive : question_.open()) {
       if (held_[primitive] && tree_.leaf_of[primitive] != model::no_index) in.push_back(primitive);
     }
-    software::take_back(traversal_, in, count_);
+    software::undo_flips(traversal_, in, count_);
     held_ = question_.held();
   }
   bool is_right() { return (traversal_.evaluate(count_) != tree_.complemented) == question_.rules.holds(held_); }

@@ -241,13 +241,13 @@ TEST_CASE("ray tracing of an empty model gives an empty picture") {
   CHECK(traced.counts.primary.rays == 0);
   CHECK(traced.counts.words == 0);
   for (const software::TracedPixel& pixel : traced.pixels) {
-    CHECK(pixel.seen == software::Seen{(1U << 20U) - 1, software::Seen::nothing_seen});
-    CHECK(pixel.surface.owner == software::Seen::nothing_seen);
+    CHECK(pixel.seen == software::VisibleSurface{(1U << 20U) - 1, software::VisibleSurface::nothing_seen});
+    CHECK(pixel.surface.owner == software::VisibleSurface::nothing_seen);
     CHECK(pixel.surface.facet == TraceScene::none);
   }
   CHECK(software::picture_of(traced).seen.size() == 64 * 48);
   const auto space = software::directory_of("excell").make(staged.traced.shapes(), {8});
-  CHECK(software::traced_seconds(staged.traced, *space, {}) == 0);
+  CHECK(software::measure_trace_seconds(staged.traced, *space, {}) == 0);
 }
 TEST_CASE("ray tracing accepts 32 lights and rejects 33") {
   const Staged staged{stage(block, from_front)};
@@ -259,13 +259,13 @@ TEST_CASE("ray tracing accepts 32 lights and rejects 33") {
   const software::Traced traced = software::trace(staged.traced, *space, options, false);
   CHECK(std::ranges::count(traced.pixels, 0xffffffffU, [](const auto& pixel) { return pixel.surface.lit; }) ==
         std::ranges::count(traced.pixels, 0U, [](const auto& pixel) { return pixel.seen.owner; }));
-  const double seconds = software::traced_seconds(staged.traced, *space, options);
+  const double seconds = software::measure_trace_seconds(staged.traced, *space, options);
   CHECK(seconds > 0);
   CHECK(seconds < 60);
   options.lights.push_back({false, {0, -1, 0}});
   CHECK_THROWS_WITH_AS(software::trace(staged.traced, *space, options, false), doctest::Contains("33 lights"),
                        InputError);
-  CHECK_THROWS_WITH_AS(software::traced_seconds(staged.traced, *space, options), doctest::Contains("33 lights"),
+  CHECK_THROWS_WITH_AS(software::measure_trace_seconds(staged.traced, *space, options), doctest::Contains("33 lights"),
                        InputError);
 }
 TEST_CASE("a pixel reports its facet and its lights and mirrors only if requested") {
@@ -286,7 +286,7 @@ TEST_CASE("a pixel reports its facet and its lights and mirrors only if requeste
       // The mirror shows the background.
       REQUIRE(pixel.mirrored.size() == (is_seen && options.mirror_depth > 0 ? 1U : 0U));
       if (!pixel.mirrored.empty()) {
-        CHECK(pixel.mirrored[0].owner == software::Seen::nothing_seen);
+        CHECK(pixel.mirrored[0].owner == software::VisibleSurface::nothing_seen);
         CHECK(pixel.mirrored[0].facet == TraceScene::none);
         CHECK(pixel.mirrored[0].lit == 0);
       }
@@ -314,7 +314,7 @@ TEST_CASE("a camera ray that starts in a solid has no facet or light or mirror")
     options.item_pass = pass;
     const software::Traced traced = staged.pixels(options);
     for (const software::TracedPixel& pixel : traced.pixels) {
-      CHECK(pixel.seen == software::Seen{0, 0});
+      CHECK(pixel.seen == software::VisibleSurface{0, 0});
       CHECK(pixel.surface.owner == 0);
       CHECK(pixel.surface.facet == TraceScene::none);
       CHECK(pixel.surface.lit == 0);
@@ -421,12 +421,12 @@ TEST_CASE("a ray from a face ends on the next solid if that is within its length
   CHECK(between.ray({0.25, 4, 0.5}, {0, -1, 0}, infinite).facet == between.facet_across(1, -4));
   const software::RealHit past = between.ray({0.25, -4, 0.5}, {0, 1, 1}, infinite);
   CHECK(past.t == infinite);
-  CHECK(past.owner == software::Seen::nothing_seen);
+  CHECK(past.owner == software::VisibleSurface::nothing_seen);
   CHECK(past.facet == TraceScene::none);
   // With `is_any`, the obstacle's owner and facet are not reported.
   const software::RealHit any = between.ray({0.25, -4, 0.5}, {0, 1, 0}, infinite, "none", true);
   CHECK(any.t == doctest::Approx(8));
-  CHECK(any.owner == software::Seen::nothing_seen);
+  CHECK(any.owner == software::VisibleSurface::nothing_seen);
   CHECK(any.facet == TraceScene::none);
 }
 TEST_CASE("a ray parallel to an axis except for a subnormal number is treated as parallel") {

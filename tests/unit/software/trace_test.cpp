@@ -10,7 +10,7 @@
 #include "tests/unit/software/scenes.h"
 
 using namespace csgsim;
-using software::Seen;
+using software::VisibleSurface;
 using testing::Scene;
 
 namespace {
@@ -27,7 +27,7 @@ struct Tally {
 
 /// Returns the fault in the traced pictures of a scene; empty if none.
 std::string find_fault(const Scene& scene, std::uint32_t bucket_size, Tally& tally) {
-  const std::vector<testing::Seen> expected = testing::draw_by_rules(scene.tree, scene.geometry, scene.view);
+  const std::vector<testing::VisibleSurface> expected = testing::draw_by_rules(scene.tree, scene.geometry, scene.view);
   const software::Tree tree = software::make_tree(scene.tree, software::Shape::written);
   const software::TraceScene traced_scene(scene.tree, scene.geometry, scene.view, tree);
   tally.facets += traced_scene.screen().facets.size();
@@ -43,8 +43,8 @@ std::string find_fault(const Scene& scene, std::uint32_t bucket_size, Tally& tal
         tally.tested += traced.counts.primary.tested;
         tally.loose += traced.counts.primary.loose;
         for (std::size_t i = 0; i < expected.size(); ++i) {
-          const Seen& seen = traced.pixels[i].seen;
-          tally.covered += seen.owner != Seen::nothing_seen ? 1U : 0U;
+          const VisibleSurface& seen = traced.pixels[i].seen;
+          tally.covered += seen.owner != VisibleSurface::nothing_seen ? 1U : 0U;
           if (seen.depth == expected[i].depth && seen.owner == expected[i].owner) continue;
           return fmt::format("{}{}{}: pixel {}, {} has depth {} and owner {} instead of {}, {}", row->name,
                              has_mailboxes ? "" : " without mailboxes", has_item_buffer ? " with item buffer" : "",

@@ -61,7 +61,7 @@ int check_union(const solids::Mesh& mesh, const Pieces& pieces) {
   for (int i = 0; i < 2000; ++i) {
     const glm::dvec3 point = testing::random_point(random, testing::extent_of(mesh.points));
     const auto expected = testing::is_inside(mesh, point);
-    const auto count = testing::pieces_at(pieces, point, printed);
+    const auto count = testing::count_pieces_at(pieces, point, printed);
     if (!expected || !count) continue;
     REQUIRE((*count > 0) == *expected);
     inside += *expected ? 1 : 0;

@@ -52,7 +52,7 @@ TEST_CASE("the sorted corners of a hull exclude a point in the middle of an edge
                      {2, 7, 6},
                      {3, 0, 4},
                      {3, 4, 7}}};
-  const solids::Mesh sorted = solids::with_sorted_faces(cube);
+  const solids::Mesh sorted = solids::canonical_hull(cube);
   CHECK(sorted.points.size() == 8);
   CHECK(sorted.faces.size() == 12);
 }

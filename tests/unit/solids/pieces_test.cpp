@@ -257,7 +257,7 @@ TEST_CASE("pieces cover a spring whose turns nearly touch and have six-digit coo
   mesh.faces.push_back({0, 1, 2, 3, 4, 5, 6, 7});
   auto& end = mesh.faces.emplace_back();
   for (std::uint32_t side = sides; side-- > 0;) end.push_back(corner(steps, side));
-  const solids::Checked checked = solids::check(mesh, solids::printed_tolerance);
+  const solids::CheckedMesh checked = solids::check(mesh, solids::printed_tolerance);
   CHECK(checked.defect.value_or(solids::Defect{}).what.empty());
   CHECK(testing::check_pieces(checked.mesh, convex_pieces(checked.mesh), 1e-4) > 5);
 }

@@ -120,7 +120,7 @@ std::optional<bool> is_inside(const solids::Mesh& mesh, const glm::dvec3& point)
   return inside;
 }
 
-std::optional<int> pieces_at(std::span<const model::Polyhedron> pieces, const glm::dvec3& point, double clear) {
+std::optional<int> count_pieces_at(std::span<const model::Polyhedron> pieces, const glm::dvec3& point, double clear) {
   int count = 0;
   for (const model::Polyhedron& piece : pieces) {
     double highest = -1e300;
@@ -158,7 +158,7 @@ int check_pieces(const solids::Mesh& mesh, std::span<const model::Polyhedron> pi
   for (int i = 0; i < 1000; ++i) {
     const glm::dvec3 point = random_point(random, extent);
     const std::optional<bool> expected = is_inside(mesh, point);
-    const std::optional<int> count = pieces_at(pieces, point, clear);
+    const std::optional<int> count = count_pieces_at(pieces, point, clear);
     if (!expected || !count) continue;
     REQUIRE(*count == (*expected ? 1 : 0));
     if (*expected) ++inside;

@@ -39,7 +39,7 @@ double volume_of(std::span<const model::Polyhedron> pieces);
 std::optional<bool> is_inside(const solids::Mesh& mesh, const glm::dvec3& point);
 
 /// Number of pieces that contain a point, by their planes. Nothing if it is within `clear` of one of the planes.
-std::optional<int> pieces_at(std::span<const model::Polyhedron> pieces, const glm::dvec3& point, double clear);
+std::optional<int> count_pieces_at(std::span<const model::Polyhedron> pieces, const glm::dvec3& point, double clear);
 
 glm::dvec3 random_point(std::mt19937_64& random, const Extent& extent);
 

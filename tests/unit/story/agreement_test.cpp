@@ -106,7 +106,7 @@ std::int64_t stored_depth(const isa::Program& program, const story::Story& story
     for (const story::Change& change : event.changes)
       if (change.field == field) depth = static_cast<std::int64_t>(change.after);
   }
-  CHECK(isa::field_of(program, isa::FieldRole::stored).width == field.width);
+  CHECK(isa::find_field(program, isa::FieldRole::stored).width == field.width);
   return depth;
 }
 

@@ -67,10 +67,10 @@ struct Rules {
   [[nodiscard]] std::optional<std::int64_t> surface(std::uint32_t p) const {
     const Interval& own = intervals[p];
     if (own.front >= own.back) return std::nullopt;
-    return tree.taken_away(p) ? own.back : own.front;
+    return tree.is_subtracted(p) ? own.back : own.front;
   }
 
-  [[nodiscard]] std::vector<bool> held_at(std::int64_t z) const {
+  [[nodiscard]] std::vector<bool> primitives_at(std::int64_t z) const {
     std::vector<bool> held;
     for (const Interval& one : intervals) held.push_back(one.holds(z));
     return held;
@@ -97,7 +97,7 @@ void check_fates(const story::Story& story, const Rules& rules) {
         CHECK((attempt->fate == Fate::outside || attempt->fate == Fate::no_depth || attempt->fate == Fate::behind));
     } else if (*z >= nearest) {
       if (is_told) CHECK(attempt->fate == Fate::behind);
-    } else if (!rules.tree.shows(p, rules.held_at(*z))) {
+    } else if (!rules.tree.shows(p, rules.primitives_at(*z))) {
       if (is_told) CHECK(attempt->fate == Fate::classified);
     } else {
       REQUIRE(is_told);
@@ -143,7 +143,7 @@ unsigned check_comparisons(const isa::Program& program, const story::Story& stor
     }
     if (attempt.fate != Fate::classified) continue;
     REQUIRE(z.has_value());
-    const std::vector<bool> held = rules.held_at(*z);
+    const std::vector<bool> held = rules.primitives_at(*z);
     CHECK_FALSE(rules.tree.shows(attempt.primitive, held));
     if (!attempt.deciding_comparison) continue;
     const story::Event& comparison = story.events[*attempt.deciding_comparison];

@@ -322,7 +322,7 @@ TEST_CASE("each event has the clocks in which the pixel executes its instruction
   const isa::Program& program = pixel.compiled.program;
   const machines::RunRecord record = functional::make_run_record(program, pixel.machine);
   const machines::Timeline timeline = machines::timeline(program, pixel.machine, record.outcome());
-  const auto clocks = machines::at_pixel(timeline, program, pixel.machine, 0, 3, 2);
+  const auto clocks = machines::spans_at_pixel(timeline, program, pixel.machine, 0, 3, 2);
   std::uint64_t last = 0;
   for (const story::Event& event : story.events) {
     if (event.kind == EventKind::skip) continue;

@@ -67,7 +67,7 @@ TEST_CASE("each halving leads to the cheapest point with at most half as many wr
 
 TEST_CASE("more depth bits take more clocks and do not increase depth errors") {
   const model::Tree tree = read::read_csg_text(bitten_cube, "test");
-  studies::Meter meter(tree, studies::turned_views(camera, 3), small_machine(), {});
+  studies::Meter meter(tree, studies::rotated_cameras(camera, 3), small_machine(), {});
   std::uint64_t clocks = 0;
   double depth = 1e300;
   for (const unsigned bits : {8U, 12U, 16U, 20U}) {
@@ -87,7 +87,7 @@ TEST_CASE("more depth bits take more clocks and do not increase depth errors") {
 
 TEST_CASE("accuracy sums counts over its views and takes the worst depth error") {
   const model::Tree tree = read::read_csg_text(bitten_cube, "test");
-  const std::vector<view::Camera> views = studies::turned_views(camera, 2);
+  const std::vector<view::Camera> views = studies::rotated_cameras(camera, 2);
   studies::Settings settings{"z-bits", "8", {}, small_sampling()};
   settings.sampling.z_bits = 8;
   const auto measured = [&](std::vector<view::Camera> cameras) {
@@ -128,8 +128,8 @@ TEST_CASE("a tighter faceting tolerance improves the picture for more half-space
 TEST_CASE("the cheapest settings that fit the machine and the wrong-pixel limit are chosen") {
   const model::Tree tree = read::read_csg_text(bitten_cube, "test");
   studies::Meter meter(tree, {camera}, small_machine(), {});
-  const std::vector<studies::Settings> grid = studies::grid(small_sampling(), {});
-  const auto chosen = studies::cheapest(meter, grid, 10);
+  const std::vector<studies::Settings> grid = studies::bit_width_pairs(small_sampling(), {});
+  const auto chosen = studies::cheapest_settings(meter, grid, 10);
   REQUIRE(chosen);
   CHECK(meter.measure(*chosen).wrong <= 10);
   for (const studies::Settings& other : grid) {
@@ -138,7 +138,7 @@ TEST_CASE("the cheapest settings that fit the machine and the wrong-pixel limit 
   machines::Machine tight = small_machine();
   tight.array.memory_bits = 2 * 12 + 24 + 3;
   studies::Meter in_little_memory(tree, {camera}, tight, {});
-  const auto little = studies::cheapest(in_little_memory, grid, 1000);
+  const auto little = studies::cheapest_settings(in_little_memory, grid, 1000);
   REQUIRE(little);
   CHECK(little->sampling.z_bits <= 12);
 }
@@ -178,11 +178,11 @@ TEST_CASE("exact curves have far smaller depth errors and fewer half-spaces than
   const model::Tree tree = read::read_csg_text(bitten_cube, "test");
   machines::Machine machine = kinds::load("pixel-powers");
   machine.array = {96, 96, session::ample_memory_bits};
-  studies::Meter meter(tree, studies::turned_views(camera, 2), machine, {});
+  studies::Meter meter(tree, studies::rotated_cameras(camera, 2), machine, {});
   studies::Knobs knobs{{"curves", "tolerance"}, {0.05}, {}};
   for (const studies::CurvesChoice& choice : studies::curves_choices()) knobs.curves.push_back(choice);
   std::vector<studies::Measurement> rows;
-  for (const studies::Settings& settings : studies::points(small_sampling(), {}, knobs))
+  for (const studies::Settings& settings : studies::accuracy_points(small_sampling(), {}, knobs))
     rows.push_back(meter.measure(settings));
   const auto row = [&](const std::string& value) {
     const auto found = std::ranges::find(rows, value, &studies::Measurement::value);
@@ -201,7 +201,7 @@ TEST_CASE("exact curves have far smaller depth errors and fewer half-spaces than
 TEST_CASE("accuracy varies only the requested settings") {
   studies::Knobs knobs{{"tolerance", "size"}, {0.5, 0.25}, {}};
   std::vector<std::string> points;
-  for (const studies::Settings& one : studies::points(small_sampling(), {}, knobs))
+  for (const studies::Settings& one : studies::accuracy_points(small_sampling(), {}, knobs))
     points.push_back(one.knob + " " + one.value);
   CHECK(points == std::vector<std::string>{"size 12x12", "size 24x24", "size 48x48", "size 96x96", "tolerance 0.5",
                                            "tolerance 0.25"});

@@ -348,19 +348,19 @@ TEST_CASE("fitting a Program to its memory does not depend on the first guess") 
   const view::View view =
       view::make_view(job.front().subject->scene, job.front().subject->tree, job.front().camera, job.front().sampling);
   const auto fitted = [&](std::uint32_t likely) {
-    return studies::compile_fitting(job.front().subject->tree, job.front().subject->scene, view, job.front().machine,
-                                    job.front().options, {likely, 256});
+    return studies::compile_with_least_memory(job.front().subject->tree, job.front().subject->scene, view,
+                                              job.front().machine, job.front().options, {likely, 256});
   };
-  const studies::Fitted plain = fitted(0);
+  const studies::FittedProgram plain = fitted(0);
   const std::uint32_t bits = plain.machine.array.memory_bits;
   CHECK(plain.program.shape.memory_bits == bits);
   for (const std::uint32_t likely : {bits - 3, bits, bits + 5, 300U}) {
-    const studies::Fitted other = fitted(likely);
+    const studies::FittedProgram other = fitted(likely);
     CHECK(other.machine.array.memory_bits == bits);
     CHECK(other.program.segments == plain.program.segments);
   }
-  CHECK_THROWS_AS(studies::compile_fitting(job.front().subject->tree, job.front().subject->scene, view,
-                                           job.front().machine, job.front().options, {0, bits - 1}),
+  CHECK_THROWS_AS(studies::compile_with_least_memory(job.front().subject->tree, job.front().subject->scene, view,
+                                                     job.front().machine, job.front().options, {0, bits - 1}),
                   InputError);
 }
 

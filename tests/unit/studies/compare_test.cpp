@@ -27,7 +27,7 @@ const char* const bitten_cube = "difference(){cube(size=14,center=true);sphere($
 /// Points that a command requests, as the first cells of their rows.
 Words requested_points(const Words& words) {
   session::OptionList list("compare");
-  const auto command = studies::describe(list, studies::compare_row);
+  const auto command = studies::add_study_options(list, studies::compare_row);
   list.give_words(std::span(words).subspan(1));
   list.check_and_apply();
   Words points;

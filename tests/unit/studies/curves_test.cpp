@@ -48,7 +48,7 @@ std::optional<std::string> why_not(emit::Curves curves, const std::string& csg, 
                                    const std::string& machine) {
   const model::Tree tree = read::read_csg_text(csg, "test");
   const emit::Options options;
-  const emit::Look look = emit::make_look(options.scene, tree, csg::make_positive(tree), seen_by);
+  const emit::Look look = emit::make_look(options.scene, tree, csg::make_positive_tree(tree), seen_by);
   return choice(curves).why_not({tree, seen_by, machine_of(machine), options, look});
 }
 
@@ -56,7 +56,7 @@ std::optional<std::string> why_not(emit::Curves curves, const std::string& csg, 
 
 TEST_CASE("fast spheres have true outlines and edges but other depths") {
   const model::Tree tree = read::read_csg_text(joined_balls, "test");
-  studies::Meter meter(tree, studies::turned_views(camera, 2), machine_of("pixel-planes-4"), {});
+  studies::Meter meter(tree, studies::rotated_cameras(camera, 2), machine_of("pixel-planes-4"), {});
   const studies::Measurement facets = meter.measure(drawn_as(emit::Curves::facets));
   const studies::Measurement fast = meter.measure(drawn_as(emit::Curves::fast));
   CHECK(fast.halfspaces == 2);

@@ -56,7 +56,7 @@ Texts numbers_from(unsigned first, std::size_t count) {
 std::string option_error(const std::string& key, const std::string& value) {
   session::ModelRequest options;
   try {
-    studies::vary(options, key, value);
+    studies::set_option(options, key, value);
   } catch (const session::UsageError& error) {
     return error.what();
   } catch (const InputError& error) {
@@ -160,7 +160,7 @@ TEST_CASE("--vary assigns values to options of render or else to machine paramet
       {"size", "9x7"},       {"memory-bits", "70"}, {"z-bits", "11"},    {"fraction-bits", "5"},
       {"colour-bits", "12"}, {"strategy", "bits"},  {"stack-bits", "6"}, {"colouring", "field"},
       {"curves", "facets"},  {"pruning", "none"},   {"alu.bits", "4"}};
-  for (const auto& [key, value] : values) studies::vary(options, key, value);
+  for (const auto& [key, value] : values) studies::set_option(options, key, value);
   CHECK(options.size == "9x7");
   CHECK(options.memory_bits == 70);
   CHECK(options.z_bits == 11);

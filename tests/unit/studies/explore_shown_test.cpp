@@ -155,11 +155,11 @@ TEST_CASE("the knee of a group is a design on its front") {
   const std::vector<studies::ExploreAxis> axes = studies::parse_axes("time,memory");
   // The logarithms (0, 2), (1, 1), (2, 0) of the designs on the front are scaled to (0, 1), (1/2, 1/2), (1, 0).
   const std::vector<Values> candidates{{0.001, 0.001}, {1, 100}, {10, 10}, {100, 1}, {1e6, 1e6}};
-  CHECK(studies::knee_of(candidates, {false, true, true, true, false}, axes) == 2);
+  CHECK(studies::find_knee(candidates, {false, true, true, true, false}, axes) == 2);
   // Without the middle design, both ends are at distance 1, and the first is chosen.
-  CHECK(studies::knee_of(candidates, {false, true, false, true, false}, axes) == 1);
-  CHECK(studies::knee_of(candidates, {false, false, false, true, false}, axes) == 3);
-  CHECK_FALSE(studies::knee_of(candidates, {false, false, false, false, false}, axes));
+  CHECK(studies::find_knee(candidates, {false, true, false, true, false}, axes) == 1);
+  CHECK(studies::find_knee(candidates, {false, false, false, true, false}, axes) == 3);
+  CHECK_FALSE(studies::find_knee(candidates, {false, false, false, false, false}, axes));
 }
 
 TEST_CASE("a design is marked in its model's group and all models have a separate front") {

@@ -171,11 +171,11 @@ TEST_CASE("an explore row equals the stats and wrong pixels at the smallest fitt
     // The expected values are measured by the code of csgsim render.
     Texts render = words;
     render.insert(render.end(), {"--machine", row.point.machine, "--memory-bits", std::to_string(row.used_bits)});
-    const session::ModelRequest options = session::model_request_in(render);
+    const session::ModelRequest options = session::parse_model_request(render);
     machines::Machine machine = session::machine_of(options);
     const isa::Program program = session::compile_model(options, machine).program;
     machine.clock_hz = process::clock_of(machine, process)->hz;
-    const session::Drawn drawn = session::draw(program, machine);
+    const session::DrawnRun drawn = session::draw(program, machine);
     CHECK(row.halfspaces == 12);  // two cubes
     std::uint64_t instructions = 0;
     for (const isa::Segment& segment : program.segments) instructions += segment.instructions.size();
@@ -274,10 +274,10 @@ TEST_CASE("explore lists models and scene and machine and process files as input
   const std::vector<fs::path> read = files.study().inputs();
   CHECK(std::set<fs::path>(read.begin(), read.end()) ==
         std::set<fs::path>{"a.csg", models / "scene.toml", models / "pixel-planes-4.toml", models / "nmos-3um.toml"});
-  CHECK(explored.study().varied() == std::set<std::string>{"vary", "points", "seed", "search", "axes", "machine",
-                                                           "process", "sensitivity", "samples", "size", "memory-bits",
-                                                           "z-bits", "fraction-bits", "colour-bits", "strategy",
-                                                           "stack-bits", "colouring", "curves", "pruning"});
+  CHECK(explored.study().varied_options() ==
+        std::set<std::string>{"vary", "points", "seed", "search", "axes", "machine", "process", "sensitivity",
+                              "samples", "size", "memory-bits", "z-bits", "fraction-bits", "colour-bits", "strategy",
+                              "stack-bits", "colouring", "curves", "pruning"});
   CHECK_FALSE(explored.study().is_adaptive());
   CHECK(Explored({"a.csg", "--vary", "z-bits=12", "--search", "1"}).study().is_adaptive());
   CHECK(explored.study().page_title() == "Design space");
@@ -294,7 +294,7 @@ TEST_CASE("a search requests neighbours of the front until its limit or until no
     std::vector<std::size_t> rounds{explored.ask().size()};
     explored.measure();
     for (int i = 0; i < 20; ++i) {
-      const std::vector<studies::PointRequest> more = explored.study().more_points();
+      const std::vector<studies::PointRequest> more = explored.study().request_more_points();
       if (more.empty()) break;
       rounds.push_back(more.size());
       explored.asked.insert(explored.asked.end(), more.begin(), more.end());
@@ -325,7 +325,7 @@ TEST_CASE("a search requests neighbours of the joint front for each model") {
                      "1", "--search", "9", "--axes", "time"});
   REQUIRE(explored.ask().size() == 2);
   explored.measure();
-  const std::vector<studies::PointRequest> more = explored.study().more_points();
+  const std::vector<studies::PointRequest> more = explored.study().request_more_points();
   // One or two adjacent z bits of either model.
   CHECK(more.size() % 2 == 0);
   CHECK(more.size() >= 2);

@@ -71,7 +71,7 @@ TEST_CASE("the front of designs equals that of pairwise comparison") {
     const auto axes = *rc::gen::inRange<std::size_t>(1, 5);
     const auto candidates = *rc::gen::container<std::vector<Values>>(
         rc::gen::container<Values>(axes, rc::gen::map(rc::gen::inRange(0, 6), [](int i) { return double(i); })));
-    const std::vector<bool> front = studies::pareto_of(candidates);
+    const std::vector<bool> front = studies::pareto_flags(candidates);
     RC_ASSERT(front.size() == candidates.size());
     for (std::size_t i = 0; i < candidates.size(); ++i) RC_ASSERT(front[i] != is_dominated(candidates, i));
   }));
@@ -81,20 +81,20 @@ TEST_CASE("the knee is nearest to the best values on logarithmic axes scaled to 
   const std::vector<studies::ExploreAxis> time_memory = studies::parse_axes("time,memory");
   // Logarithms to base 10: (0, 3), (1, 1), (3, 0), scaled to (0, 1), (1/3, 1/3), (1, 0).
   const std::vector<Values> candidates{{1, 1000}, {10, 10}, {1000, 1}, {1, 1e9}};
-  const std::vector<bool> front = studies::pareto_of(candidates);
+  const std::vector<bool> front = studies::pareto_flags(candidates);
   CHECK(front == std::vector<bool>{true, true, true, false});
-  CHECK(studies::knee_of(candidates, front, time_memory) == 1);
-  CHECK(studies::knee_of({}, {}, time_memory) == std::nullopt);
+  CHECK(studies::find_knee(candidates, front, time_memory) == 1);
+  CHECK(studies::find_knee({}, {}, time_memory) == std::nullopt);
   // An axis that is constant over the front does not count, and among equals the first is chosen.
   const std::vector<Values> alike{{5, 7}, {5, 7}};
-  CHECK(studies::knee_of(alike, studies::pareto_of(alike), time_memory) == 0);
+  CHECK(studies::find_knee(alike, studies::pareto_flags(alike), time_memory) == 0);
   // 0 wrong pixels: log(1 + n) is 0, log 10, log 100.
   const std::vector<Values> pixels{{1, 99}, {10, 9}, {100, 0}};
   const std::vector<studies::ExploreAxis> time_wrong = studies::parse_axes("time,wrong");
-  CHECK(studies::knee_of(pixels, studies::pareto_of(pixels), time_wrong) == 1);
+  CHECK(studies::find_knee(pixels, studies::pareto_flags(pixels), time_wrong) == 1);
   // log 2 / log 100 is 0.15, log 22.7 / log 100 is 0.68: 0.483, less than 0.5 of (10, 9).
   const std::vector<Values> near{{1, 99}, {10, 9}, {22.7, 1}, {100, 0}};
-  CHECK(studies::knee_of(near, studies::pareto_of(near), time_wrong) == 2);
+  CHECK(studies::find_knee(near, studies::pareto_flags(near), time_wrong) == 2);
 }
 
 TEST_CASE("the knee of designs is on the front and does not depend on units") {
@@ -102,13 +102,13 @@ TEST_CASE("the knee of designs is on the front and does not depend on units") {
     const auto axes = studies::parse_axes("time,memory,area");
     const auto candidates = *rc::gen::nonEmpty(rc::gen::container<std::vector<Values>>(
         rc::gen::container<Values>(3, rc::gen::map(rc::gen::inRange(1, 50), [](int i) { return double(i); }))));
-    const std::vector<bool> front = studies::pareto_of(candidates);
-    const std::optional<std::size_t> knee = studies::knee_of(candidates, front, axes);
+    const std::vector<bool> front = studies::pareto_flags(candidates);
+    const std::optional<std::size_t> knee = studies::find_knee(candidates, front, axes);
     RC_ASSERT(knee.has_value());
     RC_ASSERT(front[*knee]);
     std::vector<Values> scaled = candidates;
     for (Values& values : scaled) values[1] *= 1024;
-    const std::optional<std::size_t> again = studies::knee_of(scaled, front, axes);
+    const std::optional<std::size_t> again = studies::find_knee(scaled, front, axes);
     // Rounding may choose another of several candidates at the same distance.
     const auto distance = [&](std::size_t one) {
       double sum = 0;

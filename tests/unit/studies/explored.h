@@ -44,7 +44,7 @@ struct Models {
 /// The study requested by the words of a command line.
 struct Explored {
   session::OptionList list{"explore"};
-  std::shared_ptr<studies::StudyCommand> command = studies::describe_for_caller(list, studies::explore_row);
+  std::shared_ptr<studies::StudyCommand> command = studies::add_library_study_options(list, studies::explore_row);
   std::vector<studies::PointRequest> asked{};
 
   explicit Explored(const Texts& words) {

@@ -27,14 +27,14 @@ fs::path fresh_folder(const std::string& name) {
 std::string refusal(const std::string& name, std::size_t points, const std::string& columns) {
   const fs::path folder = fresh_folder(name);
   studies::ShardHeader header{{1, 2}, 2, {"model", "machine", "csgsim"}, {"sweep"}};
-  const std::vector<unsigned> shard_of = studies::shard_of_each(2, 2);
+  const std::vector<unsigned> shard_of = studies::assign_shards(2, 2);
   const std::size_t first = shard_of[0] == 1 ? 0 : 1;
   studies::ShardWriter(folder, header, {}, "a,b").add({first, "1,2"});
   header.shard.number = 2;
   header.points = points;
   studies::ShardWriter(folder, header, {}, columns).add({1 - first, "3,4"});
   const std::array<fs::path, 1> studies{folder};
-  const std::string error = testing::error_of([&] { studies::gather(studies); });
+  const std::string error = testing::error_of([&] { studies::merge_shards(studies); });
   fs::remove_all(folder);
   return error;
 }
@@ -58,7 +58,7 @@ TEST_CASE("gather merges partial results of one shard from two processes") {
   studies::ShardWriter other(folder, header, {}, "a,b");
   other.add({1, "3,4"});
   other.add({2, "5,6"});
-  const studies::Gathered gathered = studies::gather(std::array<fs::path, 1>{folder});
+  const studies::MergedShards gathered = studies::merge_shards(std::array<fs::path, 1>{folder});
   CHECK(gathered.rows == std::vector<std::string>{"1,2", "3,4", "5,6"});
   CHECK(gathered.missing == 0);
   fs::remove_all(folder);

@@ -57,7 +57,7 @@ TEST_CASE("interrupting the coordinating thread of a study interrupts its worker
   std::atomic<unsigned> begun = 0;
   const auto measure = [&](std::size_t point) {
     if (++begun == 3) source.request_stop();
-    end_if_interrupted();
+    throw_if_interrupted();
     return point;
   };
   CHECK_THROWS_AS(studies::measure_each(1000, 2, measure, [](std::size_t) {}), Interrupted);

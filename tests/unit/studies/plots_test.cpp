@@ -60,7 +60,7 @@ TEST_CASE("a sweep's x axis is its most varied parameter with numbers before nam
                       row(point("bits", 4, "none"), 3)};
   CHECK(studies::SweepAxis(prunings).axis().title == "pruning");
   CHECK(studies::SweepAxis(prunings).axis().is_names);
-  CHECK(studies::SweepAxis(prunings).others(prunings[2].point) == "bits, m = 4");
+  CHECK(studies::SweepAxis(prunings).other_settings(prunings[2].point) == "bits, m = 4");
   const Rows strategies{row(point("stack", 0), 1), row(point("list", 0), 2)};
   CHECK(tick_texts(studies::SweepAxis(strategies).axis()) == Words{"stack", "list"});
   Rows both = stack_bits;

@@ -25,7 +25,7 @@ TEST_CASE("each point is in one shard and shards differ in size by at most one p
     for (const unsigned shards : {1U, 2U, 3U, 16U, 999U}) {
       CAPTURE(points);
       CAPTURE(shards);
-      const std::vector<unsigned> shard_of = studies::shard_of_each(points, shards);
+      const std::vector<unsigned> shard_of = studies::assign_shards(points, shards);
       REQUIRE(shard_of.size() == points);
       std::vector<std::size_t> counts(shards);
       for (const unsigned shard : shard_of) ++counts.at(shard - 1);
@@ -37,18 +37,18 @@ TEST_CASE("each point is in one shard and shards differ in size by at most one p
 
 TEST_CASE("points are distributed by SplitMix64 in every csgsim version") {
   // Results of an independent implementation: shards of a study in progress must not change.
-  CHECK(studies::shard_of_each(10, 3) == std::vector<unsigned>{2, 3, 1, 1, 2, 2, 3, 1, 1, 3});
+  CHECK(studies::assign_shards(10, 3) == std::vector<unsigned>{2, 3, 1, 1, 2, 2, 3, 1, 1, 3});
 }
 
 TEST_CASE("expensive points at every tenth place are spread over ten shards") {
-  const std::vector<unsigned> shard_of = studies::shard_of_each(160, 10);
+  const std::vector<unsigned> shard_of = studies::assign_shards(160, 10);
   std::vector<std::size_t> expensive(10);
   for (std::size_t i = 0; i < shard_of.size(); i += 10) ++expensive.at(shard_of[i] - 1);
   CHECK(std::ranges::max(expensive) <= 5);
 }
 
 TEST_CASE("shard numbers are printed as ranges") {
-  CHECK(studies::to_ranges({}).empty());
-  CHECK(studies::to_ranges({3}) == "3");
-  CHECK(studies::to_ranges({1, 3, 4, 5, 9, 10}) == "1,3-5,9-10");
+  CHECK(studies::ranges_text({}).empty());
+  CHECK(studies::ranges_text({3}) == "3");
+  CHECK(studies::ranges_text({1, 3, 4, 5, 9, 10}) == "1,3-5,9-10");
 }

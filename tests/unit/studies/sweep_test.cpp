@@ -162,7 +162,7 @@ TEST_CASE("the name of a point lists only the parameters that vary") {
   const studies::PointNames names(rows);
   CHECK(names.name(rows[0].point) == "stack, z 16");
   CHECK(names.name(rows[5].point) == "bits 5, z 20");
-  CHECK(studies::by_conditions(rows).size() == 2);
+  CHECK(studies::group_by_conditions(rows).size() == 2);
   CHECK(studies::PointNames(std::span(rows).first(3)).conditions(rows[0].point).empty());
 }
 
@@ -224,7 +224,7 @@ TEST_CASE("the page of a sweep counts its models or names the only one") {
     words.insert(words.begin(), "sweep");
     words.insert(words.end(), {"--output", "out"});
     session::OptionList list("sweep");
-    const auto command = studies::describe(list, studies::sweep_row);
+    const auto command = studies::add_study_options(list, studies::sweep_row);
     list.give_words(std::span(words).subspan(1));
     list.check_and_apply();
     return command->study->page_subject();

@@ -50,7 +50,7 @@ studies::PointRequest requested(const std::string& value, const studies::Inputs&
 }
 
 studies::Table table_at(const fs::path& path, const std::string& title = "a study",
-                        studies::Serves serves = studies::serves_all) {
+                        studies::HasRequestedResults serves = studies::accept_any_row) {
   return {path, title, studies::row_format<TestRow>(), std::move(serves)};
 }
 
@@ -144,7 +144,7 @@ TEST_CASE("a point is missing unless a row with equal inputs serves the request"
   CHECK(table.missing(point) == Numbers{0});
   table.add(Rows{row("x", 2)});
   CHECK(table.missing(point).empty());
-  CHECK(table.in_order(point) == Rows{row("x", 2)});
+  CHECK(table.ordered_rows(point) == Rows{row("x", 2)});
   CHECK(table.rows() == Rows{row("x", 2)});  // the row that does not serve the request is deleted
   for (std::string studies::Inputs::*const input :
        {&studies::Inputs::model_hash, &studies::Inputs::machine_hash, &studies::Inputs::csgsim}) {
@@ -176,7 +176,7 @@ TEST_CASE("rows of a table follow the order of requested points before other row
   studies::Table table = table_at(path);
   table.add(Rows{row("other", 0), row("y", 2), row("x", 1)});
   const std::array points{requested("x"), requested("y")};
-  CHECK(table.in_order(points) == Rows{row("x", 1), row("y", 2)});
+  CHECK(table.ordered_rows(points) == Rows{row("x", 1), row("y", 2)});
   CHECK(table_at(path).rows() == Rows{row("x", 1), row("y", 2), row("other", 0)});
 }
 
@@ -186,7 +186,7 @@ TEST_CASE("a table without a file keeps rows in memory") {
   table.add(Rows{row("y", 2)});
   CHECK(table.missing(points) == Numbers{0});
   table.add(Rows{row("x", 1)});
-  CHECK(table.in_order(points) == Rows{row("x", 1), row("y", 2)});
+  CHECK(table.ordered_rows(points) == Rows{row("x", 1), row("y", 2)});
 }
 
 TEST_CASE("seconds in a table have four digits and no exponents for large values") {

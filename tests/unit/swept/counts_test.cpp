@@ -99,7 +99,7 @@ TEST_CASE("a net patch takes the hand-counted operations for one and for five no
         Row{0.25, swept::Flatness::sides, 5, 4, 32, 3}, Row{0.25, swept::Flatness::plane, 5, 4, 0, 3}}) {
     CAPTURE(row.nodes);
     CAPTURE(row.lines);
-    const auto surface = swept::surface_of(saddle());
+    const auto surface = swept::make_surface(saddle());
     const Work work(1'000'000'000);
     const SubdivisionCounts counts = counts_of(*surface, 0, {row.tolerance, row.flatness, 12, work});
     CHECK(counts.nodes == row.nodes);
@@ -120,7 +120,7 @@ TEST_CASE("the degrees of contour and trajectory set the operations of a sweep's
     for (std::uint32_t along = 1; along <= 3; ++along) {
       CAPTURE(degree);
       CAPTURE(along);
-      const auto surface = swept::surface_of(swept::Sweep{round(degree), straight(along)});
+      const auto surface = swept::make_surface(swept::Sweep{round(degree), straight(along)});
       const SubdivisionCounts counts = counts_of(*surface, 0, {100});
       CHECK(counts.nodes == 1);
       CHECK(counts.elements == 1);
@@ -146,7 +146,7 @@ TEST_CASE("halving a sweep patch halves contour and trajectory once for all patc
     for (std::uint32_t along = 1; along <= 3; ++along) {
       CAPTURE(degree);
       CAPTURE(along);
-      const auto surface = swept::surface_of(swept::Sweep{round(degree), straight(along)});
+      const auto surface = swept::make_surface(swept::Sweep{round(degree), straight(along)});
       for (const bool is_first : {true, false}) {
         CAPTURE(is_first);
         const Work work(1'000'000'000);
@@ -175,7 +175,7 @@ TEST_CASE("a twisted side has four elements if a quarter's deviation is acceptab
   // Rotated by 0.1, the fourth corner is 2 sin 0.1 = 0.2 off the plane of the others, that of a quarter 0.05.
   swept::Sweep sweep{square_of_two(), straight(1)};
   sweep.rotation = {1, false, {{0, 0, 0}, {18 / std::numbers::pi, 0, 0}}};
-  const auto surface = swept::surface_of(sweep);
+  const auto surface = swept::make_surface(sweep);
   const SubdivisionCounts counts = counts_of(*surface, 0, {0.1});
   CHECK(counts.nodes == 5);
   CHECK(counts.elements == 4);
@@ -189,7 +189,7 @@ TEST_CASE("halves a trajectory that swings to both sides, though its middle is o
   // Its inner coefficients may be off by 4/3 of the tolerance.
   for (const double off : {0.13, 0.14}) {
     const Curve swing{3, false, {{0, 0, 0}, {off, 0, 10.0 / 3}, {-off, 0, 20.0 / 3}, {0, 0, 10}}};
-    const auto surface = swept::surface_of(swept::Sweep{square_of_two(), swing});
+    const auto surface = swept::make_surface(swept::Sweep{square_of_two(), swing});
     const SubdivisionCounts counts = counts_of(*surface, 0, {0.1});
     CAPTURE(off);
     CHECK((counts.elements == 1) == (off < 0.4 / 3));

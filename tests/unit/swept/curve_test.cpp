@@ -74,12 +74,15 @@ TEST_CASE("the slope of a curve's segment is the difference quotient of close po
 }
 
 TEST_CASE("a curve with an invalid degree or number of points is rejected") {
-  CHECK(swept::fault_of(Curve{4, false, {}}) == "degree 4 is above 3; use 0 (constant), 1, 2 or 3");
-  CHECK(swept::fault_of(Curve{3, false, {{}, {}, {}}}) == "an open curve of degree 3 needs at least 4 points, not 3");
-  CHECK(swept::fault_of(Curve{1, true, {{}, {}}}) == "a closed curve of degree 1 needs at least 3 points, not 2");
-  CHECK(swept::fault_of(Curve{0, false, {{}, {}}}) == "a constant, of degree 0, has one point, not 2; use degree 1");
-  CHECK(swept::fault_of(Curve{0, false, {{}}}) == "");
-  CHECK(swept::fault_of(Curve{1, false, std::vector<glm::dvec3>(10'001)}) ==
+  CHECK(swept::validation_error(Curve{4, false, {}}) == "degree 4 is above 3; use 0 (constant), 1, 2 or 3");
+  CHECK(swept::validation_error(Curve{3, false, {{}, {}, {}}}) ==
+        "an open curve of degree 3 needs at least 4 points, not 3");
+  CHECK(swept::validation_error(Curve{1, true, {{}, {}}}) ==
+        "a closed curve of degree 1 needs at least 3 points, not 2");
+  CHECK(swept::validation_error(Curve{0, false, {{}, {}}}) ==
+        "a constant, of degree 0, has one point, not 2; use degree 1");
+  CHECK(swept::validation_error(Curve{0, false, {{}}}) == "");
+  CHECK(swept::validation_error(Curve{1, false, std::vector<glm::dvec3>(10'001)}) ==
         "a curve of 10001 points has more than 10000; remove points");
-  CHECK(swept::fault_of(Curve{3, true, {{}, {}, {}, {}}}) == "");
+  CHECK(swept::validation_error(Curve{3, true, {{}, {}, {}, {}}}) == "");
 }

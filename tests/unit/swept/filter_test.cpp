@@ -294,7 +294,7 @@ TEST_CASE("the filter emits an element once no missing element touches it") {
 TEST_CASE("the filter removes all cracks from random nets") {
   int before = 0;
   CHECK(rc::check([&] {
-    const auto surface = swept::surface_of(random_net(4, 4, 40));
+    const auto surface = swept::make_surface(random_net(4, 4, 40));
     const swept::Accuracy accuracy{0.2};
     before += count_cracks(swept_test::leaves_of(*surface, 0, 0, accuracy));
     Repaired repaired;
@@ -307,7 +307,7 @@ TEST_CASE("the filter removes all cracks from random nets") {
 
 TEST_CASE("unmatched edges of a repaired mesh are only on the patch's border") {
   CHECK(rc::check([] {
-    const auto surface = swept::surface_of(random_net(4, 4, 40));
+    const auto surface = swept::make_surface(random_net(4, 4, 40));
     Repaired repaired;
     repair(*surface, {0.5}, swept::filter, repaired);
     // A face outside the patch's edge closes it.
@@ -333,7 +333,7 @@ TEST_CASE("unmatched edges of a repaired mesh are only on the patch's border") {
 TEST_CASE("the filter's peak counts of held elements and vertices equal a recount") {
   std::size_t cases = 0;
   CHECK(rc::check([&] {
-    const auto surface = swept::surface_of(random_net(4, 4, 30));
+    const auto surface = swept::make_surface(random_net(4, 4, 30));
     const swept::Accuracy accuracy{1.5};
     std::vector<Element> leaves = swept_test::leaves_of(*surface, 0, 0, accuracy);
     if (leaves.size() > 200) return;
@@ -350,7 +350,7 @@ TEST_CASE("the filter's peak counts of held elements and vertices equal a recoun
 
 TEST_CASE("the quadtree repair makes the same mesh as the filter but holds all of it") {
   CHECK(rc::check([] {
-    const auto surface = swept::surface_of(random_net(4, 4, 40));
+    const auto surface = swept::make_surface(random_net(4, 4, 40));
     const swept::Accuracy accuracy{0.5};
     Repaired filtered;
     repair(*surface, accuracy, swept::filter, filtered);
@@ -367,7 +367,7 @@ TEST_CASE("the quadtree repair makes the same mesh as the filter but holds all o
 
 TEST_CASE("patches share all vertices on their common sides after either repair") {
   CHECK(rc::check([] {
-    const auto surface = swept::surface_of(random_net(5, 6, 40));
+    const auto surface = swept::make_surface(random_net(5, 6, 40));
     const auto way = *rc::gen::element(swept::Repair::filter, swept::Repair::quadtree);
     const swept::Patchwork made = swept::make_patchwork(*surface, {1.0}, way);
     std::set<std::pair<std::uint32_t, std::uint32_t>> edges;

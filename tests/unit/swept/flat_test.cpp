@@ -38,7 +38,7 @@ swept::Net bent_net(const std::array<double, 4>& by_v, bool is_turned) {
 }
 
 std::size_t leaves_of(const swept::Net& net, const swept::Accuracy& accuracy) {
-  return swept_test::leaves_of(*swept::surface_of(net), 0, 0, accuracy).size();
+  return swept_test::leaves_of(*swept::make_surface(net), 0, 0, accuracy).size();
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ std::string sweep_error(const Sweep& sweep) {
 }
 
 std::size_t leaves_of(const Sweep& sweep, std::size_t column, const swept::Accuracy& accuracy) {
-  return swept_test::leaves_of(*swept::surface_of(sweep), column, 0, accuracy).size();
+  return swept_test::leaves_of(*swept::make_surface(sweep), column, 0, accuracy).size();
 }
 
 Net make_net(std::size_t rows, std::size_t columns) {
@@ -63,29 +63,29 @@ TEST_CASE("the error for a wrong curve of a sweep names the curve") {
   const std::string what = ": degree 4 is above 3; use 0 (constant), 1, 2 or 3";
   Sweep sweep = block();
   sweep.contour = bad;
-  CHECK(swept::fault_of(sweep) == "the contour" + what);
+  CHECK(swept::validation_error(sweep) == "the contour" + what);
   sweep = block();
   sweep.trajectory = bad;
-  CHECK(swept::fault_of(sweep) == "the trajectory" + what);
+  CHECK(swept::validation_error(sweep) == "the trajectory" + what);
   sweep = block();
   sweep.rotation = bad;
-  CHECK(swept::fault_of(sweep) == "the rotation" + what);
+  CHECK(swept::validation_error(sweep) == "the rotation" + what);
   sweep = block();
   sweep.scale = bad;
-  CHECK(swept::fault_of(sweep) == "the scale" + what);
+  CHECK(swept::validation_error(sweep) == "the scale" + what);
 }
 
 TEST_CASE("a point as contour or trajectory and a closed rotation or scale are rejected") {
   Sweep sweep = block();
   sweep.contour = {0, true, {{1, 1, 0}}};
-  CHECK(swept::fault_of(sweep).find("the contour") == 0);
+  CHECK(swept::validation_error(sweep).find("the contour") == 0);
   sweep = block();
   sweep.trajectory = {0, false, {{1, 1, 0}}};
-  CHECK(swept::fault_of(sweep) == "the trajectory is a point; use degree 1, 2 or 3");
+  CHECK(swept::validation_error(sweep) == "the trajectory is a point; use degree 1, 2 or 3");
   for (const bool is_rotation : {true, false}) {
     sweep = block();
     (is_rotation ? sweep.rotation : sweep.scale) = {1, true, {{1, 1, 0}, {2, 2, 0}, {3, 3, 0}}};
-    CHECK(swept::fault_of(sweep) == "rotation and scale cannot be closed; use `open`");
+    CHECK(swept::validation_error(sweep) == "rotation and scale cannot be closed; use `open`");
   }
 }
 
@@ -95,43 +95,44 @@ TEST_CASE("a negative scale along u or v is rejected at any point and 0 accepted
       Sweep sweep = block();
       sweep.scale = {1, false, {{1, 1, 0}, {1, 1, 0}}};
       (is_last ? sweep.scale.points.back() : sweep.scale.points.front()) = point;
-      CHECK(swept::fault_of(sweep) == "a scale is below 0, which would turn the solid inside out; use 0 or more");
+      CHECK(swept::validation_error(sweep) ==
+            "a scale is below 0, which would turn the solid inside out; use 0 or more");
     }
   }
   Sweep sweep = block();
   sweep.scale = {1, false, {{0, 1, 0}, {1, 0, 0}}};
-  CHECK(swept::fault_of(sweep).empty());
+  CHECK(swept::validation_error(sweep).empty());
 }
 
 TEST_CASE("a sweep with the most points and patches is accepted and with one more rejected") {
-  CHECK(swept::fault_of(Curve{1, false, std::vector<glm::dvec3>(10'000)}).empty());
-  CHECK(!swept::fault_of(Curve{1, false, std::vector<glm::dvec3>(10'001)}).empty());
+  CHECK(swept::validation_error(Curve{1, false, std::vector<glm::dvec3>(10'000)}).empty());
+  CHECK(!swept::validation_error(Curve{1, false, std::vector<glm::dvec3>(10'001)}).empty());
   for (std::uint32_t degree = 1; degree <= 3; ++degree) {
     CAPTURE(degree);
-    CHECK(swept::fault_of(Curve{degree, false, std::vector<glm::dvec3>(degree + 1)}).empty());
-    CHECK(!swept::fault_of(Curve{degree, false, std::vector<glm::dvec3>(degree)}).empty());
+    CHECK(swept::validation_error(Curve{degree, false, std::vector<glm::dvec3>(degree + 1)}).empty());
+    CHECK(!swept::validation_error(Curve{degree, false, std::vector<glm::dvec3>(degree)}).empty());
     const std::size_t fewest = degree == 3 ? 4 : 3;
-    CHECK(swept::fault_of(Curve{degree, true, std::vector<glm::dvec3>(fewest)}).empty());
-    CHECK(!swept::fault_of(Curve{degree, true, std::vector<glm::dvec3>(fewest - 1)}).empty());
+    CHECK(swept::validation_error(Curve{degree, true, std::vector<glm::dvec3>(fewest)}).empty());
+    CHECK(!swept::validation_error(Curve{degree, true, std::vector<glm::dvec3>(fewest - 1)}).empty());
   }
   Sweep sweep = block();
   sweep.contour.points.resize(1000, {1, 2, 0});
   sweep.trajectory.points.resize(100, {0, 0, 9});
-  CHECK(swept::fault_of(sweep).empty());
+  CHECK(swept::validation_error(sweep).empty());
   sweep.trajectory.points.resize(101, {0, 0, 9});
-  CHECK(swept::fault_of(sweep) == "contour and trajectory make more than 100000 patches; remove points");
+  CHECK(swept::validation_error(sweep) == "contour and trajectory make more than 100000 patches; remove points");
 }
 
 TEST_CASE("a net has at least four equal rows of four points and at most 100000 patches") {
-  CHECK(swept::fault_of(make_net(4, 4)).empty());
-  CHECK(swept::fault_of(make_net(3, 4)) == "a patch needs at least 4 rows of points, not 3");
-  CHECK(swept::fault_of(make_net(4, 3)) == "a row of a patch needs at least 4 points, not 3");
+  CHECK(swept::validation_error(make_net(4, 4)).empty());
+  CHECK(swept::validation_error(make_net(3, 4)) == "a patch needs at least 4 rows of points, not 3");
+  CHECK(swept::validation_error(make_net(4, 3)) == "a row of a patch needs at least 4 points, not 3");
   Net uneven = make_net(4, 5);
   uneven.rows[3].pop_back();
-  CHECK(swept::fault_of(uneven) == "rows of a patch have 5 and 4 points; make them equally long");
-  CHECK(swept::fault_of(make_net(103, 1003)).empty());
-  CHECK(swept::fault_of(make_net(104, 1003)) == "more than 100000 patches; remove points");
-  CHECK(swept::fault_of(make_net(103, 1004)) == "more than 100000 patches; remove points");
+  CHECK(swept::validation_error(uneven) == "rows of a patch have 5 and 4 points; make them equally long");
+  CHECK(swept::validation_error(make_net(103, 1003)).empty());
+  CHECK(swept::validation_error(make_net(104, 1003)) == "more than 100000 patches; remove points");
+  CHECK(swept::validation_error(make_net(103, 1004)) == "more than 100000 patches; remove points");
 }
 
 TEST_CASE("on a closed trajectory the scale along u and v and the rotation must close") {
@@ -228,7 +229,7 @@ TEST_CASE("a patch with one bent side is subdivided whichever side it is") {
 TEST_CASE("a surface at its limits on levels or elements or work is accepted but not beyond") {
   Sweep sweep{circle(3, 8), line(10)};
   sweep.scale = {2, false, {{1, 1, 0}, {3, 3, 0}, {1, 1, 0}}};
-  const std::unique_ptr<swept::Surface> surface = swept::surface_of(sweep);
+  const std::unique_ptr<swept::Surface> surface = swept::make_surface(sweep);
   const std::vector<swept::Element> leaves = swept_test::leaves_of(*surface, 0, 0, {0.01});
   const auto smallest = std::ranges::min_element(leaves, {}, [](const auto& leaf) { return leaf.square.size; });
   std::uint32_t levels = 0;
@@ -237,7 +238,7 @@ TEST_CASE("a surface at its limits on levels or elements or work is accepted but
   const auto subdividing = [&](const swept::Accuracy& accuracy, std::uint64_t elements) {
     return testing::error_of([&] {
       // No results of an earlier subdivision are kept.
-      const std::unique_ptr<swept::Surface> anew = swept::surface_of(sweep);
+      const std::unique_ptr<swept::Surface> anew = swept::make_surface(sweep);
       swept::SubdivisionCounts counts;
       counts.elements = elements;
       const std::unique_ptr<swept::Stream> stream = anew->subdivide(0, 0, accuracy, counts);

@@ -29,7 +29,7 @@ double distance_to_triangle(const glm::dvec3& p, const glm::dvec3& a, const glm:
 TEST_CASE("corners of a patch's elements are points of the surface") {
   CHECK(rc::check([] {
     const swept::Net net = random_net(5, 6, 20);
-    const auto surface = swept::surface_of(net);
+    const auto surface = swept::make_surface(net);
     RC_ASSERT(surface->columns() == 3U);
     RC_ASSERT(surface->rows() == 2U);
     for (std::size_t row = 0; row < 2; ++row) {
@@ -50,7 +50,7 @@ TEST_CASE("corners of a patch's elements are points of the surface") {
 
 TEST_CASE("a patch's leaves cover it in Morton order from south-west to north-east") {
   CHECK(rc::check([] {
-    const auto surface = swept::surface_of(random_net(4, 4, 40));
+    const auto surface = swept::make_surface(random_net(4, 4, 40));
     double covered = 0;
     std::uint64_t last = 0;
     bool is_first = true;
@@ -71,7 +71,7 @@ TEST_CASE("a patch's leaves cover it in Morton order from south-west to north-ea
 TEST_CASE("points of a net's surface are within 1.5 tolerances of their element") {
   CHECK(rc::check([] {
     const swept::Net net = random_net(4, 4, 20);
-    const auto surface = swept::surface_of(net);
+    const auto surface = swept::make_surface(net);
     constexpr double tolerance = 0.2;
     for (const swept::Element& leaf : leaves_of(*surface, 0, 0, {tolerance})) {
       for (const double u : {0.25, 0.5, 0.8}) {
@@ -105,10 +105,10 @@ TEST_CASE("an element is flat if its fourth corner and midpoint are near the oth
 }
 
 TEST_CASE("a tolerance that the levels of subdivision cannot reach is rejected") {
-  const auto surface = swept::surface_of({{{{0, 0, 0}, {1, 0, 9}, {2, 0, 0}, {3, 0, 9}},
-                                           {{0, 1, 0}, {1, 1, 0}, {2, 1, 9}, {3, 1, 0}},
-                                           {{0, 2, 9}, {1, 2, 0}, {2, 2, 0}, {3, 2, 0}},
-                                           {{0, 3, 0}, {1, 3, 9}, {2, 3, 0}, {3, 3, 5}}}});
+  const auto surface = swept::make_surface({{{{0, 0, 0}, {1, 0, 9}, {2, 0, 0}, {3, 0, 9}},
+                                             {{0, 1, 0}, {1, 1, 0}, {2, 1, 9}, {3, 1, 0}},
+                                             {{0, 2, 9}, {1, 2, 0}, {2, 2, 0}, {3, 2, 0}},
+                                             {{0, 3, 0}, {1, 3, 9}, {2, 3, 0}, {3, 3, 5}}}});
   CHECK(testing::error_of([&] {
           leaves_of(*surface, 0, 0, {1e-6, swept::Flatness::sides, 3});
         }) ==
@@ -117,10 +117,10 @@ TEST_CASE("a tolerance that the levels of subdivision cannot reach is rejected")
 }
 
 TEST_CASE("a net with too few or unequally long rows of points is rejected") {
-  CHECK(swept::fault_of(swept::Net{}) == "a patch needs at least 4 rows of points, not 0");
+  CHECK(swept::validation_error(swept::Net{}) == "a patch needs at least 4 rows of points, not 0");
   const std::vector<glm::dvec3> row(4);
-  CHECK(swept::fault_of(swept::Net{{row, row, row, {}}}) == "a row of a patch needs at least 4 points, not 0");
-  CHECK(swept::fault_of(swept::Net{{row, row, row, std::vector<glm::dvec3>(5)}}) ==
+  CHECK(swept::validation_error(swept::Net{{row, row, row, {}}}) == "a row of a patch needs at least 4 points, not 0");
+  CHECK(swept::validation_error(swept::Net{{row, row, row, std::vector<glm::dvec3>(5)}}) ==
         "rows of a patch have 4 and 5 points; make them equally long");
-  CHECK(swept::fault_of(swept::Net{{row, row, row, row}}) == "");
+  CHECK(swept::validation_error(swept::Net{{row, row, row, row}}) == "");
 }

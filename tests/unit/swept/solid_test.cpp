@@ -33,15 +33,15 @@ Curve square(double half) {
 
 Curve line(const glm::dvec3& from, const glm::dvec3& to) { return {1, false, {from, to}}; }
 
-std::string fault_of(const swept::SweptSolid& solid) {
+std::string validation_error(const swept::SweptSolid& solid) {
   if (std::string open = open_edge(solid.mesh.faces); !open.empty()) return open;
-  const solids::Checked checked = solids::check(solid.mesh, 1e-9);
+  const solids::CheckedMesh checked = solids::check(solid.mesh, 1e-9);
   return checked.defect ? checked.defect->what : "";
 }
 
 double volume_of(const Sweep& sweep, double tolerance) {
   const swept::SweptSolid solid = swept::make_swept_solid(sweep, {tolerance});
-  CHECK(fault_of(solid) == "");
+  CHECK(validation_error(solid) == "");
   return volume(solid.mesh);
 }
 
@@ -138,7 +138,7 @@ TEST_CASE("a closed trajectory is mitred at corners: outer block minus inner blo
 TEST_CASE("a straight part along the y axis is rotated evenly without crossing itself") {
   const Sweep sweep{square(1), {1, true, {{14, 14, 0}, {-14, 14, 0}, {-14, -14, 0}, {14, -14, 0}}}};
   const swept::SweptSolid solid = swept::make_swept_solid(sweep, {0.02});
-  CHECK(fault_of(solid) == "");
+  CHECK(validation_error(solid) == "");
   CHECK(!solids::check(solid.mesh, 1e-9).crossing);
   CHECK(volume(solid.mesh) == doctest::Approx(4 * 4 * 28).epsilon(0.02));
 }
@@ -147,7 +147,7 @@ TEST_CASE("a circle along a circle is a torus in volume and distance within tole
   const Sweep sweep{circle(2, 16), circle(7, 24, true)};
   for (const double tolerance : {0.2, 0.05, 0.01}) {
     const swept::SweptSolid solid = swept::make_swept_solid(sweep, {tolerance});
-    CHECK(fault_of(solid) == "");
+    CHECK(validation_error(solid) == "");
     const double surface = 4 * pi * pi * 2 * 7;
     CHECK(std::abs(volume(solid.mesh) - 2 * pi * pi * 4 * 7) < surface * tolerance);
     double most_off = 0;
@@ -182,14 +182,14 @@ TEST_CASE("the thesis's test leaves a ring's flat side undivided unlike the side
 TEST_CASE("a trajectory through the y axis direction yields a closed oriented mesh") {
   const Sweep sweep{{3, true, {{1, 0, 0}, {0, 0.4, 0}, {-1, 0, 0}, {0, -0.4, 0}}},
                     {3, false, {{-8, 0, 0}, {-8, 6, 0}, {0, 12, 0}, {8, 6, 1}, {8, 0, 0}}}};
-  CHECK(fault_of(swept::make_swept_solid(sweep, {0.05})) == "");
+  CHECK(validation_error(swept::make_swept_solid(sweep, {0.05})) == "");
 }
 
 TEST_CASE("an upright ring that runs along the y axis at two places keeps its volume") {
   Sweep sweep{circle(1, 12), circle(9, 16)};
   for (glm::dvec3& point : sweep.contour.points) point.x *= 0.5;
   const swept::SweptSolid solid = swept::make_swept_solid(sweep, {0.02});
-  CHECK(fault_of(solid) == "");
+  CHECK(validation_error(solid) == "");
   CHECK(!solids::check(solid.mesh, 1e-9).crossing);
   CHECK(volume(solid.mesh) == doctest::Approx(2 * pi * 9 * pi * 0.5).epsilon(0.02));
 }
@@ -213,7 +213,7 @@ TEST_CASE("random sweeps are closed with equal face counts and volumes by either
       sweep.scale = {2, false, {{1, 1, 0}, {0.5, 1, 0}, {end, end, 0}}};
       sweep.rotation = {1, false, {{0, 0, 0}, {static_cast<double>(*rc::gen::inRange(-200, 200)), 0, 0}}};
     }
-    RC_ASSERT(swept::fault_of(sweep).empty());
+    RC_ASSERT(swept::validation_error(sweep).empty());
     const swept::SweptSolid solid = swept::make_swept_solid(sweep, {0.1});
     RC_ASSERT(open_edge(solid.mesh.faces).empty());
     RC_ASSERT(volume(solid.mesh) > 0);
@@ -226,20 +226,20 @@ TEST_CASE("random sweeps are closed with equal face counts and volumes by either
 
 TEST_CASE("an invalid sweep is reported with a fix") {
   const Sweep good{square(1), line({0, 0, 0}, {0, 0, 4})};
-  CHECK(swept::fault_of(good) == "");
+  CHECK(swept::validation_error(good) == "");
   Sweep open = good;
   open.contour.closed = false;
-  CHECK(swept::fault_of(open) == "the contour is open; write `closed` in its curve");
+  CHECK(swept::validation_error(open) == "the contour is open; write `closed` in its curve");
   Sweep below = good;
   below.scale = {1, false, {{1, 1, 0}, {-1, 1, 0}}};
-  CHECK(swept::fault_of(below) == "a scale is below 0, which would turn the solid inside out; use 0 or more");
+  CHECK(swept::validation_error(below) == "a scale is below 0, which would turn the solid inside out; use 0 or more");
   Sweep none = good;
   none.contour.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
-  CHECK(swept::fault_of(none) == "the contour encloses no area; move its points apart");
+  CHECK(swept::validation_error(none) == "the contour encloses no area; move its points apart");
   Sweep many = good;
   many.contour.points.resize(400, {1, 2, 0});
   many.trajectory.points.resize(300, {0, 0, 9});
-  CHECK(swept::fault_of(many) == "contour and trajectory make more than 100000 patches; remove points");
+  CHECK(swept::validation_error(many) == "contour and trajectory make more than 100000 patches; remove points");
   Sweep back = good;
   back.trajectory.points = {{0, 0, 0}, {0, 0, 4}, {0, 0, 1}};
   CHECK(testing::error_of([&] { swept::make_swept_solid(back, {0.1}); }) ==

@@ -144,9 +144,9 @@ TEST_CASE("the ranges and blocks and extents of fast spheres contain their depth
       const std::int64_t top = (std::int64_t{1} << view.sampling.z_bits) - 1;
       const std::int64_t z = *rc::gen::inRange<std::int64_t>(0, top);
       const csg::Block block{rect, z, std::min(top - 1, z + *rc::gen::inRange<std::int64_t>(0, 1 + top / 8))};
-      const csg::Known known = csg::locate(view, subject.scene, 0, block);
-      in_blocks += known == csg::Known::in ? 1 : 0;
-      out_blocks += known == csg::Known::out ? 1 : 0;
+      const csg::Containment known = csg::locate(view, subject.scene, 0, block);
+      in_blocks += known == csg::Containment::in ? 1 : 0;
+      out_blocks += known == csg::Containment::out ? 1 : 0;
       const view::RootRanges ranges = view::ranges_over(quadric, view.sampling.fraction_bits, rect);
       for (std::int32_t y = 0; y < static_cast<std::int32_t>(view.sampling.height); ++y) {
         for (std::int32_t x = 0; x < static_cast<std::int32_t>(view.sampling.width); ++x) {
@@ -169,8 +169,8 @@ TEST_CASE("the ranges and blocks and extents of fast spheres contain their depth
           }
           const bool all_in = value >= 0 && near <= block.z_low && block.z_high < far;
           const bool all_out = value < 0 || near > block.z_high || far <= block.z_low;
-          if (known == csg::Known::in) RC_ASSERT(all_in);
-          if (known == csg::Known::out) RC_ASSERT(all_out);
+          if (known == csg::Containment::in) RC_ASSERT(all_in);
+          if (known == csg::Containment::out) RC_ASSERT(all_out);
         }
       }
     }));

@@ -286,9 +286,9 @@ TEST_CASE("a wave request cancelled by its name reports the cancellation") {
   viewer::Session session = figure_session(recording([&] {
     progress = ask(*running, "progress", {{"evaluation", "mine"}}).json;
     CHECK(ask(*running, "cancel", {{"evaluation", "other"}}).json == Json::object());
-    end_if_interrupted();
+    throw_if_interrupted();
     CHECK(ask(*running, "cancel", {{"evaluation", "mine"}}).status == 200);
-    end_if_interrupted();
+    throw_if_interrupted();
   }));
   running = &session;
   Json request = box_request();
@@ -306,7 +306,7 @@ TEST_CASE("a closed session cancels pending and later requests") {
   viewer::Session* running = nullptr;
   viewer::Session session = figure_session(recording([&] {
     running->close();
-    end_if_interrupted();
+    throw_if_interrupted();
   }));
   running = &session;
   for (int i = 0; i < 2; ++i) {

@@ -15,7 +15,7 @@ namespace {
 
 bool is_interrupted() {
   try {
-    end_if_interrupted();
+    throw_if_interrupted();
   } catch (const Interrupted&) {
     return true;
   }

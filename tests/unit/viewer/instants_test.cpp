@@ -28,7 +28,7 @@ struct Subject {
 };
 
 Subject subject(const std::string& machine, const std::string& size = "48x40") {
-  const session::ModelRequest options = session::model_request_in(std::vector<std::string>{
+  const session::ModelRequest options = session::parse_model_request(std::vector<std::string>{
       CSGSIM_SOURCE_DIR "/tests/models/thesis_fig_2_3.csg", "--machine", machine, "--size", size});
   const machines::Machine built = session::machine_of(options);
   return {built, session::compile_model(options, built).program};
@@ -49,7 +49,7 @@ TEST_CASE("after the last instruction the picture is the drawn one on each machi
   for (const std::string_view name : kinds::built_in_names()) {
     CAPTURE(name);
     const Subject of = subject(std::string(name));
-    const session::Drawn drawn = session::draw(of.program, of.machine);
+    const session::DrawnRun drawn = session::draw(of.program, of.machine);
     viewer::Instants instants(of.program, of.machine);
     const nlohmann::ordered_json last = instants.at({.number = ~std::uint64_t{0}, .field = {}});
     CHECK(last["number"] == last["count"]);

@@ -26,10 +26,10 @@ viewer::Session session(Json knobs = Json::object()) { return viewer::Session({f
 
 /// Returns the drawing of this command line.
 Json drawn_by(const std::vector<std::string>& words) {
-  const session::ModelRequest options = session::model_request_in(words);
+  const session::ModelRequest options = session::parse_model_request(words);
   const machines::Machine machine = session::machine_of(options);
   const session::CompiledModel compiled = session::compile_model(options, machine);
-  const session::Drawn drawn = session::draw(compiled.program, machine);
+  const session::DrawnRun drawn = session::draw(compiled.program, machine);
   const observe::Report report{compiled.program, machine, "functional", drawn.result, drawn.stats};
   return {{"picture",
            "data:image/png;base64," + report::base64(report::picture_of(drawn.frame, compiled.program, "", "").png)},

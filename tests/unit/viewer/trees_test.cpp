@@ -16,7 +16,7 @@ namespace {
 
 struct Compiled {
   explicit Compiled(std::vector<std::string> words)
-      : options(session::model_request_in(words)),
+      : options(session::parse_model_request(words)),
         machine(session::machine_of(options)),
         model(session::compile_model(options, machine)) {}
 
