@@ -46,7 +46,7 @@ class DeferredPixels {
   // State without the effects of pending steps; settle() executes these. `bit_index` is an index as in bits().
   [[nodiscard]] const PixelBits& bits() const { return bits_; }
   [[nodiscard]] const Words& enable() const { return enable_; }
-  [[nodiscard]] std::uint64_t word_index(unsigned bit_index, std::size_t word_index) const {
+  [[nodiscard]] std::uint64_t word(unsigned bit_index, std::size_t word_index) const {
     return words_[(word_index / kernels::block_words * bits_.count() + bit_index) * kernels::block_words +
                   word_index % kernels::block_words];
   }
