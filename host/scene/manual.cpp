@@ -49,7 +49,7 @@ std::string value_text(const KeyValue& value) {
 }
 
 std::string keys_table(const Section& section) {
-  const Values blank = section.blank_machine();
+  const Values blank = section.blank();
   if (blank.empty()) return "";
   std::string table = "| key | value | default | meaning |\n|---|---|---|---|\n";
   for (const KeyValue& one : blank) {

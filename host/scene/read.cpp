@@ -103,11 +103,11 @@ class Reader {
     const toml::node* const node = table.get(key);
     if (node == nullptr) {
       const bool always_holds = !section.is_list && !section.name.starts_with(effects_prefix);
-      if (always_holds) report_values(section, section.blank_machine());
+      if (always_holds) report_values(section, section.blank());
       return;
     }
     const std::string_view example =
-        section.name.starts_with(effects_prefix) ? on_key : section.blank_machine().front().key.name;
+        section.name.starts_with(effects_prefix) ? on_key : section.blank().front().key.name;
     if (!section.is_list) return read_section(require_table(*node, section.name, example), section);
     const toml::array* const list = node->as_array();
     if (list == nullptr) {
@@ -130,7 +130,7 @@ class Reader {
 
   void read_section(const toml::table& table, const Section& section) {
     std::vector<std::string_view> known;
-    Values read = section.blank_machine();
+    Values read = section.blank();
     for (const KeyValue& one : read) known.push_back(one.key.name);
     const bool is_effect = section.name.starts_with(effects_prefix);
     if (is_effect) known.push_back(on_key);

@@ -19,14 +19,14 @@ std::span<VisibleSurface> rows_of(Picture& picture, const RayBand& band) {
   return std::span(picture.seen).subspan(std::size_t{band.first_row} * band.width, band.rays());
 }
 
-Picture blank_machine(const RayCaster& rays) {
+Picture blank(const RayCaster& rays) {
   return {std::vector<VisibleSurface>(std::size_t{rays.width()} * rays.height())};
 }
 
 }  // namespace
 
 Picture draw(const RayCaster& rays, Method& method, RayCounts* counts) {
-  Picture picture = blank_machine(rays);
+  Picture picture = blank(rays);
   RayBand band;
   for (std::uint32_t row = 0; row < rays.height(); row += band_rows) {
     rays.cast(row, band, counts);
@@ -40,7 +40,7 @@ Seconds measure_seconds(const RayCaster& rays, const std::function<std::unique_p
   constexpr double enough = 0.2;
   constexpr double never = std::numeric_limits<double>::infinity();
   Seconds min_seconds{never, never};
-  Picture picture = blank_machine(rays);
+  Picture picture = blank(rays);
   RayBand band;
   double spent = 0;
   for (unsigned i = 0; i < max_runs && spent < enough; ++i) {

@@ -30,7 +30,7 @@ Json section_json(const scene::Section& section) {
             {"key", std::string(section.name) + (section.is_list ? ".0" : "")},
             {"is_list", section.is_list},
             {"keys", Json::array()}};
-  for (const scene::KeyValue& one : section.blank_machine()) {
+  for (const scene::KeyValue& one : section.blank()) {
     // Colour tables can only be given in scene files.
     if (one.key.kind != scene::ValueKind::colour_table) json["keys"].push_back(key_json(one));
   }

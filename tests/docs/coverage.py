@@ -24,7 +24,7 @@ class Number:
     reason: str = ""
 
 
-def blank_machine(text, begin, end):
+def blank(text, begin, end):
     """The text with a span replaced by spaces, keeping the lines."""
     return text[:begin] + re.sub(r"[^\n]", " ", text[begin:end]) + text[end:]
 
@@ -32,7 +32,7 @@ def blank_machine(text, begin, end):
 def unmade(page, text):
     """The page without generated content, code, names in code, and addresses."""
     for match in reversed(list(pages.BLOCK.finditer(text))):
-        text = blank_machine(text, *match.span())
+        text = blank(text, *match.span())
     made = []
     for entry in page.entries if page else ():
         if entry.kind == "sentence":
@@ -42,7 +42,7 @@ def unmade(page, text):
             for begin in entry.keys["begin"]:
                 made.append(pages.part_span(text, begin, entry.keys["end"]))
     for span in made:
-        text = blank_machine(text, *span)
+        text = blank(text, *span)
     text = "\n".join(line for _, line in markdown.prose(text))
     return re.sub(r"`[^`\n]*`|\]\([^)]*\)|<!--.*?-->|<img[^>]*>", lambda match: " " * len(match[0]), text)
 

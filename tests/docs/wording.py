@@ -87,7 +87,7 @@ def long_parts(path, text):
                 yield text.count("\n", 0, match.start()) + 1, f"the test's name has {len(name)} characters; at most {MAX_NAME}"
     if path.suffix == ".md":
         for block in GENERATED.finditer(text):
-            text = coverage.blank_machine(text, *block.span())
+            text = coverage.blank(text, *block.span())
         for number, line in markdown.prose(text):
             if len(line) > MAX_COLUMNS and " " in line[:MAX_COLUMNS].strip() and not UNBROKEN.match(line):
                 yield number, f"the line has {len(line)} columns; at most {MAX_COLUMNS}"

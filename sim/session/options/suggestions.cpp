@@ -60,7 +60,7 @@ std::vector<std::string> all_keys() {
     for (const machines::FigureSchema& figure : kind->schema) keys.emplace(figure.key);
   }
   const auto add_section = [&](const scene::Section& section) {
-    for (const scene::KeyValue& one : section.blank_machine())
+    for (const scene::KeyValue& one : section.blank())
       keys.insert(fmt::format("{}.{}{}", section.name, section.is_list ? "0." : "", one.key.name));
   };
   for (const scene::Section& section : scene::common_sections()) add_section(section);

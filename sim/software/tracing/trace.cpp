@@ -205,7 +205,7 @@ TraceCounts trace_with(const TraceScene& scene, const Directory& directory, cons
   return tracer.counts();
 }
 
-std::vector<TracedPixel> blank_machine(const TraceScene& scene) {
+std::vector<TracedPixel> blank(const TraceScene& scene) {
   TracedPixel nothing;
   nothing.seen.depth = scene.screen().farthest;
   return std::vector<TracedPixel>(std::size_t{scene.width()} * scene.height(), nothing);
@@ -221,7 +221,7 @@ void refuse(const TraceOptions& options) {
 
 Traced trace(const TraceScene& scene, const Directory& directory, const TraceOptions& options, bool counts) {
   refuse(options);
-  Traced traced{blank_machine(scene), {}};
+  Traced traced{blank(scene), {}};
   if (scene.tree().is_constant()) return traced;
   traced.counts = counts ? trace_with<CountingMethod>(scene, directory, options, traced.pixels)
                          : trace_with<UncountedMethod>(scene, directory, options, traced.pixels);
@@ -232,7 +232,7 @@ double measure_trace_seconds(const TraceScene& scene, const Directory& directory
   refuse(options);
   constexpr unsigned max_runs = 3;
   constexpr double enough = 0.2;
-  std::vector<TracedPixel> pixels = blank_machine(scene);
+  std::vector<TracedPixel> pixels = blank(scene);
   double min_seconds = std::numeric_limits<double>::infinity();
   double spent = 0;
   if (scene.tree().is_constant()) return 0;

@@ -75,7 +75,7 @@ TEST_CASE("the effects form has each key of each effect except colour tables") {
     CHECK(form[i]["is_list"] == section.is_list);
     CHECK(form[i]["key"] == std::string(section.name) + (section.is_list ? ".0" : ""));
     keys += form[i]["keys"].size();
-    for (const scene::KeyValue& one : section.blank_machine()) {
+    for (const scene::KeyValue& one : section.blank()) {
       const bool is_table = one.key.kind == scene::ValueKind::colour_table;
       tables += is_table ? 1U : 0U;
       CHECK(named_in(form[i]["keys"], std::string(one.key.name)).is_null() == is_table);
