@@ -36,7 +36,7 @@ class Cells {
   [[nodiscard]] bool enabled(std::uint32_t cell) const { return enable_[cell] != 0; }
   [[nodiscard]] std::uint64_t read(std::uint32_t cell, isa::Field field) const;
   /// Value that the cell holds for the refresh.
-  [[nodiscard]] std::uint32_t held_value(std::uint32_t cell) const { return hold_[cell]; }
+  [[nodiscard]] std::uint32_t held(std::uint32_t cell) const { return hold_[cell]; }
 
   /// For each enabled cell i of the range, sets bit i % 64 of words[i / 64].
   void add_enabled(CellRange range, std::span<std::uint64_t> words) const {

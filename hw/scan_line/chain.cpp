@@ -89,9 +89,9 @@ bool Chain::enabled(std::uint32_t cell) const {
   return cells_.enabled(cell);
 }
 
-std::uint32_t Chain::held_value(std::uint32_t cell) const {
+std::uint32_t Chain::held(std::uint32_t cell) const {
   catch_up(cell);
-  return cells_.held_value(cell);
+  return cells_.held(cell);
 }
 
 std::uint64_t Chain::read(std::uint32_t cell, isa::Field field) const {
@@ -106,7 +106,7 @@ void Chain::shift() {
 void Chain::transfer() {
   if (!transfers_) return;
   if (shifting_) throw std::logic_error("a line reached the refresh path before the previous line had left it");
-  for (std::uint32_t cell = 0; cell < pixels_; ++cell) shift_[cell] = cells_.held_value(cell);
+  for (std::uint32_t cell = 0; cell < pixels_; ++cell) shift_[cell] = cells_.held(cell);
   shifted_ = 0;
   shifting_ = true;
   transfers_ = false;

@@ -65,7 +65,7 @@ class Chain {
   [[nodiscard]] bool enabled(std::uint32_t cell) const;
   [[nodiscard]] std::uint64_t read(std::uint32_t cell, isa::Field field) const;
   /// Content of the cell's hold register.
-  [[nodiscard]] std::uint32_t held_value(std::uint32_t cell) const;
+  [[nodiscard]] std::uint32_t held(std::uint32_t cell) const;
   /// Colour in the shift chain at a cell in the next clock; empty if no pixel of the line is at that cell.
   [[nodiscard]] std::optional<std::uint32_t> shifting(std::uint32_t cell) const {
     return shifting_ && shifted_ + cell < pixels_ ? std::optional(shift_[shifted_ + cell]) : std::nullopt;

@@ -110,11 +110,11 @@ std::optional<machines::PixelClocks> FunctionalRun::at_pixels() const {
 }
 
 /// A run resumed from a saved state lacks the earlier part, so the whole Program is run again.
-std::vector<machines::PixelActivity> FunctionalRun::pixel_activity() const {
+std::vector<machines::PixelActivity> FunctionalRun::record_pixel_activity() const {
   if (const std::vector<machines::PixelActivity>* const pixel_activity = met_.pixel_activity()) return *pixel_activity;
   FunctionalRun whole(program_, machine_, 1);
   whole.advance(end, {});
-  return whole.pixel_activity();
+  return whole.record_pixel_activity();
 }
 
 engine::RunResult FunctionalRun::result() const {
@@ -124,7 +124,7 @@ engine::RunResult FunctionalRun::result() const {
   result.skips = skips_;
   result.answers = answers_;
   result.work = tiles_.work();
-  result.pixel_activity = pixel_activity();
+  result.pixel_activity = record_pixel_activity();
   put(host::time_frame(program_, machine_, engine::run_outcome(result)), result);
   return result;
 }

@@ -40,7 +40,7 @@ class FunctionalRun final : public engine::Run {
   void execute_stretch(std::uint64_t max_count, std::span<engine::Observer* const> observers);
   void notify_segment_end(std::span<engine::Observer* const> observers);
   [[nodiscard]] std::optional<machines::PixelClocks> at_pixels() const;
-  [[nodiscard]] std::vector<machines::PixelActivity> pixel_activity() const;
+  [[nodiscard]] std::vector<machines::PixelActivity> record_pixel_activity() const;
 
   const isa::Program& program_;
   machines::Machine machine_;

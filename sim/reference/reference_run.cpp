@@ -141,18 +141,18 @@ void ReferenceRun::restore(const engine::RunState& state) {
 }
 
 /// A run resumed from a saved state lacks the earlier part, so the whole Program is run again.
-std::vector<machines::PixelActivity> ReferenceRun::pixel_activity() const {
+std::vector<machines::PixelActivity> ReferenceRun::record_pixel_activity() const {
   if (const std::vector<machines::PixelActivity>* const pixel_activity = met_.pixel_activity()) return *pixel_activity;
   ReferenceRun whole(program_, machine_);
   whole.advance(end, {});
-  return whole.pixel_activity();
+  return whole.record_pixel_activity();
 }
 
 engine::RunResult ReferenceRun::result() const {
   engine::RunResult result = result_;
   result.overflows += array_.overflows();
   result.skips = skips_;
-  result.pixel_activity = pixel_activity();
+  result.pixel_activity = record_pixel_activity();
   put(host::time_frame(program_, machine_, engine::run_outcome(result)), result);
   return result;
 }

@@ -36,7 +36,7 @@ class ReferenceRun final : public engine::Run {
   /// Moves to the segment's first instruction and clears all pixels.
   void begin_segment(std::uint32_t segment);
   void execute(std::span<engine::Observer* const> observers);
-  [[nodiscard]] std::vector<machines::PixelActivity> pixel_activity() const;
+  [[nodiscard]] std::vector<machines::PixelActivity> record_pixel_activity() const;
 
   const isa::Program& program_;
   machines::Machine machine_;

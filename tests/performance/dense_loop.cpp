@@ -207,7 +207,7 @@ std::uint64_t DenseLoop::execute(const isa::Instruction& instruction) {
                              .yy = static_cast<Word>(squares.c),
                              .bits = linear.width};
   kernels::StreamTable columns;
-  if (linear.width > 0) columns = columns_.compute({&stream, 1}).front();
+  if (linear.width > 0) columns = columns_.compute_tables({&stream, 1}).front();
   std::uint64_t steps = 0;
   for (; sequencer_.busy(); ++steps) {
     const array::BitStep step = sequencer_.issue();

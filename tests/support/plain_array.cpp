@@ -104,7 +104,7 @@ void PlainArray::clear_memory(std::uint32_t address, std::uint32_t bits) {
   for (Pixel& pixel : pixels_) std::fill_n(pixel.memory.begin() + address, bits, false);
 }
 
-void PlainArray::select(std::uint32_t width, std::uint32_t height) {
+void PlainArray::select_pixels(std::uint32_t width, std::uint32_t height) {
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
     Pixel& pixel = pixels_[i];
     pixel.present = i % shape_.width < width && i / shape_.width < height;

@@ -46,7 +46,7 @@ class PlainArray {
 
   // Same meaning as the functions of array::PixelArray.
   void clear_memory(std::uint32_t address, std::uint32_t bits);
-  void select(std::uint32_t width, std::uint32_t height);
+  void select_pixels(std::uint32_t width, std::uint32_t height);
   void step(const array::ArrayStep& step, const array::StreamBit& tree);
 
  private:

@@ -130,7 +130,8 @@ std::vector<observe::Knob> measure_parameter_knobs(const Advice& advice, const i
   if (!advice.is_asked || result.interval_clocks == 0) return {};
   engine::RunResult complete = result;
   // The cycle level counts clocks but does not record the run-time outcomes from which clocks are computed.
-  if (complete.met.empty()) complete.met = functional::make_run_record(program, machine).met;
+  if (complete.pixel_activity.empty())
+    complete.pixel_activity = functional::make_run_record(program, machine).pixel_activity;
   std::vector<observe::Knob> knobs = observe::parameter_knobs(program, machine, complete, advice.machine);
   if (advice.settings) std::ranges::move(advice.settings(result), std::back_inserter(knobs));
   return observe::helpful_knobs(std::move(knobs));

@@ -189,7 +189,7 @@ csg::BoxIndex index_of(const std::vector<Body>& bodies) {
 
 }  // namespace
 
-std::vector<std::uint32_t> Bodies::bodies.bodies_meeting(const UnitBox& box) const {
+std::vector<std::uint32_t> Bodies::bodies_meeting(const UnitBox& box) const {
   std::vector<std::uint32_t> found;
   index.meeting(index_box(box), found);
   return found;

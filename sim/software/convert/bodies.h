@@ -75,7 +75,7 @@ struct Bodies {
   csg::BoxIndex index;       ///< index of the bodies' boxes
 
   /// Bodies whose boxes intersect this box, ascending.
-  [[nodiscard]] std::vector<std::uint32_t> bodies.bodies_meeting(const UnitBox& box) const;
+  [[nodiscard]] std::vector<std::uint32_t> bodies_meeting(const UnitBox& box) const;
 };
 
 /// Throws InputError, with the primitive's place in the file, if it cannot be faceted, and WorkError beyond the work

@@ -39,7 +39,7 @@ class Evaluation {
         divide_(bodies, sheet_, found_, work) {}
 
   void add(std::uint32_t body) {
-    const std::vector<std::uint32_t> near = bodies_.bodies.bodies_meeting(bodies_.bodies[body].box);
+    const std::vector<std::uint32_t> near = bodies_.bodies_meeting(bodies_.bodies[body].box);
     if (!std::ranges::binary_search(near, body)) return;
     work_.charge(near.size(), converting);
     std::vector<Operand> operands(near.size());

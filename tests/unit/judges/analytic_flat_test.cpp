@@ -22,7 +22,7 @@ std::string wedge(const glm::dvec3& at, const glm::dvec3& extent) {
   const std::string unit =
       "polyhedron(points=[[0,0,0],[1,0,0],[1,1,0],[0,1,0],[0,0,1],[0,1,1]],"
       "faces=[[0,1,2,3],[0,4,1],[3,2,5],[0,3,5,4],[1,4,5,2]],convexity=1);";
-  return placed(translation(at), placed(scaling(extent), unit));
+  return with_transform(translation(at), with_transform(scaling(extent), unit));
 }
 
 std::string any_box() {
@@ -45,8 +45,8 @@ std::string any_solid() {
 /// One of three exact orientations.
 std::string any_placed(const std::string& solid) {
   switch (*rc::gen::inRange(0, 5)) {
-    case 0: return placed(std::string(turns::right_angle), solid);
-    case 1: return placed("[[1,0,0,0],[0,0,-1,0],[0,1,0,0],[0,0,0,1]]", solid);
+    case 0: return with_transform(std::string(turns::right_angle), solid);
+    case 1: return with_transform("[[1,0,0,0],[0,0,-1,0],[0,1,0,0],[0,0,0,1]]", solid);
     default: return solid;
   }
 }
@@ -104,8 +104,8 @@ std::size_t covered(const std::string& csg, const view::Camera& camera, Size siz
 
 TEST_CASE("flat solids look the same to the judges with and without facets") {
   CHECK(rc::check([] {
-    const std::string model =
-        placed(rotation(*rc::gen::inRange(0, 3600) / 10.0, *rc::gen::inRange(0, 3600) / 10.0), any_model(any_solid));
+    const std::string model = with_transform(
+        rotation(*rc::gen::inRange(0, 3600) / 10.0, *rc::gen::inRange(0, 3600) / 10.0), any_model(any_solid));
     for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
       RC_ASSERT(agree(model, {{19, -28, 21}, {0.3, 0.1, 0.2}, projection}, {40, 30}));
     }
@@ -156,7 +156,8 @@ TEST_CASE("the analytic judge gives coincident faces at the eye's distance one o
   for (const double degrees : {0.0, 33.3, 111.1}) {
     CAPTURE(degrees);
     const std::string turn = rotation(degrees, 41.9);
-    const std::string both = unite({placed(turn, first), placed(turn, box({-5, -1e-13, -5}, {5, 4, 5}))});
+    const std::string both =
+        unite({with_transform(turn, first), with_transform(turn, box({-5, -1e-13, -5}, {5, 4, 5}))});
     const double angle = (41.9 - 90) * 0.017453292519943295;
     const glm::dvec3 along(-std::cos(angle), -std::sin(angle), 0);
     CHECK(agree(both, {{0, 0, 0}, 50.0 * along, Projection::orthographic}, {64, 48}));

@@ -64,7 +64,7 @@ bool is_clear(const Surface& surface, double x, double z) {
 
 /// Number of pixels that do not match the formula.
 std::size_t wrong(const std::string& csg, Projection projection, Turn turn, const Surface& surface) {
-  const std::string placed_csg = placed(rotation(turn.about_x, turn.about_z), csg);
+  const std::string placed_csg = with_transform(rotation(turn.about_x, turn.about_z), csg);
   const judges::Truth truth =
       analytic(make_scenery(placed_csg, turned(straight_camera(size.height, projection), turn), size));
   std::size_t count = 0;
@@ -88,7 +88,7 @@ void check(const std::string& csg, Projection projection, const Surface& surface
   CHECK(rc::check([&] { RC_ASSERT(wrong(csg, projection, any_turn(), surface) == 0U); }));
 }
 
-std::string scaled(const glm::dvec3& by, const std::string& part) { return placed(scaling(by), part); }
+std::string scaled(const glm::dvec3& by, const std::string& part) { return with_transform(scaling(by), part); }
 
 }  // namespace
 
@@ -126,7 +126,7 @@ TEST_CASE("the analytic picture of a cylinder from the side has the depth of its
 }
 
 TEST_CASE("the analytic picture of a scaled cylinder from its end is a flat ellipse") {
-  const std::string lying = placed(rotation(90, 0), scaled({2, 1, 3}, cylinder({0, 0, -1}, 2, 6.25, 6.25, 3)));
+  const std::string lying = with_transform(rotation(90, 0), scaled({2, 1, 3}, cylinder({0, 0, -1}, 2, 6.25, 6.25, 3)));
   check(lying, Projection::orthographic,
         [](double x, double z) { return square(x / 2) + z * z > square(6.25) ? none : to_origin - 3; });
   // The front hides the side in perspective.
@@ -138,7 +138,7 @@ TEST_CASE("the analytic picture of a scaled cylinder from its end is a flat elli
 
 TEST_CASE("the analytic picture of a cone from above slopes evenly up to a flat end") {
   // The apex points to the eye: the axis is along -y.
-  const auto towards = [](const std::string& upright) { return placed(rotation(90, 0), upright); };
+  const auto towards = [](const std::string& upright) { return with_transform(rotation(90, 0), upright); };
   check(towards(cylinder({0, 0, 0}, 9, 12.25, 0, 3)), Projection::orthographic, [](double x, double z) {
     const double aside = std::hypot(x, z);
     return aside > 12.25 ? none : to_origin - 9 * (1 - aside / 12.25);
@@ -168,10 +168,11 @@ TEST_CASE("the analytic picture of a cone from the side has hyperbolic depth up 
 
 TEST_CASE("an analytic ray steeper than a cone hits only one nappe") {
   // Seen from its base: the flat end hides the mirrored nappe beyond the apex.
-  const std::string away = placed(rotation(-90, 0), cylinder({0, 0, 0}, 9, 12.25, 0, 3));
+  const std::string away = with_transform(rotation(-90, 0), cylinder({0, 0, 0}, 9, 12.25, 0, 3));
   check(away, Projection::orthographic, [](double x, double z) { return std::hypot(x, z) > 12.25 ? none : to_origin; });
   // The inside is visible if the cone is subtracted from a solid that ends at its base.
-  const std::string dent = subtract({placed(rotation(90, 0), cylinder({0, 0, -20}, 20, 14.25, 14.25, 3)), away});
+  const std::string dent =
+      subtract({with_transform(rotation(90, 0), cylinder({0, 0, -20}, 20, 14.25, 14.25, 3)), away});
   check(dent, Projection::orthographic, [](double x, double z) {
     const double aside = std::hypot(x, z);
     if (aside > 14.25) return none;

@@ -58,7 +58,7 @@ TEST_CASE("the exact judge orders nearly coincident faces of rotated boxes") {
       const double about_x = *rc::gen::inRange(0, 3600) / 10.0;
       const double about_z = *rc::gen::inRange(0, 3600) / 10.0;
       const double size = *rc::gen::inRange(2, 5);
-      boxes.push_back(placed(rotation(about_x, about_z), box({0, 0, 0}, {size, 3, 3})));
+      boxes.push_back(with_transform(rotation(about_x, about_z), box({0, 0, 0}, {size, 3, 3})));
     }
     const auto projection = *rc::gen::element(Projection::orthographic, Projection::perspective);
     const view::Camera camera{{15, -22, 17}, {0, 0, 0}, projection};

@@ -120,9 +120,9 @@ std::string any_solid() {
   if (kind == 1) part = cylinder({0, 0, -h / 2}, h, r, r, 64);
   if (kind == 2) part = cylinder({0, 0, -h / 2}, h, r, number(0, 4), 64);
   if (kind == 3) part = cylinder({0, 0, -h / 2}, h, 0, r, 64);
-  const std::string wide = placed(scaling({number(1, 3) / 2, number(1, 3), number(1, 2)}), part);
-  const std::string turned = placed(rotation(number(-180, 180), number(-180, 180)), wide);
-  return placed(translation({number(-3, 3), number(-3, 3), number(-3, 3)}), turned);
+  const std::string wide = with_transform(scaling({number(1, 3) / 2, number(1, 3), number(1, 2)}), part);
+  const std::string turned = with_transform(rotation(number(-180, 180), number(-180, 180)), wide);
+  return with_transform(translation({number(-3, 3), number(-3, 3), number(-3, 3)}), turned);
 }
 
 const view::Camera oblique{{15, -22, 17}, {0, 0, 0}, Projection::orthographic};
@@ -230,7 +230,7 @@ TEST_CASE("a primitive never appears outside the rectangle of its vertices") {
 }
 
 TEST_CASE("a cone seen along its axis has its depths around the middle of the range") {
-  const std::string cone = placed(rotation(-90, 0), cylinder({0, 0, 0}, 8, 0, 6, 64));
+  const std::string cone = with_transform(rotation(-90, 0), cylinder({0, 0, 0}, 8, 0, 6, 64));
   const Scenery scenery = make_curved_scenery(cone, straight_camera(21), {21, 21});
   const judges::Explainer explainer = straight_explainer(scenery, 21, 8, 20, 12);
   // Three pixels from the axis the surface is 4 units behind the apex.

@@ -28,8 +28,9 @@ std::string any_solid() {
   const std::string linear = fmt::format("[[{},{},{},0],[{},{},{},0],[{},{},{},0],[0,0,0,1]]", number(1, 2),
                                          number(-1, 1) / 4, number(-1, 1) / 4, number(-1, 1) / 4, number(1, 2),
                                          number(-1, 1) / 4, number(-1, 1) / 4, number(-1, 1) / 4, number(1, 2));
-  const std::string turned = placed(rotation(number(-180, 180), number(-180, 180)), placed(linear, part));
-  return placed(translation({number(-3, 3), number(-3, 3), number(-3, 3)}), turned);
+  const std::string turned =
+      with_transform(rotation(number(-180, 180), number(-180, 180)), with_transform(linear, part));
+  return with_transform(translation({number(-3, 3), number(-3, 3), number(-3, 3)}), turned);
 }
 
 std::string any_model() {

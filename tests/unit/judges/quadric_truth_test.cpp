@@ -18,8 +18,8 @@ std::string round(const glm::dvec3& centre, double radius) { return ball(centre,
 
 /// A frustum along the view from y = low to y = high.
 std::string along_view(double low, double high, double low_radius, double high_radius, double x = 0) {
-  return placed("[[1,0,0," + std::to_string(x) + "],[0,0,1,0],[0,1,0,0],[0,0,0,1]]",
-                cylinder({0, 0, low}, high - low, low_radius, high_radius, fine));
+  return with_transform("[[1,0,0," + std::to_string(x) + "],[0,0,1,0],[0,1,0,0],[0,0,0,1]]",
+                        cylinder({0, 0, low}, high - low, low_radius, high_radius, fine));
 }
 
 Truth straight_on(const std::string& csg, Projection projection = Projection::orthographic, double near = 1) {
@@ -146,7 +146,8 @@ TEST_CASE("a cone's apex is visible if it points to the eye but not on its outli
 
 TEST_CASE("rays along a cone's generator meet it once") {
   // The cone is x^2 <= Z Y for a point (x, Y, Z), between two planes.
-  const std::string leaning = placed("[[1,0,0,0],[0,1,1,0],[0,-1,1,0],[0,0,0,1]]", cylinder({0, 0, 0}, 2, 0, 2, fine));
+  const std::string leaning =
+      with_transform("[[1,0,0,0],[0,1,1,0],[0,-1,1,0],[0,0,0,1]]", cylinder({0, 0, 0}, 2, 0, 2, fine));
   const Truth truth = straight_on(leaning);
   for (int x = -3; x <= 3; ++x) {
     for (int z = -3; z <= 3; ++z) {
@@ -179,7 +180,7 @@ TEST_CASE("a cone with its apex at the eye covers the rays in its surface") {
   }
   // The view direction is a generator: the cone is above the middle row and includes one ray of it.
   const Truth leaning =
-      seen(placed("[[1,0,0,0],[0,1,1,-16],[0,-1,1,0],[0,0,0,1]]", cylinder({0, 0, 0}, 8, 0, 8, fine)));
+      seen(with_transform("[[1,0,0,0],[0,1,1,-16],[0,-1,1,0],[0,0,0,1]]", cylinder({0, 0, 0}, 8, 0, 8, fine)));
   CHECK(leaning.owner[middle] == 0);
   CHECK(leaning.owner[middle + 1] == nothing);
   CHECK(leaning.owner[middle - 9] == 0);
