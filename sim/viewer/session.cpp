@@ -92,7 +92,7 @@ void put_active_tree(const Drawing& drawing, Json& instant) {
   if (active) instant["active"] = std::move(*active);
 }
 
-Json stats_of(const session::CompiledModel& model, const machines::Machine& machine, const session::Drawn& drawn,
+Json stats_of(const session::CompiledModel& model, const machines::Machine& machine, const session::DrawnRun& drawn,
               std::span<const observe::Knob> turned = {}) {
   const observe::Report report{model.program, machine, "functional", drawn.result, drawn.stats, drawn.seconds, turned};
   return report::without_wall_times(observe::to_json(report));
@@ -126,7 +126,7 @@ Reply ended_reply(EndReason why, const std::string& model, std::chrono::millisec
 Json Session::draw(const Json& request, Evaluation& evaluation) {
   const std::shared_ptr<Drawing> held = drawings_.draw(request, evaluation);
   const Drawing& drawing = *held;
-  const session::Drawn& done = *drawing.found->drawn;
+  const session::DrawnRun& done = *drawing.found->drawn;
   const report::Picture picture = report::picture_of(done.frame, drawing.model.program, "", "");
   return {{"picture", png_url(picture.png)},
           {"width", picture.width},

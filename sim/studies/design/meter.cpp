@@ -179,7 +179,7 @@ const judges::Truth& DesignMeter::truth_of(const Job& job, const isa::Program& p
 DesignMeter::PixelErrors DesignMeter::pixel_errors_of(const Job& job, const DrawnProgram& drawn) {
   const judges::Explainer explainer(job.subject->tree, job.subject->scene, job.camera, drawn.program);
   const judges::Errors errors =
-      judges::judge_picture(truth_of(job, drawn.program), drawn.frame, drawn.program, explainer);
+      judges::judge(truth_of(job, drawn.program), drawn.frame, drawn.program, explainer);
   return {errors.wrong(), errors.unexplained, 0};
 }
 

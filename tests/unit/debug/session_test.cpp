@@ -325,7 +325,7 @@ TEST_CASE("a saved state of the debugger covers the instructions up to the next 
   debug::History history;
   CHECK(!history.has_recent_save(0));
   history.save_state(512, {});
-  const std::uint64_t next = history.due(512);
+  const std::uint64_t next = history.next_save_number(512);
   CHECK(next > 513);
   CHECK(!history.has_recent_save(511));
   CHECK(history.has_recent_save(512));
@@ -338,7 +338,7 @@ TEST_CASE("the debugger saves states at the start and at growing distances") {
   checkpoint::Snapshot snapshot;
   snapshot.picture.frame.colour.resize(1 << 20);
   std::uint64_t number = 0;
-  for (; number < 200'000; number = history.due(number)) {
+  for (; number < 200'000; number = history.next_save_number(number)) {
     if (history.has_recent_save(number)) continue;
     snapshot.run.overflows = number;
     history.save_state(number, snapshot);

@@ -66,7 +66,7 @@ bool has_a_point_inside(const plots::Segment& segment, const plots::Box& box) {
 }  // namespace
 
 TEST_CASE("segments cross exactly if each has the other's ends on both sides") {
-  CHECK(count_true(20'000, plots::cross, cross_between_ends) > 1000);
+  CHECK(count_true(20'000, plots::segments_cross, cross_between_ends) > 1000);
 }
 
 TEST_CASE("a segment meets a box if one of its points is inside and not on the edge") {
