@@ -27,7 +27,7 @@ struct Tally {
 
 /// Returns the fault in the traced pictures of a scene; empty if none.
 std::string find_fault(const Scene& scene, std::uint32_t bucket_size, Tally& tally) {
-  const std::vector<testing::VisibleSurface> expected = testing::draw_by_rules(scene.tree, scene.geometry, scene.view);
+  const std::vector<testing::Seen> expected = testing::draw_by_rules(scene.tree, scene.geometry, scene.view);
   const software::Tree tree = software::make_tree(scene.tree, software::Shape::written);
   const software::TraceScene traced_scene(scene.tree, scene.geometry, scene.view, tree);
   tally.facets += traced_scene.screen().facets.size();
