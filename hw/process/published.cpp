@@ -22,7 +22,7 @@ struct Entry {
 /// Length of the gates of the process divided by that of a chip.
 constexpr double same_length = 1;
 
-/// mm² of a chip of that many transistors of logic, of which a gate is `length` times as long as in the process.
+/// mm² of a chip with that many transistors of logic, whose gates are `length` times as long as those of the process.
 double chip_mm2(const Process& process, double transistors, double length) {
   return transistors * static_cast<double>(process.transistor_area) * 1e-12 * length * length * 100 /
          static_cast<double>(process.utilization);
@@ -57,7 +57,7 @@ double pixels_mm2(double pixels, const Process& process, const Machine& machine)
   return pixels * (pixel.logic + pixel.memory);
 }
 
-/// Watts of pixels that all work in every clock, of which a second has `machine.clock_hz`.
+/// Watts of pixels that all work in every clock of the machine.
 double pixels_watts(double pixels, const Process& process, const Machine& machine) {
   const auto processors = static_cast<std::uint64_t>(pixels);
   const machines::Resources all{processors, processors * machine.array.memory_bits};

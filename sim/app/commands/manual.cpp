@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "hw/base/text.h"
 #include "hw/isa/manual.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/machine.h"
@@ -118,9 +119,11 @@ void print_chips(const Options& options) {
              process, [](std::string_view machine) { return kinds::load(std::string(machine)); })) {
       const process::Quantity& quantity = one.quantity;
       const bool is_found = quantity.published > 0;
-      fmt::print("| `{}` | {} | {} | {:.3g} | {} | {} | {} |\n", process.name, quantity.what,
-                 is_found ? fmt::format("{:.3g}", quantity.published) : "", one.model,
-                 is_found ? fmt::format("{:+.0f} %", 100 * one.deviation()) : "", use_of(quantity), quantity.source);
+      const std::string reason = quantity.reason.empty() ? "" : fmt::format("; {}", quantity.reason);
+      fmt::print("| `{}` | {} | {} | {} | {} | {} | {}{} |\n", process.name, quantity.what,
+                 is_found ? rounded(quantity.published) : "", rounded(one.model),
+                 quantity.use == process::Use::predicted ? fmt::format("{:+.0f} %", 100 * one.deviation()) : "",
+                 use_of(quantity), quantity.source, reason);
     }
   }
 }

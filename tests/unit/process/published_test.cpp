@@ -58,7 +58,7 @@ TEST_CASE("a fitted quantity depends on its parameter, and no prediction is fitt
   }
 }
 
-// By hand: transistors of docs/hardware.md, areas of the process files.
+// Transistors are those of docs/hardware.md, areas and energies those of the process files.
 TEST_CASE("quantities of the chips equal calculations by hand") {
   const std::vector<Comparison> nmos = compared("nmos-3um");
   // 217 + 50 transistors of logic, and 72 cells of three.
