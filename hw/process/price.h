@@ -41,9 +41,18 @@ std::vector<ClockPath> clock_paths(const machines::Machine& machine, const Proce
 struct Clock {
   std::uint64_t hz = 0;
   ClockPath path;
+  std::uint64_t usable_hz = 0;  ///< clocks per second that the refresh of dynamic memory leaves
 };
 /// The clock of the machine; empty if there are no paths.
 std::optional<Clock> clock_of(const machines::Machine& machine, const Process& process);
+
+/// Area in mm² of the logic and the memory of a pixel; the memory with its share of decoders and sense amplifiers.
+struct PixelArea {
+  double logic = 0;
+  double memory = 0;
+};
+/// Empty if the pixel has not been synthesized.
+std::optional<PixelArea> pixel_mm2(const machines::Machine& machine, const Process& process);
 
 /// Area in mm² of the processors with trees and memory, of a frame buffer, and of the controller and FIFO of each
 /// array. Empty if the area of a pixel is not known.
@@ -60,8 +69,12 @@ struct FrameWork {
   double seconds = 0;  ///< time from the start of the frame until the next frame begins
 };
 
+/// Joules to send a bit over a mm of wire: half of C V², the energy of a transition.
+double wire_joules(const Process& process);
+
 /// Energy of a frame in joules: in each pixel clock all memory ports, the ALU, the tree node and their registers are
-/// active, and the streams of the trees cross the pixel. The static energy of the gates is added.
+/// active, and the streams of the trees cross the pixel. Added for the time of the frame: the static energy of the
+/// gates, the wires of the clock over all pixels at the machine's clock rate, and the refresh of dynamic memory.
 std::optional<double> frame_joules(const machines::Machine& machine, const machines::Resources& resources,
                                    const FrameWork& work, const Process& process);
 

@@ -4,9 +4,10 @@
   area.py [--liberty FILE]   write hw/machines/area_table.h, and the tables of docs/hardware.md between their marks
   area.py --check            synthesise the narrowest ALUs again and compare; exit code 1 if a number has changed
 
-Transistors are those of static CMOS counted by `stat -tech cmos`, mapped for area to NAND, NOR, AOI and OAI gates.
-FILE is a liberty library, such as osu05_stdcells.lib of Debian's qflow-tech-osu050; without it the columns of areas are
-kept. Tables and flip-flops of an iCE40 are results of synth_ice40.
+Transistors are those of static CMOS counted by `stat -tech cmos`, mapped for area to NAND, NOR, AOI and OAI gates, and
+those of nMOS, mapped to the cells of nmos.lib, whose areas are transistors. FILE is a liberty library, such as
+osu05_stdcells.lib of Debian's qflow-tech-osu050; without it the columns of areas are kept. Tables and flip-flops of an
+iCE40 are results of synth_ice40.
 """
 
 import argparse
@@ -36,6 +37,7 @@ WIDE_SOURCES = "area_wide.v"  # a separate file, so that other syntheses do not 
 # Transistors of the controller by versions of Yosys other than 0.23, which wrote the table. All other checked numbers are
 # equal in these versions.
 CONTROLLER_BY_VERSION = {"0.52": 37762}
+NMOS = "nmos.lib"
 SCRIPT = "map_for_area.abc"  # in a file, because versions of Yosys differ in how they split a script in a command
 
 
@@ -56,14 +58,17 @@ def synthesised(top, parameters, liberty, sources=SOURCES):
     cells = int(re.search(r"Number of cells: +(\d+)", text)[1])
     flip_flops = sum(int(count) for count in re.findall(r"\$_DFF_P_ +(\d+)", text))
     transistors = int(re.search(r"Estimated number of transistors: +(\d+)", text)[1])
-    area = None
-    if liberty:
-        text = yosys(begin + [f"dfflibmap -liberty {liberty}", f"abc -liberty {liberty} -script {SCRIPT}", "opt_clean",
-                              f"stat -liberty {liberty}"])
-        area = round(float(re.search(r"Chip area for module .*: ([\d.]+)", text)[1]))
+    area = mapped_area(begin, liberty) if liberty else None
     luts, registers = ice40(top, values, sources)
-    return {"gates": cells - flip_flops, "flip_flops": flip_flops, "transistors": transistors, "area": area, "luts": luts,
-            "registers": registers}
+    return {"gates": cells - flip_flops, "flip_flops": flip_flops, "transistors": transistors,
+            "nmos": mapped_area(begin, NMOS), "area": area, "luts": luts, "registers": registers}
+
+
+def mapped_area(begin, liberty):
+    """The area of the design mapped to the cells of a library."""
+    text = yosys(begin + [f"dfflibmap -liberty {liberty}", f"abc -liberty {liberty} -script {SCRIPT}", "opt_clean",
+                          f"stat -liberty {liberty}"])
+    return round(float(re.search(r"Chip area for module .*: ([\d.]+)", text)[1]))
 
 
 def ice40(top, values, sources):
@@ -112,9 +117,13 @@ def shared(liberty):
 
 
 def shared_constants(rows):
-    return f"""inline constexpr std::uint32_t controller_transistors = {rows[CONTROLLER]["transistors"]};
-inline constexpr std::uint32_t fifo_transistors = {rows[FIFO]["transistors"]};
+    return f"""inline constexpr Transistors controller_transistors{{{counts(rows[CONTROLLER])}}};
+inline constexpr Transistors fifo_transistors{{{counts(rows[FIFO])}}};
 """
+
+
+def counts(row):
+    return f"{row['transistors']}, {row['nmos']}"
 
 
 def grouped(number):
@@ -129,12 +138,13 @@ def table(head, rows):
 def area_on_page(name):
     """The area stated on the page, for runs without a library."""
     row = re.search(rf"^\| {re.escape(name)} \|(.*)\|$", PAGE.read_text(), re.M)
-    return row[1].split("|")[3].strip() if row else ""
+    return row[1].split("|")[4].strip() if row else ""
 
 
 def figures(name, row):
     area = area_on_page(name) if row["area"] is None else grouped(row["area"])
-    return [name, grouped(row["gates"]), grouped(row["flip_flops"]), grouped(row["transistors"]), area, grouped(row["luts"]), grouped(row["registers"])]
+    return [name, grouped(row["gates"]), grouped(row["flip_flops"]), grouped(row["transistors"]), grouped(row["nmos"]), area,
+            grouped(row["luts"]), grouped(row["registers"])]
 
 
 def pixel_name(alu, reads, degree):
@@ -149,7 +159,7 @@ def node_name(bits, degree):
 
 def tables(pixels, nodes, wired_or, rest):
     """The tables of the page, by mark."""
-    head = ["", "gates", "flip-flops", "transistors", "area, µm²", "iCE40 tables", "iCE40 flip-flops"]
+    head = ["", "gates", "flip-flops", "transistors", "in nMOS", "area, µm²", "iCE40 tables", "iCE40 flip-flops"]
     shown = [(alu, reads, 1) for alu in PAGE_ALU_BITS for reads in READS] + [(1, reads, 2) for reads in READS]
     logic = [figures(pixel_name(*key), pixels[key]) for key in shown]
     logic += [figures(node_name(bits, degree), nodes[bits, degree]) for degree in (1, 2) for bits in PAGE_ALU_BITS]
@@ -169,9 +179,9 @@ def tables(pixels, nodes, wired_or, rest):
 
 
 def header(pixels, nodes, rest):
-    rows = "\n".join(f"    {{{alu}, {reads}, {degree}, {row['transistors']}}},"
+    rows = "\n".join(f"    {{{alu}, {reads}, {degree}, {{{counts(row)}}}}},"
                      for (alu, reads, degree), row in pixels.items())
-    of_nodes = "\n".join(f"    {{{bits}, {degree}, {row['transistors']}}}," for (bits, degree), row in nodes.items())
+    of_nodes = "\n".join(f"    {{{bits}, {degree}, {{{counts(row)}}}}}," for (bits, degree), row in nodes.items())
     return f"""// Synthesized transistor counts.
 // Used by area.cpp and hw/process.
 #pragma once
@@ -179,8 +189,15 @@ def header(pixels, nodes, rest):
 #include <array>
 #include <cstdint>
 
-// Written by tests/rtl/area.py from Yosys's synthesis of the Verilog in hw/rtl: transistors of static CMOS.
+// Written by tests/rtl/area.py from Yosys's synthesis of the Verilog in hw/rtl.
 namespace csgsim::machines {{
+
+/// Transistors of a circuit in static CMOS, and in nMOS with depletion loads, dynamic latches and pass-transistor
+/// selectors (tests/rtl/nmos.lib).
+struct Transistors {{
+  std::uint32_t cmos;
+  std::uint32_t nmos;
+}};
 
 /// A pixel processor with its registers and the rotators of its memory ports, without its memory; in degree 2 with the
 /// flag for roots.
@@ -188,7 +205,7 @@ struct PixelLogic {{
   std::uint32_t alu_bits;
   std::uint32_t memory_reads;
   std::uint32_t degree;
-  std::uint32_t transistors;
+  Transistors transistors;
 }};
 
 // clang-format off
@@ -201,7 +218,7 @@ inline constexpr auto pixel_logic_table = std::to_array<PixelLogic>({{
 struct NodeLogic {{
   std::uint32_t bits;
   std::uint32_t degree;
-  std::uint32_t transistors;
+  Transistors transistors;
 }};
 
 // clang-format off
@@ -232,14 +249,15 @@ def check():
 
     # Yosys accepts the whole machine.
     yosys([f"read_verilog -I{RTL} {SOURCES}", "hierarchy -check -top pixel_planes", "proc", "check -assert", "stat"])
-    nodes = {(bits, degree): node(bits, degree, None)["transistors"] for degree in (1, 2) for bits in (1, 2)}
+    nodes = {(bits, degree): node(bits, degree, None) for degree in (1, 2) for bits in (1, 2)}
     for (bits, degree), now in nodes.items():
-        expect(f"{{{bits}, {degree}, {now}}}", text, TABLE, f"a node of {bits} bits and degree {degree} takes {now} transistors")
+        expect(f"{{{bits}, {degree}, {{{counts(now)}}}}}", text, TABLE,
+               f"a node of {bits} bits and degree {degree} takes {counts(now)} transistors (CMOS, nMOS)")
     for alu_bits, reads, degree in ((1, 1, 1), (1, 2, 1), (2, 1, 1), (1, 1, 2), (1, 2, 2)):
-        now = pixel(alu_bits, reads, degree, None)["transistors"]
-        what = f"an ALU of {alu_bits} with {reads} reads and degree {degree} takes {now} transistors"
-        expect(f"{{{alu_bits}, {reads}, {degree}, {now}}}", text, TABLE, what)
-        logic = now + nodes[1, degree]
+        now = pixel(alu_bits, reads, degree, None)
+        what = f"an ALU of {alu_bits} with {reads} reads and degree {degree} takes {counts(now)} transistors (CMOS, nMOS)"
+        expect(f"{{{alu_bits}, {reads}, {degree}, {{{counts(now)}}}}}", text, TABLE, what)
+        logic = now["transistors"] + nodes[1, degree]["transistors"]
         cells = [alu_bits, reads, degree, grouped(logic)] + [grouped(logic + n * CELL[reads]) for n in MEMORY_BITS]
         expect("| " + " | ".join(map(str, cells)) + " |", page, PAGE, what)
     controller_now = controller(None)
@@ -247,9 +265,9 @@ def check():
     if other is not None:
         if controller_now["transistors"] != other:
             wrong.append(f"the controller takes {controller_now['transistors']} transistors, and CONTROLLER_BY_VERSION says {other}")
-        controller_now["transistors"] = int(re.search(r"controller_transistors = (\d+)", text)[1])
+        controller_now["transistors"] = int(re.search(r"controller_transistors\{(\d+)", text)[1])
     for line in shared_constants({CONTROLLER: controller_now, FIFO: fifo(None)}).splitlines():
-        expect(line, text, TABLE, line.removeprefix("inline constexpr std::uint32_t ").removesuffix(";"))
+        expect(line, text, TABLE, line.removeprefix("inline constexpr ").removesuffix(";"))
     for line in wrong:
         print("area.py: " + line)
     return 1 if wrong else 0

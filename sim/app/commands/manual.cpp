@@ -6,13 +6,16 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "hw/base/text.h"
 #include "hw/isa/manual.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/machine.h"
 #include "hw/process/process.h"
+#include "hw/process/published.h"
 #include "hw/processors/processor.h"
 #include "sim/app/commands/commands.h"
 #include "sim/session/options/lists.h"
@@ -71,6 +74,11 @@ void print_machines(const Options& options) {
   if (are_listed) fmt::print("\ncsgsim manual machines NAME prints every parameter of one, with its source.\n");
 }
 
+/// The names of a list, or all of them.
+std::vector<std::string> named(const std::string& list, const std::vector<std::string_view>& all) {
+  return list == "all" ? std::vector<std::string>(all.begin(), all.end()) : parse_words(list);
+}
+
 /// Lists processors or processes, or prints every parameter of the named ones.
 template <class Load>
 void print_described(const Options& options, const std::vector<std::string_view>& all, Load load) {
@@ -79,9 +87,8 @@ void print_described(const Options& options, const std::vector<std::string_view>
     fmt::print("\ncsgsim manual {} NAME prints every parameter of one, with its source.\n", options.topic);
     return;
   }
-  const std::vector<std::string> names =
-      options.machines == "all" ? std::vector<std::string>(all.begin(), all.end()) : parse_words(options.machines);
-  for (const std::string& name : names) print_parameters_of(for_option("NAME", [&] { return load(name); }));
+  for (const std::string& name : named(options.machines, all))
+    print_parameters_of(for_option("NAME", [&] { return load(name); }));
 }
 
 void print_processors(const Options& options) {
@@ -90,6 +97,35 @@ void print_processors(const Options& options) {
 
 void print_processes(const Options& options) {
   print_described(options, process::process_names(), process::load_process);
+}
+
+/// What became of a published quantity, with the deviation that a prediction may have.
+std::string use_of(const process::Quantity& quantity) {
+  switch (quantity.use) {
+    case process::Use::fitted: return fmt::format("fitted by `{}`", quantity.parameter);
+    case process::Use::predicted: return fmt::format("predicted; {:.0f} % accepted", 100 * quantity.tolerance);
+    case process::Use::not_found: return "predicted; not found";
+  }
+  throw std::logic_error("unknown use of a published quantity");
+}
+
+/// Prints what is published about chips beside the model, as a table in Markdown.
+void print_chips(const Options& options) {
+  fmt::print("| process | quantity | published | model | deviation | use | source |\n|---|---|--:|--:|--:|---|---|\n");
+  const std::string list = options.machines.empty() ? "all" : options.machines;
+  for (const std::string& name : named(list, process::process_names())) {
+    const process::Process process = for_option("NAME", [&] { return process::load_process(name); });
+    for (const process::Comparison& one : process::compare_published(
+             process, [](std::string_view machine) { return kinds::load(std::string(machine)); })) {
+      const process::Quantity& quantity = one.quantity;
+      const bool is_found = quantity.published > 0;
+      const std::string reason = quantity.reason.empty() ? "" : fmt::format("; {}", quantity.reason);
+      fmt::print("| `{}` | {} | {} | {} | {} | {} | {}{} |\n", process.name, quantity.what,
+                 is_found ? rounded(quantity.published) : "", rounded(one.model),
+                 quantity.use == process::Use::predicted ? fmt::format("{:+.0f} %", 100 * one.deviation()) : "",
+                 use_of(quantity), quantity.source, reason);
+    }
+  }
 }
 
 template <class Rows>
@@ -135,6 +171,7 @@ constexpr std::array topics{
     Topic{"processes",
           "the processes for which csgsim explore computes area and energy, or every parameter of the named ones",
           print_processes},
+    Topic{"chips", "what is published about chips beside the model of each process, or of the named ones", print_chips},
     Topic{"instructions", "the broadcast instruction set, as a Markdown page",
           [](const Options& /*options*/) { fmt::print("{}", isa::instruction_set_page()); }},
     Topic{"scenes", "scene files and their effects, as a Markdown page",
@@ -148,7 +185,8 @@ void run(const Options& options) {
     return;
   }
   const bool is_of_machines = topic->print == print_machines;
-  const bool names_some = is_of_machines || topic->print == print_processors || topic->print == print_processes;
+  const bool names_some = is_of_machines || topic->print == print_processors || topic->print == print_processes ||
+                          topic->print == print_chips;
   if (!options.machines.empty() && !names_some)
     throw UsageError("NAME", "csgsim manual " + options.topic + " accepts no name; leave it out");
   if (!options.sets.empty() && !is_of_machines)

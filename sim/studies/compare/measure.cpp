@@ -45,9 +45,13 @@ void count(const isa::Program& program, const machines::Machine& machine, Compar
 std::optional<double> frame_joules(const isa::Program& program, const machines::Machine& machine,
                                    const engine::RunResult& result, const ComparisonRow& row) {
   if (const std::optional<double> joules = observe::frame_joules(result.account)) return joules;
-  static const process::Process of_their_time = process::load_process("nmos-3um");
+  // The process of their time: 10 MHz are those of Pixel-planes 4 in nMOS, 40 MHz those of Pixel-planes 5 in CMOS.
+  constexpr std::uint64_t max_nmos_hz = 20'000'000;
+  static const process::Process nmos = process::load_process("nmos-3um");
+  static const process::Process cmos = process::load_process("cmos-1.6um");
   const machines::Resources resources = machine.kind->resources(machine, isa::frame_header(program));
-  return process::frame_joules(machine, resources, {row.pixel_operations, 1 / row.frames_per_second}, of_their_time);
+  return process::frame_joules(machine, resources, {row.pixel_operations, 1 / row.frames_per_second},
+                               machine.clock_hz > max_nmos_hz ? cmos : nmos);
 }
 
 void draw(const isa::Program& program, const machines::Machine& machine, ComparisonRow& row) {

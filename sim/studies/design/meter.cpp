@@ -53,11 +53,11 @@ void count_machine(const FittedProgram& fitted, DesignRow& row) {
   if (row.pixel_transistors) row.machine_transistors = *row.pixel_transistors * row.processors;
 }
 
-/// Sets the machine's clock to the maximum that the process allows.
-void give_clock(const process::Process& process, FittedProgram& fitted, DesignRow& row) {
+/// Sets the machine's clock to the maximum that the process allows, less the clocks of the memory's refresh.
+void give_clock(const process::Process& process, Fitted& fitted, DesignRow& row) {
   const std::optional<process::Clock> clock = process::clock_of(fitted.machine, process);
   if (!clock) return;
-  fitted.machine.clock_hz = clock->hz;
+  fitted.machine.clock_hz = clock->usable_hz;
   row.clock_path = clock->path.name;
 }
 

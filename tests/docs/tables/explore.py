@@ -11,16 +11,23 @@ MEANINGS = {
     "gate.delay": "of a gate with some load",
     "gate.fan_in": "of a gate at most",
     "gate.static_power": "that a gate draws whatever it does",
+    "logic.family": "circuits of the logic",
+    "logic.utilization": "of the area of logic, the rest is wires",
+    "supply.voltage": "",
     "register.delay": "setting up, and until its output is there",
     "register.energy": "clocked",
     "adder.energy": "added",
+    "clock.lines": "of the clock over each pixel",
     "memory.access": "bit lines and sensing",
     "memory.read_energy": "read",
     "memory.read_bits": "of the memory that this is of",
-    "memory.transistor_area": "one of a memory cell",
-    "transistor.area": "one of logic, with its share of wires",
+    "memory.cell_transistors": "of a memory cell",
+    "memory.cell_area": "of a memory cell",
+    "memory.periphery": "of the cells: decoders, drivers and sense amplifiers",
+    "memory.refresh_time": "0: static cells",
+    "transistor.area": "one of logic",
     "wire.delay": "with what drives it",
-    "wire.energy": "carried",
+    "wire.capacitance": "with what drives it",
 }
 
 
@@ -29,14 +36,18 @@ def figure(described, key):
     return described[table][name]
 
 
+def shown(value):
+    return value if isinstance(value, str) else f"{value:,}"
+
+
 def processes(figures):
     names = figures.names_of("processes")
     all_described = [tomllib.loads((ROOT / f"hw/process/{name}.toml").read_text(encoding="utf-8")) for name in names]
     rows = []
     for key, meaning in MEANINGS.items():
         values = [figure(one, key) for one in all_described]
-        rows.append((f"`{key}`", f"{values[0]['unit']}, {meaning}",
-                     *(cell for one in values for cell in (f"{one['value']:,}", one["provenance"][0]))))
+        rows.append((f"`{key}`", ", ".join(filter(None, (values[0].get("unit"), meaning))),
+                     *(cell for one in values for cell in (shown(one["value"]), one["provenance"][0]))))
     head = [row("parameter", "unit", *(cell for name in names for cell in (f"`{name}`", ""))), "|---|---|" + "--:|---|" * len(names)]
     return "\n".join(head + [row(*cells) for cells in rows])
 

@@ -13,34 +13,49 @@ using process::Process;
 
 namespace {
 
-/// Delays in ps, areas in nm2, energies in aJ, power in pW.
+/// Delays in ps, areas in nm2, energies in aJ, power in pW, voltages in mV, capacitances in fF, times of refresh in ns.
 struct Expected {
   std::string name;
-  std::uint64_t gate, fan_in, static_power, register_delay, register_energy, adder, access, read, read_bits, cell,
-      transistor, wire_delay, wire_energy;
+  std::uint64_t gate, fan_in, static_power, family, utilization, supply, register_delay, register_energy, adder,
+      clock_lines, access, read, read_bits, cell_transistors, cell, periphery, refresh, transistor, wire_delay,
+      wire_capacitance;
   double pixel_gates;  ///< gates on the clock's path through a pixel of Pixel-planes 4
 };
 
 // A pixel has 72 bits, so 7 bits of address: two levels of gates with four inputs or one with eight, and a driver; four
 // gates select, two form the carry.
 const std::vector<Expected> all{
-    {"nmos-3um", 4000, 8, 50'000'000, 16'000, 8'000'000, 6'400'000, 52'000, 320'000'000, 65'536, 550'000'000,
-     1'700'000'000, 200, 6'000'000, 1 + 1 + 4 + 2},
-    {"cmos-45nm", 16, 4, 20'000, 48, 4000, 3125, 200, 156'250, 65'536, 57'700, 200'000, 100, 121'000, 2 + 1 + 4 + 2},
-    {"cmos-7nm", 7, 4, 2000, 21, 1200, 940, 90, 117'200, 65'536, 4500, 12'100, 150, 80'000, 2 + 1 + 4 + 2},
+    {"nmos-3um",  4000,   8, 88'000'000,    1,   100,       5000,        16'000, 8'000'000, 6'400'000,    2, 52'000,
+     320'000'000, 65'536, 3, 1'633'500'000, 116, 2'000'000, 475'000'000, 200,    250,       1 + 1 + 4 + 2},
+    {"cmos-1.6um", 576,         4,      1000, 0,           100, 5000, 1728,        4'400'000, 3'400'000, 2,
+     18'088,       170'000'000, 65'536, 6,    748'800'000, 40,  0,    430'000'000, 200,       250,       2 + 1 + 4 + 2},
+    {"cmos-45nm", 16,      4,      20'000, 0,       70, 900, 48,      4000, 3125, 1,
+     200,         156'250, 65'536, 6,      346'000, 60, 0,   200'000, 100,  299,  2 + 1 + 4 + 2},
+    {"cmos-7nm", 7,       4,      2000, 0,      100, 750, 21,     1200, 940, 1,
+     90,         117'200, 65'536, 6,    27'000, 60,  0,   12'100, 150,  278, 2 + 1 + 4 + 2},
 };
 
-constexpr double logic = 434;  ///< transistors of a pixel and its node
 constexpr double pixels = 512 * 512;
 
-/// Area in mm2 of a pixel with 72 bits of three transistors.
-double pixel_area(const Expected& one) {
-  return (logic * static_cast<double>(one.transistor) + 72 * 3 * static_cast<double>(one.cell)) * 1e-12;
+/// Transistors of a pixel and its node: 344 + 90 in static CMOS, 217 + 50 in nMOS.
+double logic_of(const Expected& one) { return one.family == 0 ? 434 : 267; }
+
+double transistor_mm2(const Expected& one) {
+  return static_cast<double>(one.transistor) * 100 / static_cast<double>(one.utilization) * 1e-12;
 }
 
-double shared_transistors(const machines::Machine& machine) {
-  return machines::controller_transistors + static_cast<double>(machine.link.width * machine.link.fifo_depth) *
-                                                machines::fifo_transistors / machines::fifo_bits;
+/// Area in mm2 of a pixel with 72 bits.
+double pixel_area(const Expected& one) {
+  return logic_of(one) * transistor_mm2(one) +
+         72 * static_cast<double>(one.cell) * (1 + static_cast<double>(one.periphery) / 100) * 1e-12;
+}
+
+double shared_transistors(const machines::Machine& machine, const Expected& one) {
+  const auto count = [&](const machines::Transistors& of) {
+    return one.family == 0 ? double{of.cmos} : double{of.nmos};
+  };
+  return count(machines::controller_transistors) + static_cast<double>(machine.link.width * machine.link.fifo_depth) *
+                                                       count(machines::fifo_transistors) / machines::fifo_bits;
 }
 
 }  // namespace
@@ -59,10 +74,17 @@ TEST_CASE("the built-in processes have the figures of their sources") {
     CHECK(read.memory_access == one.access);
     CHECK(read.memory_energy == one.read);
     CHECK(read.memory_bits == one.read_bits);
-    CHECK(read.memory_transistor_area == one.cell);
+    CHECK(read.family == one.family);
+    CHECK(read.utilization == one.utilization);
+    CHECK(read.supply == one.supply);
+    CHECK(read.clock_lines == one.clock_lines);
+    CHECK(read.cell_transistors == one.cell_transistors);
+    CHECK(read.cell_area == one.cell);
+    CHECK(read.periphery == one.periphery);
+    CHECK(read.refresh_time == one.refresh);
     CHECK(read.transistor_area == one.transistor);
     CHECK(read.wire_delay == one.wire_delay);
-    CHECK(read.wire_energy == one.wire_energy);
+    CHECK(read.wire_capacitance == one.wire_capacitance);
   }
 }
 
@@ -86,13 +108,15 @@ TEST_CASE("published figures of the processes follow from their sources' stateme
   CHECK(old.adder_energy == 100'000 / 32);                         // 0.1 pJ, 32 bits
   CHECK(old.memory_energy == 10'000'000 / 64);                     // 10 pJ, 64 bits
   CHECK(old.memory_bits == 8 * 1024 * 8);                          // 8 KB
-  CHECK(old.memory_transistor_area == 57'700);                     // 0.346 um2 / 6
-  CHECK(old.wire_energy == 310'000'000 / 256 / 10 / 1000 * 1000);  // 310 pJ, 256 bits, 10 mm
+  CHECK(old.cell_area == 346'000);                                 // 0.346 um2
+  // 310 pJ, 256 bits, 10 mm.
+  CHECK(process::wire_joules(old) * 1e12 == doctest::Approx(310.0 / 256 / 10).epsilon(0.005));
   const Process today = process::load_process("cmos-7nm");
   CHECK(today.adder_energy == doctest::Approx(30'000 / 32.0).epsilon(0.005));      // 0.03 pJ
   CHECK(today.memory_energy == doctest::Approx(7'500'000 / 64.0).epsilon(0.001));  // 7.5 pJ
   CHECK(today.transistor_area == doctest::Approx(83.27e12 / 6.9e9).epsilon(0.005));
-  CHECK(today.memory_transistor_area == 4500);  // 0.027 um2 / 6
+  CHECK(today.cell_area == 27'000);                                                               // 0.027 um2
+  CHECK(process::wire_joules(today) * 1e12 == doctest::Approx(200.0 / 256 / 10).epsilon(0.005));  // 200 pJ
 }
 
 TEST_CASE("each built-in process yields the hand-calculated clock and silicon and energy") {
@@ -101,24 +125,36 @@ TEST_CASE("each built-in process yields the hand-calculated clock and silicon an
     CAPTURE(one.name);
     const Process read = process::load_process(one.name);
     const auto gate = static_cast<double>(one.gate);
-    const double ps = static_cast<double>(one.register_delay + one.access) + one.pixel_gates * gate;
+    const double area = pixel_area(one);
+    const double pixel = static_cast<double>(one.register_delay + one.access) + one.pixel_gates * gate;
+    const double wire_path = static_cast<double>(one.register_delay) +
+                             256 * std::sqrt(area) * static_cast<double>(one.wire_delay);  // half a side
+    const double ps = std::max(pixel, wire_path);
     const auto clock = process::clock_of(machine, read);
     REQUIRE(clock.has_value());
-    CHECK(clock->path.name == "pixel");
+    // Large static cells make the array of 1.6 um wide.
+    CHECK(clock->path.name == (one.name == "cmos-1.6um" ? "wire" : "pixel"));
     CHECK(clock->path.ps == doctest::Approx(ps));
     CHECK(clock->hz == static_cast<std::uint64_t>(std::llround(1e12 / ps)));
-    const double area = pixel_area(one);
-    const double shared = shared_transistors(machine);
+    const double shared = shared_transistors(machine, one);
     const machines::Resources resources{static_cast<std::uint64_t>(pixels), static_cast<std::uint64_t>(pixels) * 72};
     CHECK(*process::machine_mm2(machine, resources, read) ==
-          doctest::Approx(pixels * area + shared * static_cast<double>(one.transistor) * 1e-12));
+          doctest::Approx(pixels * area + shared * transistor_mm2(one)));
+    const double volts = static_cast<double>(one.supply) / 1000;
+    const double wire = static_cast<double>(one.wire_capacitance) * 1000 * volts * volts / 2;  // aJ a mm
     // Two ports of a bit, from a memory of 72 bits instead of 65,536; two adders, seven flip-flops, two wires.
     const double attojoules = 2 * static_cast<double>(one.read) * std::sqrt(72 / 65'536.0) +
                               2 * static_cast<double>(one.adder) + 7 * static_cast<double>(one.register_energy) +
-                              2 * std::sqrt(area) * static_cast<double>(one.wire_energy);
+                              2 * std::sqrt(area) * wire;
     CHECK(*process::frame_joules(machine, resources, {1'000'000'000, 0}, read) / (attojoules * 1e-9) ==
           doctest::Approx(1));
-    const double watts = (pixels * logic + shared) / 4 * static_cast<double>(one.static_power) * 1e-12;
+    const double gates = (pixels * logic_of(one) + shared) / (one.family == 0 ? 4 : 3);
+    const double clock_wires =
+        pixels * static_cast<double>(one.clock_lines) * std::sqrt(area) * 2 * wire * 1e-18 * 10e6;
+    const double refresh = one.refresh == 0 ? 0
+                                            : pixels * 72 * 2 * static_cast<double>(one.read) * 1e-18 *
+                                                  std::sqrt(72 / 65'536.0) / (static_cast<double>(one.refresh) * 1e-9);
+    const double watts = gates * static_cast<double>(one.static_power) * 1e-12 + clock_wires + refresh;
     CHECK(*process::frame_joules(machine, resources, {0, 3}, read) / (3 * watts) == doctest::Approx(1));
   }
   // The paths take 392 and 174 ps.
@@ -138,10 +174,16 @@ TEST_CASE("each parameter of a process is accepted up to its limits") {
       {"memory.access", 1, 10 * million},
       {"memory.read_energy", 0, 1000 * million * million},
       {"memory.read_bits", 1, 1000 * million},
-      {"memory.transistor_area", 1, million * million},
+      {"logic.utilization", 1, 100},
+      {"supply.voltage", 1, 100'000},
+      {"clock.lines", 0, 16},
+      {"memory.cell_transistors", 1, 16},
+      {"memory.cell_area", 1, 10 * million * million},
+      {"memory.periphery", 0, 10'000},
+      {"memory.refresh_time", 0, million * million},
       {"transistor.area", 1, million * million},
       {"wire.delay", 0, million},
-      {"wire.energy", 0, million * million},
+      {"wire.capacitance", 0, 100'000},
   });
   testing::check_figure_ranges("cmos-45nm", ranges,
                                [](const std::string& text) { return process::load_process(text); });
@@ -156,10 +198,10 @@ TEST_CASE("the clocks of extreme processes stay within the range of a machine de
 }
 
 TEST_CASE("a clock rate below one hertz becomes one hertz") {
-  // The largest transistors and the slowest wires: 434 and 4096 times three of a mm2 give a pitch of 113 mm; 8192 of
-  // these take 0.93 s. With two reads a bit has five transistors: 143 mm and 1.17 s.
+  // The largest cells and the slowest wires: 4096 of ten mm2, a third more with two reads and 60 % of periphery give a
+  // pitch of 296 mm; 8192 of these take 2.4 s.
   const std::string slowest =
-      "cmos-7nm+transistor.area=1000000000000+memory.transistor_area=1000000000000+wire.delay=1000000";
+      "cmos-7nm+transistor.area=1000000000000+memory.cell_area=10000000000000+wire.delay=1000000";
   const std::string largest = "pixel-planes-4+array.width=16384+array.height=16384+array.memory_bits=4096";
   const auto one = process::clock_of(kinds::load(largest + "+memory.reads=2"), process::load_process(slowest));
   REQUIRE(one.has_value());

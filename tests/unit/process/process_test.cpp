@@ -14,7 +14,7 @@ using process::Process;
 
 namespace {
 
-/// Round figures for calculation by hand.
+/// Round figures for calculation by hand: half of 140 fF times the square of 10 mV are 7 aJ.
 const std::string round_figures = R"(
 name = "round"
 description = "of round figures"
@@ -33,6 +33,20 @@ value = 4
 unit = "pW"
 provenance = "assumed"
 source = "a test"
+[logic.family]
+value = "cmos"
+provenance = "assumed"
+source = "a test"
+[logic.utilization]
+value = 100
+unit = "%"
+provenance = "assumed"
+source = "a test"
+[supply.voltage]
+value = 10
+unit = "mV"
+provenance = "assumed"
+source = "a test"
 [register.delay]
 value = 100
 unit = "ps"
@@ -46,6 +60,11 @@ source = "a test"
 [adder.energy]
 value = 5
 unit = "aJ a bit"
+provenance = "assumed"
+source = "a test"
+[clock.lines]
+value = 0
+unit = "wires"
 provenance = "assumed"
 source = "a test"
 [memory.access]
@@ -63,9 +82,24 @@ value = 6400
 unit = "bits"
 provenance = "assumed"
 source = "a test"
-[memory.transistor_area]
-value = 1_000_000
+[memory.cell_transistors]
+value = 3
+unit = "transistors"
+provenance = "assumed"
+source = "a test"
+[memory.cell_area]
+value = 3_000_000
 unit = "nm2"
+provenance = "assumed"
+source = "a test"
+[memory.periphery]
+value = 0
+unit = "%"
+provenance = "assumed"
+source = "a test"
+[memory.refresh_time]
+value = 0
+unit = "ns"
 provenance = "assumed"
 source = "a test"
 [transistor.area]
@@ -78,14 +112,16 @@ value = 300
 unit = "ps a mm"
 provenance = "assumed"
 source = "a test"
-[wire.energy]
-value = 7
-unit = "aJ a bit and mm"
+[wire.capacitance]
+value = 140
+unit = "fF a mm"
 provenance = "assumed"
 source = "a test"
 )";
 
-Process round_process() { return process::read_process(round_figures, "round.toml"); }
+Process round_process(const std::vector<std::string>& changes = {}) {
+  return process::read_process(round_figures, "round.toml", changes);
+}
 
 /// Pixel-planes 4 with 64 x 64 pixels of 64 bits.
 machines::Machine small_machine(const std::string& changes = "") {
@@ -106,7 +142,7 @@ TEST_CASE("each parameter of each built-in process has a source") {
   for (const std::string_view name : process::process_names()) {
     const Process one = process::load_process(std::string(name));
     CHECK(one.name == name);
-    CHECK(one.figures.size() == 13);
+    CHECK(one.figures.size() == 20);
     for (const machines::Figure& figure : one.figures) CHECK(figure.source.size() > 10);
   }
 }
@@ -173,7 +209,7 @@ TEST_CASE("the longest wire is half the longer side and the global OR combines a
 
 TEST_CASE("bits of a second buffer have one read port whatever the pixel memory has") {
   const Process one = round_process();
-  const double shared = (machines::controller_transistors + double{machines::fifo_transistors}) * 2e-6;
+  const double shared = (machines::controller_transistors.cmos + double{machines::fifo_transistors.cmos}) * 2e-6;
   const machines::Machine two_reads = small_machine("+memory.reads=2");
   // 298 and 90 of logic, and five transistors per bit of the pixels; three per bit of the buffer.
   const double pixels = 4096 * (388 * 2e-6 + 64 * 5e-6);
@@ -187,7 +223,7 @@ TEST_CASE("the silicon of a machine includes pixels and buffers and controllers 
   const Process one = round_process();
   const machines::Machine machine = small_machine();
   const machines::Resources pixels{4096, 4096 * 64};
-  const double shared = (machines::controller_transistors + double{machines::fifo_transistors}) * 2e-6;
+  const double shared = (machines::controller_transistors.cmos + double{machines::fifo_transistors.cmos}) * 2e-6;
   CHECK(process::machine_mm2(machine, pixels, one) == doctest::Approx(4096 * 1060e-6 + shared));
   // With four bits per clock, a pixel has 1070 transistors of ALU logic and 294 of tree logic.
   CHECK(process::machine_mm2(small_machine("+alu.bits=4+evaluator.bits=4"), pixels, one) ==
@@ -199,8 +235,9 @@ TEST_CASE("the silicon of a machine includes pixels and buffers and controllers 
     return *process::machine_mm2(several, {4096, 4096 * several.array.memory_bits}, one);
   };
   const machines::Link link = kinds::load("pixel-planes-5").link;
-  const double of_one =
-      (machines::controller_transistors + link.fifo_depth * link.width * (machines::fifo_transistors / 512.0)) * 2e-6;
+  const double of_one = (machines::controller_transistors.cmos +
+                         link.fifo_depth * link.width * (machines::fifo_transistors.cmos / 512.0)) *
+                        2e-6;
   CHECK(squares("+renderers.count=4") - squares("+renderers.count=1") == doctest::Approx(3 * of_one));
 }
 
@@ -238,9 +275,83 @@ TEST_CASE("a frame's energy is that of its pixel clocks plus static power") {
   // Registers at two thirds of the nodes.
   const double fewer = 1e-18 * (2 * 40 * 0.1 + 2 * 5 + (5 + 4.0 / 3) * 2 + 2 * 7 * std::sqrt(1038e-6));
   CHECK(part_of("+evaluator.register_levels=2", {1000, 0}, 1000 * fewer) == doctest::Approx(1));
-  const double gates = (4096 * 434 + machines::controller_transistors + machines::fifo_transistors) / 4.0;
+  const double gates = (4096 * 434 + machines::controller_transistors.cmos + machines::fifo_transistors.cmos) / 4.0;
   CHECK(part_of("", {1000, 2}, 1000 * clock + gates * 4e-12 * 2) == doctest::Approx(1));
   CHECK(part_of("", {0, 2}, gates * 4e-12 * 2) == doctest::Approx(1));
+}
+
+TEST_CASE("wires between cells and the periphery of the memory enlarge a pixel") {
+  const machines::Machine machine = small_machine();
+  const auto pixel = [&](const std::vector<std::string>& changes) {
+    return *process::pixel_mm2(machine, round_process(changes));
+  };
+  CHECK(pixel({}).logic == doctest::Approx(434 * 2e-6));
+  CHECK(pixel({}).memory == doctest::Approx(64 * 3e-6));
+  CHECK(pixel({"logic.utilization=80"}).logic == doctest::Approx(434 * 2.5e-6));
+  CHECK(pixel({"memory.periphery=50"}).memory == doctest::Approx(64 * 4.5e-6));
+  // A cell of one transistor gets two for the second read port, one of six transistors a third more.
+  const machines::Machine two_reads = small_machine("+memory.reads=2");
+  for (const auto& [transistors, area] : {std::pair{1, 9e-6}, {3, 5e-6}, {6, 4e-6}}) {
+    const Process one = round_process({fmt::format("memory.cell_transistors={}", transistors)});
+    CHECK(process::pixel_mm2(two_reads, one)->memory == doctest::Approx(64 * area));
+    CHECK(process::pixel_mm2(machine, one)->memory == doctest::Approx(64 * 3e-6));
+  }
+  CHECK(!process::pixel_mm2(kinds::load("scan-line"), round_process()).has_value());
+}
+
+TEST_CASE("nMOS logic has the transistors of nMOS circuits and three per gate") {
+  const Process one = round_process({"logic.family=nmos"});
+  const machines::Machine machine = small_machine();
+  // 217 transistors of the pixel and 50 of the node.
+  CHECK(process::pixel_mm2(machine, one)->logic == doctest::Approx(267 * 2e-6));
+  const double shared = machines::controller_transistors.nmos + double{machines::fifo_transistors.nmos};
+  CHECK(process::machine_mm2(machine, {4096, 4096 * 64}, one) ==
+        doctest::Approx(4096 * (267 * 2e-6 + 64 * 3e-6) + shared * 2e-6));
+  const double watts = (4096 * 267 + shared) / 3 * 4e-12;
+  CHECK(*process::frame_joules(machine, {4096, 4096 * 64}, {0, 2}, one) / (2 * watts) == doctest::Approx(1));
+  // Registers at two thirds of the nodes save a third of two flip-flops of two latches of three transistors.
+  CHECK(process::pixel_mm2(small_machine("+evaluator.register_levels=2"), one)->logic == doctest::Approx(263 * 2e-6));
+  CHECK_THROWS_WITH_AS(round_process({"logic.family=bipolar"}), doctest::Contains("logic.family"),
+                       machines::ChangeError);
+}
+
+TEST_CASE("the clock's wires cross each pixel and are charged in every clock of the frame") {
+  const machines::Machine machine = small_machine();  // 10 MHz
+  const machines::Resources pixels{4096, 4096 * 64};
+  const double without = *process::frame_joules(machine, pixels, {1000, 2}, round_process());
+  const double with = *process::frame_joules(machine, pixels, {1000, 2}, round_process({"clock.lines=3"}));
+  // C V2 is 14 aJ a mm.
+  const double expected = 4096 * 3 * std::sqrt(1060e-6) * 14e-18 * 10e6 * 2;
+  CHECK((with - without) / expected == doctest::Approx(1));
+}
+
+TEST_CASE("dynamic memory is refreshed in clocks and with energy") {
+  const machines::Machine machine = small_machine();
+  const machines::Resources resources{4096, 4096 * 64 + 1000};
+  const Process fixed = round_process();
+  const Process dynamic = round_process({"memory.refresh_time=1000"});
+  // A clock takes 1190 ps: 64 rows take 76.16 of the 1000 ns.
+  CHECK(process::clock_of(machine, fixed)->usable_hz == process::clock_of(machine, fixed)->hz);
+  const auto clock = process::clock_of(machine, dynamic);
+  CHECK(clock->hz == static_cast<std::uint64_t>(std::llround(1e12 / 1190)));
+  CHECK(clock->usable_hz == static_cast<std::uint64_t>(std::llround(1e12 / 1190 * (1 - 0.07616))));
+  // Two bits a row, with an ALU of two; its clock takes 20 ps more for the rotator and 20 ps for the carry.
+  CHECK(process::clock_of(small_machine("+alu.bits=2"), dynamic)->usable_hz ==
+        static_cast<std::uint64_t>(std::llround(1e12 / 1230 * (1 - 32 * 1.23 / 1000))));
+  CHECK(process::clock_of(machine, round_process({"memory.refresh_time=1"}))->usable_hz == 1);
+  // Every bit, also of the buffer, is read and written each microsecond, 4 aJ each.
+  const double refresh = (4096 * 64 + 1000) * 2 * 4e-18 / 1e-6;
+  const double without = *process::frame_joules(machine, resources, {1000, 3}, fixed);
+  CHECK((*process::frame_joules(machine, resources, {1000, 3}, dynamic) - without) / (3 * refresh) ==
+        doctest::Approx(1));
+}
+
+TEST_CASE("a cell of one transistor is written again after each read") {
+  const machines::Machine machine = small_machine();
+  const machines::Resources pixels{4096, 4096 * 64};
+  const double three = *process::frame_joules(machine, pixels, {1000, 0}, round_process());
+  const double one = *process::frame_joules(machine, pixels, {1000, 0}, round_process({"memory.cell_transistors=1"}));
+  CHECK((one - three) / (1000 * 4e-18) == doctest::Approx(1));
 }
 
 TEST_CASE("pixel clocks count executed instructions at each pixel of the region") {
@@ -346,21 +457,22 @@ TEST_CASE("a process lists its parameters in the order of its file with unit and
   const Process one = round_process();
   CHECK(one.name == "round");
   CHECK(one.description == "of round figures");
-  REQUIRE(one.figures.size() == 13);
+  REQUIRE(one.figures.size() == 20);
   CHECK(one.figures[0].key == "gate.delay");
   CHECK(one.figures[0].value == "10");
   CHECK(one.figures[0].unit == "ps");
-  CHECK(one.figures[12].key == "wire.energy");
-  CHECK(one.figures[12].value == "7");
-  CHECK(one.figures[12].unit == "aJ a bit and mm");
+  CHECK(one.figures[19].key == "wire.capacitance");
+  CHECK(one.figures[19].value == "140");
+  CHECK(one.figures[19].unit == "fF a mm");
   for (const machines::Figure& figure : one.figures) {
     CHECK(figure.provenance == "assumed");
     CHECK(figure.source == "a test");
   }
   const Process none;
   CHECK(none.gate_delay + none.gate_fan_in + none.register_delay + none.memory_access + none.wire_delay == 0);
-  CHECK(none.transistor_area + none.memory_transistor_area + none.memory_bits + none.static_power == 0);
-  CHECK(none.adder_energy + none.register_energy + none.memory_energy + none.wire_energy == 0);
+  CHECK(none.transistor_area + none.cell_area + none.cell_transistors + none.memory_bits + none.static_power == 0);
+  CHECK(none.adder_energy + none.register_energy + none.memory_energy + none.wire_capacitance == 0);
+  CHECK(none.family + none.utilization + none.supply + none.clock_lines + none.periphery + none.refresh_time == 0);
 }
 
 TEST_CASE("unsynthesized machines have no area or energy in any process") {
