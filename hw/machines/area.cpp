@@ -43,7 +43,7 @@ std::optional<std::uint64_t> logic_transistors(const Machine& machine, LogicFami
   });
   if (logic == pixel_logic_table.end() || node == node_logic_table.end()) return std::nullopt;
   const double streams = (machine.evaluator_degree == 1 ? 2.0 : 4.0) * machine.evaluator_bits;
-  const double left_out = (1 - registered_nodes(machine)) * streams * in_family(register_transistors, family);
+  const double left_out = (1 - registered_node_fraction(machine)) * streams * in_family(register_transistors, family);
   return static_cast<std::uint64_t>(
       std::llround(in_family(logic->transistors, family) + in_family(node->transistors, family) - left_out));
 }

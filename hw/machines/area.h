@@ -24,8 +24,8 @@ double registered_node_fraction(const Machine& machine);
 
 /// Transistors of the logic of one pixel of the machine: its processor and its node of the multiplier trees. In degree
 /// 2 this includes the flag for roots and the adders for squares; all adders have evaluator.bits bits. Stream registers
-/// are counted in proportion to registered_nodes(). Empty if no such pixel has been synthesized: the processors are of
-/// another type, or the table has no ALU or node of that width.
+/// are counted in proportion to registered_node_fraction(). Empty if no such pixel has been synthesized: the processors
+/// are of another type, or the table has no ALU or node of that width.
 std::optional<std::uint64_t> logic_transistors(const Machine& machine, LogicFamily family);
 
 /// Transistors of one pixel with `memory_bits` bits of memory, its logic in static CMOS.

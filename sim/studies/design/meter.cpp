@@ -54,7 +54,7 @@ void count_machine(const FittedProgram& fitted, DesignRow& row) {
 }
 
 /// Sets the machine's clock to the maximum that the process allows, less the clocks of the memory's refresh.
-void give_clock(const process::Process& process, Fitted& fitted, DesignRow& row) {
+void give_clock(const process::Process& process, FittedProgram& fitted, DesignRow& row) {
   const std::optional<process::Clock> clock = process::clock_of(fitted.machine, process);
   if (!clock) return;
   fitted.machine.clock_hz = clock->usable_hz;
@@ -178,8 +178,7 @@ const judges::Truth& DesignMeter::truth_of(const Job& job, const isa::Program& p
 
 DesignMeter::PixelErrors DesignMeter::pixel_errors_of(const Job& job, const DrawnProgram& drawn) {
   const judges::Explainer explainer(job.subject->tree, job.subject->scene, job.camera, drawn.program);
-  const judges::Errors errors =
-      judges::judge(truth_of(job, drawn.program), drawn.frame, drawn.program, explainer);
+  const judges::Errors errors = judges::judge(truth_of(job, drawn.program), drawn.frame, drawn.program, explainer);
   return {errors.wrong(), errors.unexplained, 0};
 }
 
