@@ -14,7 +14,7 @@ from pathlib import Path
 import executor
 
 SUITE = Path(__file__).resolve().parents[2] / "traces/benchmark"
-SMALLEST = ("coplanar_faces", "edge_on_faces", "polyhedron_ring")
+SMALLEST = ("edge_on_faces", "minkowski_both", "crossing_cylinders", "thin_walls", "coplanar_faces", "polyhedron_ring")
 MACHINE = "pixel-planes-4"  # whose array the executor's counts describe
 
 

@@ -1,8 +1,9 @@
 """Executes Programs in text form, pixel by pixel, in plain Python: written from docs/instruction-set.md alone, without
 squares and roots, which the benchmark's Programs do not use.
 
-Counts are those of a machine whose ALU and trees process one bit a clock and which reads memory once a clock, as
-Pixel-planes 4."""
+Counts are those of Pixel-planes 4: ALU and trees process one bit a clock, memory is read once a clock, and a gate of the
+global OR joins 64 lines (docs/machines/pixel-planes.md)."""
+import math
 import re
 from collections import Counter
 from dataclasses import dataclass, field
@@ -19,7 +20,6 @@ class Field:
 
 @dataclass
 class Linear:
-    """A*x + B*y + C, and the bits streamed and dropped."""
     terms: dict  # A, B and C, by `x`, `y` and `1`
     width: int
     shift: int
@@ -56,10 +56,6 @@ class Result:
     used: set = field(default_factory=set)  # bits of pixel memory
 
 
-def values_of(words):
-    return dict(word.split("=", 1) for word in words)
-
-
 def parse_linear(text):
     total, _, ending = text.rpartition("(")
     width, _, shift = ending.rstrip(")").partition(">>")
@@ -88,20 +84,20 @@ def parse(text):
         line = re.split("[#;]", line)[0].strip()
         name, _, rest = line.partition(" ")
         if name == ".array":
-            values = values_of(rest.split())
+            values = dict(word.split("=") for word in rest.split())
             program.width, program.height = int(values["width"]), int(values["height"])
         elif name == ".frame":
-            values = values_of(rest.split())
+            values = dict(word.split("=") for word in rest.split())
             program.colour = Field(int(values["colour_base"]), int(values["colour_bits"]))
             program.background = int(values.get("background", 0))
         elif name == ".depth":
-            program.depth = values_of(rest.split())
+            program.depth = dict(word.split("=") for word in rest.split())
         elif name == ".field":
             called, place, role = rest.split()
             program.fields[called] = parse_operand(place, {})
             program.fields[called].role = role
         elif name == ".segment":
-            values = values_of(rest.split())
+            values = dict(word.split("=") for word in rest.split())
             program.segments.append(Segment(*(int(values[key]) for key in ("x", "y", "width", "height"))))
         elif name and not name.startswith("."):
             operands = [parse_operand(one, program.fields) for one in rest.split(",")] if rest else []
@@ -109,8 +105,11 @@ def parse(text):
     return program
 
 
-def steps_of(name, operands):
-    """Bit steps of an instruction."""
+def steps_of(name, operands, segment):
+    """Clocks of an instruction."""
+    if name in ("global_or", "skip_if_none"):
+        trees = sum(math.ceil(math.log2(side)) for side in (segment.width, segment.height))
+        return 1 + trees + next(n for n in range(9) if 64**n >= segment.width * segment.height)
     for one in operands:
         if isinstance(one, Linear):
             return one.width * (2 if name in ("keep_max", "keep_min") else 1)
@@ -232,7 +231,7 @@ def run(program):
                     result.used.update(range(one.base, one.base + one.width))
         while at < len(segment.instructions):
             name, operands = segment.instructions[at]
-            steps = steps_of(name, operands)
+            steps = steps_of(name, operands, segment)
             result.counts[name] += 1
             result.pixel_operations += steps * len(array.all)
             result.enabled_operations += steps * len(array.enabled)

@@ -37,7 +37,7 @@ const std::string bare = R"(# csgsim program
 enable_all
 keep_max Z1, 12*x - 7*y + 91 (w35 >> 12)
 enable_load [70]
-set_constant colour, 0xff
+set_constant colour, 255
 )";
 
 }  // namespace
