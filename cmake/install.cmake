@@ -36,6 +36,9 @@ install(DIRECTORY hw/process/ DESTINATION ${data_dir}/processes FILES_MATCHING P
 install(DIRECTORY hw/processors/ DESTINATION ${data_dir}/processors FILES_MATCHING PATTERN "*.toml")
 install(DIRECTORY tests/models tests/scenes DESTINATION ${data_dir}/examples FILES_MATCHING
   PATTERN "*.csg" PATTERN "*.scad" PATTERN "*.toml" PATTERN "README.md" PATTERN solids EXCLUDE)
+install(DIRECTORY traces/benchmark/ DESTINATION ${data_dir}/benchmark FILES_MATCHING
+  PATTERN "*.toml" PATTERN "*.csv" PATTERN "*.txt" PATTERN "*.png" PATTERN models EXCLUDE)
+install(FILES ${CSGSIM_SUITE_MODELS} DESTINATION ${data_dir}/benchmark/models)
 install(DIRECTORY tests/corpus/parts DESTINATION ${data_dir}/examples)
 # Links of the pages that lead out of docs/.
 install(CODE "

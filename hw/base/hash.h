@@ -1,5 +1,5 @@
 // 64-bit FNV-1a hash.
-// Used by hw/machines, sim/checkpoint, sim/observe, sim/session, sim/software and sim/studies.
+// Used by hw/machines and sim.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // Parses TOML with errors at their position.
-// Used by hw/bit_serial_memory, hw/machines, host/scene and sim/shell.
+// Used by hw/bit_serial_memory, hw/machines, host/scene, sim/shell and sim/suite.
 #pragma once
 
 #include <toml++/toml.h>

@@ -1,6 +1,6 @@
 // Counts of host and division work for a Program.
 // Used by hw/division, hw/host, hw/multi_processor, hw/pixel_square, host/csg, host/effects, host/emit, sim/observe,
-// sim/session and sim/studies.
+// sim/session, sim/studies and sim/suite.
 #pragma once
 
 #include <cstdint>

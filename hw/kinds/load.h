@@ -1,5 +1,5 @@
 // Loads machines by name, file or Program record.
-// Used by csgsim.h, sim/session, sim/studies, sim/shell, sim/app, sim/python, sim/viewer and tests.
+// Used by sim.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // Runs other programs within limits.
-// Used by sim/plots, sim/session, sim/viewer and sim/waves.
+// Used by sim/plots, sim/session, sim/suite, sim/viewer and sim/waves.
 #pragma once
 
 #include <chrono>

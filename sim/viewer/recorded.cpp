@@ -1,31 +1,18 @@
 #include "sim/viewer/recorded.h"
 
 #include <cstddef>
-#include <filesystem>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 #include "hw/base/error.h"
 #include "hw/isa/binary.h"
+#include "sim/system/own_program.h"
 
 namespace csgsim::viewer {
 
-namespace {
-
-/// Path of the running program.
-std::string own_program() {
-  std::error_code error;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-  if (error)
-    throw InputError("csgsim: cannot find its own program file: " + error.message() + "; check that /proc is mounted");
-  return program.native();
-}
-
-}  // namespace
-
 std::string record_wave(const isa::Program& program, std::span<const std::string> options) {
-  return record_wave_with(own_program(), program, options);
+  return record_wave_with(system::own_program(), program, options);
 }
 
 std::string record_wave_with(const std::string& csgsim_path, const isa::Program& program,

@@ -57,28 +57,35 @@ std::map<std::string, std::string> corpus_models() {
   return models;
 }
 
-std::vector<Reference> read_references(const std::string& model) {
-  const Values values = read_values(folder / "references" / (model + ".png"));
+std::vector<Reference> read_references(const fs::path& where, const std::string& name) {
+  const Values values = read_values(where / (name + ".png"));
   const auto size = static_cast<std::ptrdiff_t>(values.width) * values.width;
   std::vector<Reference> references;
-  std::ifstream views(folder / "references" / "views.txt");
+  std::ifstream views(where / "views.txt");
   for (std::string line; std::getline(views, line);) {
     std::istringstream words(line);
-    std::string name;
-    words >> name;
-    if (name != model) continue;
+    std::string found;
+    words >> found;
+    if (found != name) continue;
     Reference reference{.camera = read_camera(words), .size = values.width, .pixels = {}};
     words >> reference.near >> reference.far >> reference.diagonal;
-    if (!words) throw std::runtime_error("views.txt: malformed line; run tests/corpus/references.py: " + line);
-    // The perspective picture is above the orthographic one.
-    const bool is_second = reference.camera.projection == view::Projection::orthographic;
-    const auto first = values.pixels.begin() + (is_second ? size : 0);
-    reference.pixels.assign(first, first + size);
+    if (!words) throw std::runtime_error("views.txt: malformed line; write it again with references.py: " + line);
     references.push_back(std::move(reference));
   }
-  if (references.size() != 2 || std::ssize(values.pixels) != 2 * size) {
-    throw std::runtime_error(model + ": a picture or a view is missing in references; run tests/corpus/references.py");
+  if (std::ssize(values.pixels) != std::ssize(references) * size)
+    throw std::runtime_error(name + ": a picture or a view is missing; write them again with references.py");
+  // The first picture belongs to the last line.
+  for (auto one = references.begin(); one != references.end(); ++one) {
+    const auto first = values.pixels.begin() + (references.end() - one - 1) * size;
+    one->pixels.assign(first, first + size);
   }
+  return references;
+}
+
+std::vector<Reference> read_references(const std::string& model) {
+  std::vector<Reference> references = read_references(folder / "references", model);
+  if (references.size() != 2)
+    throw std::runtime_error(model + ": two views are needed; run tests/corpus/references.py");
   return references;
 }
 

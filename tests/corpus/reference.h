@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -27,6 +28,10 @@ struct Reference {
 
 /// Paths of the corpus's models by name.
 std::map<std::string, std::string> corpus_models();
+
+/// Reads FOLDER/NAME.png, square pictures above one another, with their lines of FOLDER/views.txt in reverse order.
+/// Throws std::runtime_error if a picture or a line is missing.
+std::vector<Reference> read_references(const std::filesystem::path& folder, const std::string& name);
 
 /// Reads references/NAME.png with its lines of references/views.txt. Throws std::runtime_error if they do not exist.
 std::vector<Reference> read_references(const std::string& model);

@@ -42,11 +42,11 @@ def differences(values):
     return octets - above
 
 
-def reference(triangles, projection):
-    """The picture's values, and its line of views.txt without the name."""
-    camera, diagonal = mesh_depth.camera(triangles, projection), mesh_depth.diagonal(triangles)
-    picture = mesh_depth.depth(triangles, camera, projection, SIZE)
-    around = np.stack([mesh_depth.depth(triangles, camera, projection, SIZE, (x * NEAR_EDGE, y * NEAR_EDGE)) for x, y in CORNERS])
+def reference(triangles, projection, camera=None, size=SIZE):
+    """The picture's values, and its line of views.txt without the name. The default camera shows the whole mesh."""
+    camera, diagonal = camera or mesh_depth.camera(triangles, projection), mesh_depth.diagonal(triangles)
+    picture = mesh_depth.depth(triangles, camera, projection, size)
+    around = np.stack([mesh_depth.depth(triangles, camera, projection, size, (x * NEAR_EDGE, y * NEAR_EDGE)) for x, y in CORNERS])
     covered = np.isfinite(picture)
     with np.errstate(invalid="ignore"):
         jumps = np.abs(around[:2].sum(axis=0) - 2 * picture) + np.abs(around[2:].sum(axis=0) - 2 * picture) > diagonal / 1000

@@ -119,7 +119,7 @@ def glossary():
 def command_names():
     def listed(folder, name):
         text = (ROOT / "sim" / folder / "CMakeLists.txt").read_text(encoding="utf-8")
-        return re.search(rf"set\({name} ([\w ]+)\)", text)[1].split()
+        return re.search(rf"set\({name} ([\w ]+)\)", text)[1].replace("_", "-").split()
 
     return listed("app", "commands") + listed("studies", "studies") + ["gather"]
 
@@ -137,7 +137,7 @@ def lists():
     if linked != listed:
         yield f"{CONTENTS}: its table of pages differs from docs/book/order.toml; run tests/docs/make.py build/release --page {CONTENTS}"
     commands = markdown.read(COMMANDS).split("\n## Commands\n")[1].split("\n## ")[0]
-    named = collections.Counter(name for _, row in markdown.rows(commands) for name in re.findall(r"`([a-z]+)`", row[0]))
+    named = collections.Counter(name for _, row in markdown.rows(commands) for name in re.findall(r"`([a-z-]+)`", row[0]))
     for name in command_names():
         if named[name] != 1:
             yield f"{COMMANDS}: its table of commands has {name} {named[name]} times"

@@ -1,5 +1,5 @@
 // Reads, facets and compiles a model for a machine.
-// Used by sim/session, sim/app, sim/studies and sim/viewer.
+// Used by sim/app, sim/studies, sim/suite and sim/viewer.
 #pragma once
 
 #include <optional>

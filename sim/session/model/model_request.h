@@ -1,5 +1,5 @@
 // Options of compiling a model, and the values that they stand for.
-// Used by sim/session, sim/app, sim/python, sim/studies and sim/viewer.
+// Used by sim/app, sim/python, sim/studies, sim/suite and sim/viewer.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // Options and operands of a request, with validation and messages.
-// Used by sim/session, sim/python, sim/shell and sim/studies.
+// Used by sim/python, sim/shell, sim/studies and sim/suite.
 #pragma once
 
 #include <cstddef>

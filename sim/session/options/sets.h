@@ -1,5 +1,5 @@
 // The option --set: machine parameters and scene keys.
-// Used by sim/session, sim/app and sim/studies.
+// Used by sim/app, sim/studies and sim/suite.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // Version, build and date of csgsim.
-// Used by sim/session, sim/python, sim/shell, sim/studies and sim/web.
+// Used by sim/python, sim/shell, sim/studies, sim/suite and sim/web.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // Options of drawing a Program, and the engines for its levels.
-// Used by sim/session, sim/app, sim/studies, sim/viewer and sim/web.
+// Used by sim/app, sim/studies, sim/suite, sim/viewer and sim/web.
 #pragma once
 
 #include <functional>
