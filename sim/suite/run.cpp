@@ -37,7 +37,7 @@ session::ModelRequest request_of(const Data& data, const Job& job) {
   };
   give("machine", job.machine);
   for (const auto& [key, value] : job.one->settings) give(key, value);
-  return session::model_request_in(words);
+  return session::parse_model_request(words);
 }
 
 Prepared compile(const Data& data, const Job& job) {

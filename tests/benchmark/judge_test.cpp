@@ -43,7 +43,7 @@ struct Verdict {
 
 Verdict judge(const Drawn& drawn, const testing::Reference& reference) {
   const isa::DepthScale& scale = drawn.program.facts->depth_scale;
-  const unsigned bits = isa::field_of(drawn.program, isa::FieldRole::depth).width;
+  const unsigned bits = isa::find_field(drawn.program, isa::FieldRole::depth).width;
   Verdict verdict;
   for (std::size_t i = 0; i < reference.pixels.size(); ++i) {
     const std::uint16_t value = reference.pixels[i];

@@ -11,7 +11,7 @@ bool holds(const std::string& text, const std::string& part) { return text.find(
 void refused(const Outcome& outcome, int code, const std::string& what) {
   CAPTURE(outcome.err);
   CHECK(outcome.code == code);
-  CHECK(one_line(outcome.err));
+  CHECK(is_one_line(outcome.err));
   CHECK(holds(outcome.err, what));
 }
 

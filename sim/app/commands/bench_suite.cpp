@@ -225,7 +225,7 @@ void add_bench_suite(CommandLine& line) {
   command.option("--compare", options->compared, "Run nothing; compare the results in this table, .csv")
       .check(not_empty);
   command.option("--suite", options->suite, "The suite's folder; default: the one that belongs to csgsim").folder();
-  add_progress(command, options->progress);
+  add_progress_option(command, options->progress);
   command.add_quiet_option();
   command.set_action([options] { bench_suite(*options); });
 }
