@@ -52,7 +52,7 @@ double pixel_area(const Expected& one) {
 
 double shared_transistors(const machines::Machine& machine, const Expected& one) {
   const auto count = [&](const machines::Transistors& of) {
-    return one.family == 0 ? double{of.cmos} : double{of.nmos};
+    return static_cast<double>(one.family == 0 ? of.cmos : of.nmos);
   };
   return count(machines::controller_transistors) + static_cast<double>(machine.link.width * machine.link.fifo_depth) *
                                                        count(machines::fifo_transistors) / machines::fifo_bits;
