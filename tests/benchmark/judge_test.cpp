@@ -63,7 +63,7 @@ const fs::path references = fs::path(CSGSIM_SOURCE_DIR) / "tests/benchmark/refer
 
 }  // namespace
 
-TEST_CASE("every case's stored Program shows the surfaces of OpenSCAD's mesh, and its picture is the expected one") {
+TEST_CASE("stored Programs show OpenSCAD's surfaces and draw the expected pictures") {
   REQUIRE(data().suite().cases.size() == 20);
   for (const suite::Case& one : data().suite().cases) {
     CAPTURE(one.name);

@@ -34,7 +34,7 @@ TEST_CASE("bench-suite lists its 20 cases") {
   CHECK(std::ranges::count(run("bench-suite grid --list").out, '\n') == 3);
 }
 
-TEST_CASE("bench-suite runs a case on machines that share a Program and on one that has its own") {
+TEST_CASE("bench-suite runs a case with a shared Program and with a machine's own") {
   const Folder folder;
   const std::string table = folder / "r.csv";
   const Outcome outcome =

@@ -32,7 +32,7 @@ suite::Comparison compared(const std::string& row) {
 
 }  // namespace
 
-TEST_CASE("a table of results is read with columns in any order, comments, quotes and empty cells") {
+TEST_CASE("results are read with columns in any order, comments, quotes and empty cells") {
   const std::vector<suite::Row> rows = read(
       "# host: a computer\r\n\nclocks,machine,case,picture,simulator\r\n0012,\"a,b\",one,,\"the "
       "\"\"x\"\"\"\r\n,m,one," +
@@ -90,7 +90,7 @@ TEST_CASE("a row is compared with that of its case and machine, cell by cell") {
   CHECK(partly.differences == std::vector<suite::Difference>{{"one", "pp", "clocks", "100", "101"}});
 }
 
-TEST_CASE("a machine without expected values is compared with another that ran the same Program") {
+TEST_CASE("a machine without expected values is compared with one of the same Program") {
   const suite::Comparison same_program = compared("one,new,fedcba9876543210,00000000000000bb,1,8\n");
   CHECK(same_program.values == 3);
   CHECK(same_program.differences == std::vector<suite::Difference>{{"one", "new", "picture", some_hash, other_hash},
