@@ -55,7 +55,7 @@ Prepared load(const Data& data, const Job& job) {
   return {std::move(machine), std::move(program)};
 }
 
-void put_counts(Row& row, const session::Drawn& drawn) {
+void put_counts(Row& row, const session::DrawnRun& drawn) {
   const auto put = [&](std::string_view column, std::uint64_t number) { row.at(column) = std::to_string(number); };
   const observe::Cost& total = drawn.stats.total;
   put("clocks", drawn.result.clocks);
@@ -93,7 +93,7 @@ Prepared prepare(const Data& data, const Job& job) {
 }
 
 Row measure(const Prepared& prepared, const Job& job, bool shows_progress) {
-  const session::Drawn drawn = session::draw(prepared.program, prepared.machine, job.level, shows_progress);
+  const session::DrawnRun drawn = session::draw(prepared.program, prepared.machine, job.level, shows_progress);
   Row row;
   row.at("case") = job.one->name;
   row.at("machine") = job.machine;

@@ -46,14 +46,14 @@ class ListReader {
 
  private:
   [[noreturn]] void fail(const toml::node& at, std::string_view message) const {
-    throw InputError(fmt::format("{}: {}", show(at.source().begin, file_), message));
+    throw InputError(fmt::format("{}: {}", position_text(at.source().begin, file_), message));
   }
 
   template <class Keys>
   void check_keys(const toml::table& table, const Keys& known) const {
     for (const auto& [key, node] : table) {
       if (std::ranges::find(known, key.str()) == known.end())
-        throw InputError(fmt::format("{}: {}", show(key.source().begin, file_),
+        throw InputError(fmt::format("{}: {}", position_text(key.source().begin, file_),
                                      unknown_name_text("key", key.str(), std::span<const std::string_view>(known))));
     }
   }
