@@ -125,7 +125,7 @@ void print_row(const suite::Row& row, const suite::Comparison& comparison, Total
   const std::size_t count = comparison.differences.size();
   std::string verdict = fmt::format("{} equal", count_text(comparison.values, "value"));
   if (comparison.values == 0) verdict = "no expected values";
-  if (count > 0) verdict = fmt::format("{} of {} differ", count, count_text(comparison.values, "value"));
+  if (count > 0) verdict = fmt::format("differing values: {} of {}", count, comparison.values);
   fmt::print("{:<20}{:<28}{:>15}{:>10}  {}\n", printable(row.name()), printable(row.machine()), row.at("clocks"),
              row.at("seconds"), verdict);
   for (std::size_t i = 0; i < count && i < shown_differences; ++i) {
@@ -181,10 +181,11 @@ void compare_results(const Options& options, const suite::Data& data) {
   const auto is_chosen = [](const std::vector<std::string>& names, const std::string& name) {
     return names.empty() || std::ranges::find(names, name) != names.end();
   };
+  const std::vector<suite::Row> rows = suite::read_results_file(options.compared);
+  for (const suite::Row& row : rows) suite::case_named(data.suite(), row.name());
   Totals totals;
   print_header();
-  for (const suite::Row& row : suite::read_results_file(options.compared)) {
-    suite::case_named(data.suite(), row.name());
+  for (const suite::Row& row : rows) {
     if (is_chosen(cases, row.name()) && is_chosen(machines, row.machine()))
       print_row(row, suite::compare(data.expected(), row), totals);
   }
