@@ -171,7 +171,11 @@ TEST_CASE("the table of mistakes covers every command, and every section is test
     if (!is_command) continue;
     const std::string name = line.substr(2, line.find(' ', 2) - 2);
     CAPTURE(name);
-    CHECK(std::ranges::any_of(table.mistakes, [&](const Mistake& one) { return one.command == "csgsim " + name; }));
+    // bench-suite without arguments runs everything.
+    const std::string command = "csgsim " + name;
+    CHECK(std::ranges::any_of(table.mistakes, [&](const Mistake& one) {
+      return one.command == command || (name == "bench-suite" && one.command.starts_with(command + " "));
+    }));
     ++commands;
   }
   CHECK(commands > 20);

@@ -56,6 +56,7 @@ JUDGES_OF = {  # in the order of execution
     "sim/rows": ["rows", "cli"],
     "sim/rtl": ["rtl", "cli"],
     "sim/story": ["story", "cli"],
+    "sim/suite": ["suite", "benchmark", "cli"],
     "sim/checkpoint": ["checkpoint", "cli"],
     "sim/lockstep": ["lockstep", "cli"],
     "sim/debug": ["debug", "cli"],
