@@ -48,6 +48,7 @@ constexpr auto fixed_columns = std::to_array<FixedColumn>({
 
 std::vector<Column> make_columns() {
   std::vector<Column> all;
+  all.reserve(fixed_columns.size() + isa::opcode_table.size());
   for (const FixedColumn& one : fixed_columns) all.push_back({std::string(one.name), one.cell, one.scope});
   for (const isa::OpcodeInfo& row : isa::opcode_table)
     all.push_back({std::string(row.name), Cell::number, Scope::program});
